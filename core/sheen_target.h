@@ -1,0 +1,89 @@
+/*
+ * sheen_target.h - where finished pixels go: the seam between the core and a panel.
+ *
+ * The core knows a target only as this struct; a panel driver (hal/), a memory
+ * buffer, an SDL texture or an LVGL canvas fill one in. Nothing here speaks of
+ * triangles, so the HAL includes this header and no other of the core.
+ *
+ * Coordinates are pixels, x to the right and y down, (0, 0) the top left one.
+ */
+#ifndef SHEEN_TARGET_H
+#define SHEEN_TARGET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Every function of sheen that can fail returns one of these, or unchanged the
+ * negative code that a callback of the user returned.
+ */
+enum sheen_error {
+    SHEEN_OK = 0,
+    SHEEN_ERR_ARGUMENT = -1,   /* a value outside its documented range, or NULL */
+    SHEEN_ERR_MEMORY = -2,     /* the arena is too small; the size needed is reported */
+    SHEEN_ERR_CAPACITY = -3,   /* more vertices, triangles, draws or pieces than configured */
+    SHEEN_ERR_STATE = -4,      /* a call out of order (draw before begin, ...) */
+    SHEEN_ERR_DEGENERATE = -5, /* no direction: a zero vector, a polygon without area */
+    SHEEN_ERR_BUS = -6,        /* the bus refused or broke off a transfer */
+    SHEEN_ERR_TIMEOUT = -7,    /* the bus did not finish in time */
+    SHEEN_ERR_UNSUPPORTED = -8 /* the panel or target cannot do what was asked */
+};
+
+/* A static text of a few words for a code of enum sheen_error. Never NULL. */
+const char *sheen_strerror(int error);
+
+/* Half-open: covers x0 <= x < x1, y0 <= y < y1. Empty where x0 >= x1 or y0 >= y1. */
+struct sheen_rect {
+    int16_t x0, y0, x1, y1; /* px */
+};
+
+/*
+ * Order and size of a pixel in memory. 565 values are r << 11 | g << 5 | b.
+ * GREY: levels packed left to right from the high bits of a byte: 256 levels
+ * are 1 pixel a byte, 16 levels 2, 2 levels 8.
+ */
+enum sheen_pixel {
+    SHEEN_RGB565_BE = 0, /* high byte first: what 8-bit SPI panels take */
+    SHEEN_RGB565_LE,     /* low byte first: SDL, LVGL, 16-bit SPI on little-endian cores */
+    SHEEN_GREY2,
+    SHEEN_GREY16,
+    SHEEN_GREY256
+};
+
+/* Bits of a pixel in memory: 16, 16, 1, 4, 8. */
+static inline unsigned sheen_pixel_bits(enum sheen_pixel pixel)
+{
+    return pixel <= SHEEN_RGB565_LE ? 16u : pixel == SHEEN_GREY256 ? 8u : pixel == SHEEN_GREY16 ? 4u : 1u;
+}
+
+/*
+ * A target. The struct may be const; ctx is handed back to both callbacks.
+ *
+ * push: send a rectangle. Pixels stand row by row without gaps: a row takes
+ *   (x1 - x0) * bits / 8 bytes, the rectangle's edges being multiples of
+ *   align_x and align_y (or the target's edge). push MAY return before the
+ *   pixels have left; the core does not touch the buffer until wait returns,
+ *   and never has two pushes under way. 0, or a negative code.
+ * wait: block until the push under way is done and return its result (0 where
+ *   none is under way). May be NULL where push always finishes first.
+ *
+ * A negative code from either ends the frame (no further push), is returned to
+ * the caller unchanged, and makes the next frame send everything.
+ */
+struct sheen_target {
+    void *ctx;
+    int (*push)(void *ctx, struct sheen_rect rect, const void *pixels);
+    int (*wait)(void *ctx);
+    uint16_t width, height;   /* px, 1..640 and 1..480 */
+    uint8_t pixel;            /* enum sheen_pixel */
+    uint8_t align_x, align_y; /* px, powers of two 1..16; 0 counts as 1; GREY16 needs x >= 2, GREY2 x >= 8 */
+};
+
+#ifdef __cplusplus
+}
+#endif
+#endif
