@@ -1,0 +1,232 @@
+/*
+ * sheen.h - shaded 3D for microcontroller displays, with integers only.
+ *
+ * Number formats. Qi.f is signed, UQi.f unsigned: value = raw / 2^f. The type
+ * names below carry f. Integer results round to nearest, halves up, unless said
+ * otherwise; the same input gives the same bits on every machine.
+ *
+ * Spaces. Model and eye space are right-handed: x right, y up, the eye at the
+ * origin looking along -z. Screen: x right, y down, pixel (i, j) has its centre
+ * at (i + 1/2, j + 1/2). m = -z is the depth in front of the eye.
+ *
+ * Winding. A triangle is a front face when its projected corners run counter-
+ * clockwise as seen on the screen. Vertices are snapped to 1/64 px; from there
+ * coverage is exact: a pixel belongs to a triangle where its centre lies
+ * inside, on a top edge or on a left edge, so two triangles that share an edge
+ * leave no gap and draw no pixel twice.
+ *
+ * Depth. Of several triangles at a pixel the one with the largest 1/m (16 bits)
+ * stays, on a tie the first drawn. Its step at m is m^2 (1/near - 1/far) / 65344.
+ *
+ * Memory. The core allocates nothing and keeps nothing outside what the caller
+ * gives: one arena a frame (sheen_arena_size) and the tables inside materials.
+ * There is nothing to release. Meshes and materials are borrowed from
+ * sheen_draw() until sheen_end() or sheen_finish() returns.
+ *
+ * Light (lecture, "Illumination Models"): eye and lights at infinity,
+ *   I = ambient + sum over lights of diffuse * max(0, L.N) + specular * max(0, R.V)^n,
+ * no highlight where L.N <= 0; colour = base * I_ad + highlight colour * I_s,
+ * clamped and rounded once a pixel.
+ */
+#ifndef SHEEN_H
+#define SHEEN_H
+
+#include "sheen_target.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int32_t sheen_q16_t;    /* Q15.16: scales and intensities */
+typedef int32_t sheen_q24_t;    /* Q7.24: lengths, +-128 units in steps of 6e-8 */
+typedef int32_t sheen_q30_t;    /* Q1.30: unit vectors, rotation matrices, sines */
+typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
+
+#define SHEEN_Q16(x) ((sheen_q16_t)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))      /* for constants: */
+#define SHEEN_Q24(x) ((sheen_q24_t)((x) * 16777216.0 + ((x) < 0 ? -0.5 : 0.5)))   /* the compiler   */
+#define SHEEN_Q30(x) ((sheen_q30_t)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5))) /* folds them     */
+#define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0))
+
+/* ---- what is drawn ---- */
+
+/*
+ * A mesh, usually const data in flash. Corners that differ in position or normal
+ * are different vertices; triangles are counter-clockwise seen from outside.
+ * The indices MUST be below `vertices` (sheen_mesh_check looks).
+ */
+struct sheen_mesh {
+    const int16_t *positions;       /* 3 a vertex: model = offset + scale * raw / 32768 */
+    const int16_t *normals;         /* 3 a vertex: unit vectors, 1.0 = 32767; NULL: flat shading only */
+    const int16_t *polygon_normals; /* 3 a polygon, likewise, for flat; NULL: from each triangle's corners */
+    const uint16_t *polygons;       /* a triangle's polygon; NULL: triangle t is polygon t */
+    const void *indices;            /* 3 a triangle */
+    uint8_t index_bytes;            /* 1 or 2: uint8_t or uint16_t indices */
+    uint16_t vertices;              /* 1..65535 */
+    uint16_t triangles;             /* 1..65535 */
+    sheen_q24_t scale;              /* units that raw 32768 stands for, > 0 */
+    sheen_q24_t offset[3];          /* units */
+};
+
+#define SHEEN_POWER_ENTRIES 256 /* of the table of s^n */
+
+/*
+ * A surface. Set the first six fields, then call sheen_material_prepare once;
+ * after any change call it again.
+ */
+struct sheen_material {
+    uint8_t base[3];      /* r, g, b, 255 = 1.0 */
+    uint8_t highlight[3]; /* r, g, b of the specular part, usually white */
+    sheen_q16_t ambient;  /* Ia ka, 0..4 */
+    sheen_q16_t diffuse;  /* Ip kd, 0..4 */
+    sheen_q16_t specular; /* Ip ks, 0..4 */
+    uint8_t shininess;    /* n, 1..128 */
+    uint8_t power_shift;                      /* made by sheen_material_prepare: */
+    uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ0.16 s^n over u = 1 - s in [0, 2^-shift] */
+};
+
+/* A light at infinity. `to` points to it, in eye space, any length but zero. */
+struct sheen_light {
+    sheen_q30_t to[3];
+    sheen_q16_t intensity; /* white, 0..1; multiplies the material's diffuse and specular */
+    uint8_t highlight;     /* 0: no specular part from this light */
+};
+
+#define SHEEN_MAX_LIGHTS 4
+
+/* Model to eye: eye = scale * rotation * model + translation. */
+struct sheen_pose {
+    sheen_q30_t rotation[9];    /* row by row, orthonormal */
+    sheen_q16_t scale;          /* > 0 */
+    sheen_q24_t translation[3]; /* units */
+};
+
+enum sheen_shading { SHEEN_FLAT = 0, SHEEN_GOURAUD, SHEEN_PHONG };
+
+struct sheen_draw {
+    const struct sheen_mesh *mesh;
+    const struct sheen_material *material;
+    const struct sheen_light *lights; /* copied by sheen_draw */
+    uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS */
+    uint8_t shading;                  /* enum sheen_shading */
+    uint8_t two_sided;                /* 1: back faces are drawn too, with their normals negated */
+    struct sheen_pose pose;
+};
+
+/* What the eye sees, a frame long. */
+struct sheen_view {
+    struct sheen_rect viewport; /* px on the target; empty: all of it */
+    sheen_angle_t fov;          /* vertical, 1..150 degrees */
+    sheen_q24_t near, far;      /* units, 0 < near < far: m outside is not drawn */
+    uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
+    uint8_t background[3];      /* r, g, b */
+    /*
+     * A user's own 2D; each may be NULL, all get ctx. Called for each rectangle
+     * of the target that this frame sends: underlay in place of clearing to the
+     * background, overlay after drawing. pixels[0] is the rectangle's top left;
+     * a row is pitch pixels: uint16_t in the target's order, or for grey targets
+     * one byte a pixel, its level (packed afterwards).
+     */
+    void *ctx;
+    void (*underlay)(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+    void (*overlay)(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+};
+
+/* ---- a frame ---- */
+
+/* Capacities, fixed at init. Totals of a frame; 0 takes the default in brackets. */
+struct sheen_config {
+    const struct sheen_target *target; /* borrowed for the frame's life */
+    uint16_t band_rows;                /* 1..height, rounded up to align_y [16] */
+    uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
+    uint8_t workers;                   /* 1..4 that call sheen_band at once [1] */
+    uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
+    uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
+    uint16_t max_draws;                /* [4] */
+    uint16_t max_clipped;              /* pieces of triangles cut by near plane or guard band [64] */
+    uint16_t max_carried;              /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
+};
+
+struct sheen_frame; /* lives in the arena */
+
+/* Bytes of the arena that sheen_init needs; 0 where the configuration is invalid. */
+size_t sheen_arena_size(const struct sheen_config *config);
+
+/*
+ * Set up a frame in the arena (aligned to 8). *size is its size; on
+ * SHEEN_ERR_MEMORY *size becomes the size needed and nothing was written.
+ */
+int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config);
+
+/* Start a frame: waits for the last push of the one before and returns its error, if any: then begin again. */
+int sheen_begin(struct sheen_frame *frame, const struct sheen_view *view);
+
+/* Transform, cull, clip and list a mesh. On any error the frame is as it was before the call. */
+int sheen_draw(struct sheen_frame *frame, const struct sheen_draw *draw);
+
+/* Add a rectangle (px on the target) to what this frame clears, draws and sends. */
+int sheen_mark(struct sheen_frame *frame, struct sheen_rect rect);
+
+/* Draw and send every band: sheen_band over all bands by worker 0, then sheen_finish. */
+int sheen_end(struct sheen_frame *frame);
+
+/*
+ * In place of sheen_end, by hand: each band once, in any order, on any worker;
+ * workers may run at once, the target then has to serialise its pushes.
+ * sheen_finish when all bands are done; returns the frame's first error.
+ */
+unsigned sheen_band_count(const struct sheen_frame *frame);
+int sheen_band(struct sheen_frame *frame, unsigned worker, unsigned band);
+int sheen_finish(struct sheen_frame *frame);
+
+/* Wait for the last push of the frame; its result. */
+int sheen_wait(struct sheen_frame *frame);
+
+/* The next frame sends everything (the panel was written to by others, or lost power). */
+void sheen_invalidate(struct sheen_frame *frame);
+
+/* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
+struct sheen_stats {
+    uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
+    uint32_t by_way[8];                        /* set-ups by enum sheen_way */
+    uint32_t setups, spans;
+    uint32_t covered, shaded;                  /* px inside triangles; px that passed the depth test (*) */
+    uint32_t rectangles, pixels;               /* pushes and their area */
+    uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
+};
+enum sheen_way {
+    SHEEN_WAY_FLAT = 0,
+    SHEEN_WAY_GOURAUD_LINEAR,   /* linear on the screen */
+    SHEEN_WAY_GOURAUD_QUOTIENT, /* Blinn's I/m over 1/m, a reciprocal a pixel */
+    SHEEN_WAY_PHONG_ROOT        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
+};
+void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
+
+/* ---- making what is drawn ---- */
+
+/* Check fields and build the power table. SHEEN_ERR_ARGUMENT for a value out of range. */
+int sheen_material_prepare(struct sheen_material *material);
+
+/* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index or polygon id is out of range. */
+int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
+
+sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 2 raw steps of exact */
+sheen_q30_t sheen_cos(sheen_angle_t angle);
+
+/* rotation = Rz(roll) * Rx(pitch) * Ry(yaw), scale 1, the model's origin at depth `distance`. */
+void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
+                      sheen_q24_t distance);
+
+/* v to unit length in Q1.30, each part within 2 raw steps of exact. SHEEN_ERR_DEGENERATE: v = 0, out untouched. */
+int sheen_normalize(const int32_t v[3], sheen_q30_t out[3]);
+
+/*
+ * Newell's normal of a polygon (lecture, "Polygon Normals"), unit length.
+ * points: 3 a point, any common scale, |coordinate| <= 2^28; corners: count (>= 3, <= 65535) indices into
+ * points. SHEEN_ERR_DEGENERATE where the area is zero.
+ */
+int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigned count, sheen_q30_t normal[3]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
