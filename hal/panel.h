@@ -1,0 +1,117 @@
+/*
+ * panel.h - small displays: a panel is a data record, its driver takes finished pixels.
+ *
+ * Open a panel with a record and a bus, ask it for its target, hand that to the
+ * core. Nothing is sent before the first push, which initialises the panel; so
+ * does the first push after an error. Several panels, each with its own struct,
+ * record and bus, may be open at once: there is no global state.
+ *
+ * Memory: struct sheen_panel is the caller's (static, stack or heap), nothing is
+ * allocated, nothing is to be released. Record and bus must outlive it.
+ *
+ * Orientation, 0..7: rotation 0 is the glass as its record's glass_w x glass_h
+ * describes it; each further one turns the glass a quarter turn counter-clockwise
+ * under an upright picture: the picture's top left corner stands at the glass's
+ * top left (0), top right (1), bottom right (2), bottom left (3). 4..7 are 0..3
+ * with the picture mirrored left to right, for a glass seen through a mirror.
+ */
+#ifndef SHEEN_PANEL_H
+#define SHEEN_PANEL_H
+
+#include "bus.h"
+#include "sheen_target.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A command of an init table, its parameters, and the wait after it. */
+struct sheen_panel_step {
+    uint8_t command;
+    uint8_t wait_ms;     /* ms after the last parameter, 0..255 */
+    uint8_t count;       /* parameters, 0..255 */
+    const uint8_t *data; /* count bytes; NULL where count is 0 */
+};
+
+/*
+ * What sets one module apart from another. Colour order, inversion, byte order
+ * and gap are four different things; each has its own field.
+ *
+ * RAM and gap are as the module is strapped: columns x rows of controller memory
+ * and the lowest column and row that lie behind the glass. The offset of every
+ * orientation follows (sheen_panel_offset in panel.c).
+ */
+struct sheen_panel_record {
+    const char *name;       /* controller-WxH of rotation 0, and -variant */
+    const char *controller; /* as printed on a data sheet */
+    const char *note;       /* a line for who chooses a panel, or NULL */
+    const struct sheen_panel_driver *driver;
+    const struct sheen_panel_step *init; /* sent after reset, before orientation and display on */
+    uint32_t clock_hz;                   /* rated write clock, 1 / minimum cycle of the data sheet */
+    uint16_t glass_w, glass_h;           /* px, rotation 0 */
+    uint16_t ram_w, ram_h;               /* px */
+    uint16_t gap_x, gap_y;               /* RAM column and row, px */
+    uint16_t reset_low_us, reset_ms;     /* reset pulse; rest after it (and after a reset by command) */
+    uint8_t steps;                       /* entries of init */
+    uint8_t spi_mode;                    /* 0 or 3 */
+    uint8_t pixel;                       /* enum sheen_pixel that the target asks for */
+    uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV (DCS) or the remap byte (others) */
+    uint8_t bgr;                         /* 1: the sub-pixels stand blue, green, red */
+    uint8_t inverted;                    /* 1: shows true colours with inversion on (IPS glass) */
+    uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
+};
+
+#define SHEEN_PANEL_PACK_BYTES 64u
+
+/* Run-time state of a panel. Private: touched by hal/ only. */
+struct sheen_panel {
+    const struct sheen_panel_record *record;
+    const struct sheen_bus *bus;
+    uint16_t window[4];                   /* x0, x1, y0, y1 last sent, in the controller's own units */
+    uint8_t orientation;                  /* 0..7 */
+    uint8_t ready;                        /* initialised, and no error since */
+    uint8_t flying;                       /* a write may still be under way */
+    uint8_t window_known;                 /* bits 0, 1: the x, y half of window is what the controller holds */
+    uint8_t pack[SHEEN_PANEL_PACK_BYTES]; /* bytes that the packer turned; in flight until wait */
+};
+
+/*
+ * Ties a panel to its record and bus; sends nothing. orientation: 0..7.
+ * SHEEN_ERR_ARGUMENT: a NULL, an orientation above 7, or a record whose glass
+ * does not fit its RAM or its pixel packing.
+ */
+int sheen_panel_open(struct sheen_panel *panel, const struct sheen_panel_record *record, const struct sheen_bus *bus,
+                     unsigned orientation);
+
+/* Fills in *target: size, pixel format and alignment in the panel's orientation, and its push and wait. */
+int sheen_panel_target(struct sheen_panel *panel, struct sheen_target *target);
+
+/*
+ * Resets and initialises now rather than at the first push (before a clock is
+ * raised, or to keep its quarter of a second out of the first frame). Then the
+ * first push does not do it again.
+ */
+int sheen_panel_init(struct sheen_panel *panel);
+
+/* Width and height of the picture, px, in orientation 0..7. */
+void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientation, uint16_t *width, uint16_t *height);
+
+/* The orientation taken where none is asked for: 1 (landscape) for glass taller than wide, else 0. */
+unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record);
+
+/*
+ * The record of that name, or the first in the table whose name goes on with a
+ * dash: "ili9341" finds ili9341-240x320. NULL: no such panel.
+ */
+const struct sheen_panel_record *sheen_panel_find(const char *name);
+
+/* The table's record index, from 0; NULL past the last. */
+const struct sheen_panel_record *sheen_panel_at(size_t index);
+
+/* The records by themselves: a firmware that names one links no other and only its driver. */
+extern const struct sheen_panel_record sheen_panel_ili9341;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

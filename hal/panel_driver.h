@@ -1,0 +1,51 @@
+/*
+ * panel_driver.h - private to hal/: what a driver is, and the steps that drivers share.
+ */
+#ifndef SHEEN_PANEL_DRIVER_H
+#define SHEEN_PANEL_DRIVER_H
+
+#include "panel.h"
+
+/*
+ * init: from any state of the controller to a lit, oriented panel.
+ * push: a rectangle that lies inside the target, aligned; may leave its last
+ *   write under way (panel->flying). Pixels as in sheen_target.h.
+ * reset_command: a reset by command for boards without a reset line, < 0: none.
+ */
+struct sheen_panel_driver {
+    int (*init)(struct sheen_panel *panel);
+    int (*push)(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels);
+    int16_t reset_command;
+    uint8_t align_x, align_y; /* px, of the target; of both axes the larger where the driver turns pixels */
+};
+
+extern const struct sheen_panel_driver sheen_driver_dcs;
+
+/* Sends bytes and waits until they have left. */
+int sheen_panel_write(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+
+/* Sends bytes that stay untouched; sheen_panel_landed() collects them. */
+int sheen_panel_launch(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+
+/* Waits for the write under way, if any. */
+int sheen_panel_landed(struct sheen_panel *panel);
+
+/* A command, then its count (may be 0) parameters as data. */
+int sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
+
+/* Reset by the line, else by command, with the record's waits. */
+int sheen_panel_reset(struct sheen_panel *panel);
+
+/* The record's init table; parameters leave with D/C = dc. */
+int sheen_panel_steps(struct sheen_panel *panel, enum sheen_dc dc);
+
+/*
+ * RAM pixels before the glass on an axis: gap where the axis counts upwards,
+ * the rest beyond the glass where it counts downwards.
+ */
+static inline uint16_t sheen_panel_offset(uint16_t ram, uint16_t glass, uint16_t gap, int downwards)
+{
+    return (uint16_t)(downwards ? ram - glass - gap : gap);
+}
+
+#endif
