@@ -1,0 +1,13 @@
+/*
+ * angle.h - sines of binary angles (2^32 = one turn).
+ */
+#ifndef SHEEN_ANGLE_H
+#define SHEEN_ANGLE_H
+
+#include <stdint.h>
+
+/* sin of i/256 turn, Q1.30, i = 0..64: a quarter of a turn. */
+#define SINE_ENTRIES 65
+extern const int32_t sheen_sine_table[SINE_ENTRIES];
+
+#endif

@@ -1,0 +1,89 @@
+/*
+ * fixed.h - multiply, shift, round: the few operations all fixed point is made of.
+ *
+ * Qi.f is signed, UQi.f unsigned: value = raw / 2^f. Right shifts of negative
+ * numbers, which C leaves to the compiler, go through asr32 and asr64 only.
+ */
+#ifndef SHEEN_FIXED_H
+#define SHEEN_FIXED_H
+
+#include <stdint.h>
+
+/* floor(x / 2^n), 0 <= n <= 31. Compilers make one arithmetic shift of it. */
+static inline int32_t asr32(int32_t x, unsigned n)
+{
+    return x >= 0 ? x >> n : ~(~x >> n);
+}
+
+/* floor(x / 2^n), 0 <= n <= 63. */
+static inline int64_t asr64(int64_t x, unsigned n)
+{
+    return x >= 0 ? x >> n : ~(~x >> n);
+}
+
+/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold |x| < 2^62. */
+static inline int64_t round_shift64(int64_t x, unsigned n)
+{
+    return asr64(x + ((int64_t)1 << (n - 1)), n);
+}
+
+/* round(a * b / 2^n), 1 <= n <= 62; the caller shows that the result fits. */
+static inline int32_t mul_round(int32_t a, int32_t b, unsigned n)
+{
+    return (int32_t)round_shift64((int64_t)a * b, n);
+}
+
+/* High word of the product: floor(a * b / 2^32). */
+static inline uint32_t mul_high(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(((uint64_t)a * b) >> 32);
+}
+
+/* Leading zero bits, 0..32. */
+static inline unsigned clz32(uint32_t x)
+{
+    return x == 0 ? 32u : (unsigned)__builtin_clz(x);
+}
+
+static inline unsigned clz64(uint64_t x)
+{
+    uint32_t high = (uint32_t)(x >> 32);
+    return high != 0 ? clz32(high) : 32u + clz32((uint32_t)x);
+}
+
+/* |x| without the overflow at INT32_MIN. */
+static inline uint32_t magnitude32(int32_t x)
+{
+    return x < 0 ? 0u - (uint32_t)x : (uint32_t)x;
+}
+
+static inline int32_t min32(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t max32(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/*
+ * A Q1.30 (or any 32-bit) factor times a 16-bit one without a 64-bit product:
+ * floor-ish (n * v) / 2^16, at most 1 below the exact quotient.
+ * Range: |n| <= 32767, so n * low half < 2^31.
+ */
+static inline int32_t mul_16_32(int32_t n, int32_t v)
+{
+    return n * asr32(v, 16) + asr32(n * (int32_t)((uint32_t)v & 0xffffu), 16);
+}
+
+/*
+ * Dot product of a 16-bit unit vector (Q0.15) and a Q1.30 one: Q2.29, within 3
+ * raw steps. Range: |v| <= 1.001, so every partial sum stays below 2^31.
+ */
+static inline int32_t dot_q29(const int16_t n[3], const int32_t v[3])
+{
+    return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
+}
+
+#endif
