@@ -1,0 +1,76 @@
+"""Call graphs as gcc writes them (-fcallgraph-info=su): cycles and the deepest stack.
+
+Names: a function of external linkage stands as itself, a static one as
+file:name, exactly as in gcc's .ci files.
+"""
+import re
+
+NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
+EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
+INDIRECT = "__indirect_call"
+
+
+class CallGraph:
+    def __init__(self, ci_files):
+        self.stack = {}      # function -> bytes of its own frame
+        self.dynamic = []    # functions whose frame has no fixed size
+        self.calls = {}      # function -> called names, in order
+        for path in ci_files:
+            with open(path, encoding="utf-8") as ci:
+                self._read(ci)
+
+    def _read(self, lines):
+        for line in lines:
+            if node := NODE.match(line):
+                self._add_node(*node.groups())
+            elif edge := EDGE.match(line):
+                self.calls.setdefault(edge[1], []).append(edge[2])
+
+    def _add_node(self, name, label):
+        frame = re.search(r"(\d+) bytes \(([a-z,]+)\)", label)
+        if frame:            # nodes without are functions defined elsewhere
+            self.stack[name] = int(frame[1])
+            if frame[2] != "static":
+                self.dynamic.append(name)
+
+    def resolve_indirect(self, taken):
+        """An indirect call may reach every function whose address is taken: all names in taken."""
+        targets = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
+        for called in self.calls.values():
+            if INDIRECT in called:
+                called.extend(targets)
+
+    def cycles(self):
+        """A list of cycles, each as the list of its functions; one for each back edge met."""
+        found, done = [], set()
+
+        def visit(name, path):
+            if name in path:
+                found.append(path[path.index(name):] + [name])
+                return
+            if name in done:
+                return
+            for callee in self.calls.get(name, ()):
+                visit(callee, path + [name])
+            done.add(name)
+
+        for name in self.stack:
+            visit(name, [])
+        return found
+
+    def deepest(self, outside):
+        """(bytes, chain of names) of the deepest stack; a function defined elsewhere takes `outside` bytes.
+
+        Only for a graph without cycles. Indirect calls to anything but the
+        targets of resolve_indirect() are the caller's own callbacks: not counted.
+        """
+        known = {INDIRECT: (0, [])}
+
+        def depth(name):
+            if name not in known:
+                below = max((depth(callee) for callee in self.calls.get(name, ())), default=(0, []))
+                own = self.stack.get(name, outside)
+                known[name] = (own + below[0], [name] + below[1])
+            return known[name]
+
+        return max((depth(name) for name in self.stack), default=(0, []))
