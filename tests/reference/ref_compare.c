@@ -1,0 +1,170 @@
+/*
+ * ref_compare.c - where a picture may be compared with the reference, and how well it does there.
+ *
+ * Snapping moves edges by a fraction of a pixel. Inside a smooth surface that
+ * changes nothing that can be seen; at a crease, a silhouette or where surfaces
+ * meet it does. So a pixel counts only where its 3x3 neighbourhood lies on one
+ * smooth surface.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ref_vector.h"
+#include "reference.h"
+
+#define DEPTH_JUMP 0.02
+
+/* A triangle's side between two welded corners, the smaller id first. */
+struct side {
+    uint32_t from, to;
+    uint32_t triangle;
+    double normals[2][3]; /* at from, at to */
+};
+
+static int side_order(const void *a, const void *b)
+{
+    const struct side *p = a, *q = b;
+
+    if (p->from != q->from)
+        return p->from < q->from ? -1 : 1;
+    if (p->to != q->to)
+        return p->to < q->to ? -1 : 1;
+    return p->triangle < q->triangle ? -1 : p->triangle > q->triangle;
+}
+
+static uint32_t root_of(uint32_t *parent, uint32_t i)
+{
+    while (parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+    return i;
+}
+
+static size_t list_sides(const struct ref_picture *picture, const struct ref_mesh *mesh, struct side *sides)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < picture->piece_count; i++) {
+        const struct ref_piece *piece = &picture->pieces[i];
+        if (i > 0 && piece->triangle == picture->pieces[i - 1].triangle)
+            continue;
+        const struct ref_triangle *t = &mesh->triangles[piece->triangle];
+        for (int k = 0; k < 3; k++) {
+            uint32_t a = t->corner[k], b = t->corner[(k + 1) % 3];
+            if (mesh->weld[a] > mesh->weld[b]) {
+                uint32_t swap = a;
+                a = b;
+                b = swap;
+            }
+            struct side *s = &sides[count++];
+            *s = (struct side){.from = mesh->weld[a], .to = mesh->weld[b], .triangle = piece->triangle};
+            for (int c = 0; c < 3; c++) {
+                s->normals[0][c] = piece->back ? -mesh->normal[a][c] : mesh->normal[a][c];
+                s->normals[1][c] = piece->back ? -mesh->normal[b][c] : mesh->normal[b][c];
+            }
+        }
+    }
+    qsort(sides, count, sizeof *sides, side_order);
+    return count;
+}
+
+static bool equal_normals(const struct side *p, const struct side *q)
+{
+    for (int e = 0; e < 2; e++) {
+        for (int c = 0; c < 3; c++) {
+            if (fabs(p->normals[e][c] - q->normals[e][c]) > 1e-6)
+                return false;
+        }
+    }
+    return true;
+}
+
+/* surface[t]: equal for triangles joined through shared edges of triangles that are drawn. */
+static int find_surfaces(const struct ref_picture *picture, const struct ref_scene *scene, uint32_t *surface)
+{
+    const struct ref_mesh *mesh = scene->mesh;
+
+    for (size_t t = 0; t < mesh->triangle_count; t++)
+        surface[t] = scene->shading == REF_FLAT ? mesh->triangles[t].polygon : (uint32_t)t;
+    if (scene->shading == REF_FLAT)
+        return 0;
+    struct side *sides = malloc((3 * mesh->triangle_count + 1) * sizeof *sides);
+    if (!sides)
+        return -1;
+    size_t count = list_sides(picture, mesh, sides);
+    for (size_t i = 1; i < count; i++) {
+        const struct side *p = &sides[i - 1], *q = &sides[i];
+        if (p->from == q->from && p->to == q->to && equal_normals(p, q))
+            surface[root_of(surface, p->triangle)] = root_of(surface, q->triangle);
+    }
+    for (size_t t = 0; t < mesh->triangle_count; t++)
+        surface[t] = root_of(surface, (uint32_t)t);
+    free(sides);
+    return 0;
+}
+
+static bool comparable(const struct ref_picture *picture, const uint32_t *surface, int x, int y)
+{
+    const struct ref_pixel *centre = &picture->pixels[y * picture->width + x];
+    double low = centre->m, high = centre->m;
+
+    if (x == 0 || y == 0 || x == picture->width - 1 || y == picture->height - 1)
+        return false;
+    for (int dy = -1; dy <= 1; dy++) {
+        for (int dx = -1; dx <= 1; dx++) {
+            const struct ref_pixel *p = centre + dy * picture->width + dx;
+            if (!p->covered || surface[p->triangle] != surface[centre->triangle])
+                return false;
+            low = fmin(low, p->m);
+            high = fmax(high, p->m);
+        }
+    }
+    return high <= low * (1 + DEPTH_JUMP);
+}
+
+static int steps_apart(uint16_t a, uint16_t b)
+{
+    int r = abs((a >> 11) - (b >> 11)), g = abs((a >> 5 & 63) - (b >> 5 & 63)), l = abs((a & 31) - (b & 31));
+
+    return r > g ? (r > l ? r : l) : g > l ? g : l;
+}
+
+static void judge(struct ref_score *score, const struct ref_pixel *pixel, uint16_t value, int x, int y)
+{
+    int apart = steps_apart(pixel->value, value);
+
+    score->compared++;
+    score->equal += apart == 0;
+    score->within_one += apart <= 1;
+    if (pixel->specular > 1.0 / 63) {
+        score->highlight++;
+        score->highlight_equal += apart == 0;
+    }
+    if (apart > score->worst) {
+        score->worst = apart;
+        score->worst_x = x;
+        score->worst_y = y;
+        score->cause = pixel->triangle;
+    }
+}
+
+int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,
+                const uint16_t *values)
+{
+    uint32_t *surface = malloc((scene->mesh->triangle_count + 1) * sizeof *surface);
+
+    if (!surface || find_surfaces(picture, scene, surface) != 0) {
+        free(surface);
+        return -1;
+    }
+    for (int y = 0; y < picture->height; y++) {
+        for (int x = 0; x < picture->width; x++) {
+            const struct ref_pixel *pixel = &picture->pixels[y * picture->width + x];
+            score->covered += pixel->covered;
+            if (pixel->covered && comparable(picture, surface, x, y))
+                judge(score, pixel, values[y * picture->width + x], x, y);
+        }
+    }
+    free(surface);
+    return 0;
+}

@@ -1,0 +1,117 @@
+/*
+ * ref_shade.c - the four shadings at a point of the screen.
+ *
+ * "Linear in space" on the screen: with screen-linear weights b of the corners
+ * and w = 1/m there, the space-linear ones are b w / sum(b w) (Blinn's I/m over 1/m).
+ */
+#include <string.h>
+
+#include "ref_vector.h"
+#include "reference.h"
+
+static void weights(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double b[3])
+{
+    double sum = 0;
+
+    for (int k = 0; k < 3; k++) {
+        int u = (k + 1) % 3, v = (k + 2) % 3;
+        b[k] = (p->x[v] - p->x[u]) * (y - p->y[u]) - (p->y[v] - p->y[u]) * (x - p->x[u]);
+        if (!scene->affine)
+            b[k] *= p->w[k];
+        sum += b[k];
+    }
+    for (int k = 0; k < 3; k++)
+        b[k] /= sum;
+}
+
+void ref_slerp(const double a[3], const double b[3], double t, double out[3])
+{
+    double cross[3];
+
+    ref_cross(a, b, cross);
+    double sine = ref_length(cross), cosine = ref_dot(a, b), angle = atan2(sine, cosine);
+    if (sine < 1e-12) { /* equal or opposite: no plane to turn in */
+        memcpy(out, cosine > 0 || t < 0.5 ? a : b, 3 * sizeof *out);
+        return;
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] = (sin((1 - t) * angle) * a[k] + sin(t * angle) * b[k]) / sine;
+}
+
+/* Where the scan line crosses an edge: x, weight and normal there. */
+struct crossing {
+    double x, w, normal[3];
+};
+
+static double in_space(const struct ref_scene *scene, double t, double w1, double w2)
+{
+    return scene->affine ? t : t * w2 / ((1 - t) * w1 + t * w2);
+}
+
+static void cross_edge(const struct ref_scene *scene, const struct ref_piece *p, int a, int b, double y,
+                       struct crossing *out)
+{
+    double t = (y - p->y[a]) / (p->y[b] - p->y[a]), na[3], nb[3];
+
+    memcpy(na, p->normal[a], sizeof na);
+    memcpy(nb, p->normal[b], sizeof nb);
+    ref_normalize(na); /* a corner made by a plane is not of unit length */
+    ref_normalize(nb);
+    out->x = (1 - t) * p->x[a] + t * p->x[b];
+    out->w = (1 - t) * p->w[a] + t * p->w[b];
+    ref_slerp(na, nb, in_space(scene, t, p->w[a], p->w[b]), out->normal);
+}
+
+/* The normal by great arcs along two edges, then along the row. */
+static void slerp_normal(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double normal[3])
+{
+    struct crossing side[2] = {{.x = 0}, {.x = 0}};
+    int found = 0;
+
+    for (int k = 0; k < 3 && found < 2; k++) {
+        int a = k, b = (k + 1) % 3;
+        if (p->y[a] > p->y[b]) {
+            a = b;
+            b = k;
+        }
+        if (p->y[a] <= y && y < p->y[b])
+            cross_edge(scene, p, a, b, y, &side[found++]);
+    }
+    struct crossing *left = &side[0], *right = &side[1];
+    if (left->x > right->x) {
+        left = &side[1];
+        right = &side[0];
+    }
+    double width = right->x - left->x, t = width > 0 ? (x - left->x) / width : 0;
+    ref_slerp(left->normal, right->normal, in_space(scene, t, left->w, right->w), normal);
+}
+
+void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double *diffuse,
+               double *specular)
+{
+    double b[3], normal[3] = {0, 0, 0};
+
+    if (scene->shading == REF_FLAT) {
+        *diffuse = p->diffuse[0];
+        *specular = p->specular[0];
+        return;
+    }
+    if (scene->shading == REF_SLERP) {
+        slerp_normal(scene, p, x, y, normal);
+        ref_light(scene, normal, diffuse, specular);
+        return;
+    }
+    weights(scene, p, x, y, b);
+    if (scene->shading == REF_GOURAUD) {
+        *diffuse = ref_dot(b, p->diffuse);
+        *specular = ref_dot(b, p->specular);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++)
+            normal[k] += b[i] * p->normal[i][k];
+    }
+    if (ref_normalize(normal) < 1e-12)
+        normal[0] = normal[1] = normal[2] = 0;
+    ref_light(scene, normal, diffuse, specular);
+}

@@ -1,0 +1,172 @@
+/*
+ * reference.h - the picture in double precision: what the integer core is measured against.
+ *
+ * Written from the definition of the picture alone (README, "The picture"); it
+ * shares no code with the core. Plain and slow on purpose: every formula stands
+ * here as it is printed, one pixel at a time.
+ *
+ *   ref_mesh.c     polygons -> fit, Newell normals, averages, triangles
+ *   ref_project.c  model -> eye -> near plane and guard band -> screen
+ *   ref_light.c    ambient + diffuse and specular at a normal
+ *   ref_raster.c   which triangle is seen at a pixel centre
+ *   ref_shade.c    flat, Gouraud, Phong, slerp at a pixel centre
+ *   ref_pixel.c    colour -> 565 value or grey level
+ *   ref_compare.c  which pixels may be compared, and how far they are apart
+ *
+ * Model and eye space are right-handed, the eye at the origin looking along -z;
+ * m = -z. Screen: x right, y down, pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+ */
+#ifndef REFERENCE_H
+#define REFERENCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- mesh ---- */
+
+/* Polygons as a file lists them. Polygon p has the corners first[p] .. first[p + 1] - 1. */
+struct ref_polygons {
+    const double (*points)[3];
+    size_t point_count;
+    const uint32_t *first; /* polygon_count + 1 entries */
+    size_t polygon_count;
+    const uint32_t *corners;    /* the point of each corner */
+    const double (*normals)[3]; /* the file's normal of each corner, zero where it has none; or NULL */
+    const double (*base)[3];    /* a base colour a polygon, or NULL: the scene's */
+};
+
+struct ref_mesh_options {
+    bool fit;             /* centre the bounding box, farthest used vertex at distance 1 */
+    bool average_normals; /* ignore the file's normals */
+    double crease;        /* degrees; < 0: off */
+};
+
+struct ref_triangle {
+    uint32_t corner[3]; /* into the mesh's corners */
+    uint32_t polygon;
+};
+
+struct ref_mesh {
+    size_t corner_count;
+    double (*position)[3]; /* a corner */
+    double (*normal)[3];   /* a corner: unit */
+    uint32_t *weld;        /* a corner: equal where the positions are the same 32-bit floats */
+    size_t triangle_count;
+    struct ref_triangle *triangles;
+    size_t polygon_count;
+    double (*polygon_normal)[3]; /* a polygon: unit, zero where it has no area */
+    double (*base)[3];           /* a polygon, or NULL */
+};
+
+/* 0, or -1 where memory is short or the polygons have no faces or no extent. Release with ref_mesh_free. */
+int ref_mesh_build(struct ref_mesh *mesh, const struct ref_polygons *from, const struct ref_mesh_options *options);
+void ref_mesh_free(struct ref_mesh *mesh);
+
+/* ---- scene ---- */
+
+enum ref_shading {
+    REF_FLAT = 0,
+    REF_GOURAUD,
+    REF_PHONG,
+    REF_SLERP
+};
+
+#define REF_MAX_LIGHTS 4
+#define REF_GUARD_PX 511.0 /* the guard band: pixels from the picture's centre */
+
+struct ref_scene {
+    const struct ref_mesh *mesh;
+    double rotation[9], scale, translation[3]; /* eye = scale * rotation * model + translation */
+    int width, height;
+    double fov;       /* vertical, degrees */
+    double near, far; /* m of both planes */
+    bool ortho;       /* project with `distance` in place of m */
+    double distance;
+    enum ref_shading shading;
+    bool affine;
+    bool two_sided;
+    int light_count;
+    double light[REF_MAX_LIGHTS][3]; /* to the light, eye space, any length but zero */
+    double ambient, diffuse, specular, shininess;
+    double base[3], highlight[3], background[3];
+    int levels; /* 0: RGB565; 2, 16, 256: grey */
+    bool dither;
+};
+
+/* The defaults of the command line: 320x240, yaw 30, pitch 20, Phong, 565 without dither. */
+void ref_scene_default(struct ref_scene *scene, const struct ref_mesh *mesh);
+
+/* rotation = Rz(roll) * Rx(pitch) * Ry(yaw) in degrees; translation, near and far for an eye at (0, 0, distance). */
+void ref_scene_orbit(struct ref_scene *scene, double yaw, double pitch, double roll, double distance);
+
+/* ---- picture ---- */
+
+struct ref_pixel {
+    bool covered;
+    bool back;         /* a back face, its normals negated */
+    uint32_t triangle; /* of the mesh */
+    uint32_t polygon;
+    uint32_t piece;  /* of ref_picture.pieces */
+    double m;        /* depth in front of the eye */
+    double color[3]; /* 0..1, unrounded */
+    double specular; /* I_specular */
+    uint16_t value;  /* 565 value or grey level */
+};
+
+/* A triangle, or what the planes left of it, on the screen. */
+struct ref_piece {
+    double x[3], y[3], w[3];        /* px; w: the weight 1/m (1 under ortho) */
+    double depth[3];                /* linear on the screen, larger is nearer: 1/m, under ortho -m */
+    double normal[3][3];            /* eye space, turned to the eye's side on a drawn back face */
+    double diffuse[3], specular[3]; /* Gouraud: intensities at the corners */
+    uint32_t triangle, polygon;
+    bool back;
+};
+
+struct ref_picture {
+    int width, height;
+    struct ref_pixel *pixels;
+    struct ref_piece *pieces;
+    size_t piece_count;
+};
+
+/* 0, or -1 where memory is short. Release with ref_picture_free. */
+int ref_render(struct ref_picture *picture, const struct ref_scene *scene);
+void ref_picture_free(struct ref_picture *picture);
+
+/* ---- stages, open to the reference's own tests ---- */
+
+int ref_project(struct ref_picture *picture, const struct ref_scene *scene);
+void ref_raster(struct ref_picture *picture, const struct ref_scene *scene);
+void ref_light(const struct ref_scene *scene, const double normal[3], double *diffuse, double *specular);
+/* Intensities of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
+void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double *diffuse,
+               double *specular);
+/* Great arc between unit vectors; equal ends: a; opposite ends: a while t < 1/2, else b. */
+void ref_slerp(const double a[3], const double b[3], double t, double out[3]);
+bool ref_inside(const struct ref_piece *piece, double x, double y);
+uint16_t ref_565(const double color[3]);
+int ref_bayer8(int x, int y);
+uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background);
+
+/* ---- comparison ---- */
+
+struct ref_score {
+    long covered, compared, equal, within_one;
+    int worst;                       /* steps of a channel */
+    int worst_x, worst_y;            /* where */
+    long highlight, highlight_equal; /* of the compared: I_specular > 1/63 */
+    uint32_t cause;                  /* the triangle at the worst pixel */
+};
+
+/*
+ * Compare 565 values (width * height, row by row) at the pixels whose 3x3
+ * neighbourhood belongs to triangles joined through shared edges with equal
+ * corner normals (flat: one polygon), without a jump in depth above 2 %.
+ * Adds to *score. 0, or -1 where memory is short.
+ */
+int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,
+                const uint16_t *values);
+
+#endif

@@ -1,0 +1,207 @@
+/*
+ * shapes.c - meshes for tests.
+ */
+#include "shapes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+/* Room for one more element of `size` bytes behind `count`; 0 or -1. */
+static int grow(void **array, size_t *room, size_t count, size_t size)
+{
+    if (count < *room)
+        return 0;
+    size_t more = *room ? 2 * *room : 64;
+    void *larger = realloc(*array, more * size);
+    if (!larger)
+        return -1;
+    *array = larger;
+    *room = more;
+    return 0;
+}
+
+int shape_point(struct shape *s, double x, double y, double z)
+{
+    void *points = s->points;
+    int status = grow(&points, &s->point_room, s->polygons.point_count, sizeof *s->points);
+
+    s->points = points;
+    s->polygons.points = points;
+    if (status == 0) {
+        double *at = s->points[s->polygons.point_count++];
+        at[0] = x;
+        at[1] = y;
+        at[2] = z;
+    }
+    return status;
+}
+
+int shape_polygon(struct shape *s, int count, const uint32_t *points)
+{
+    void *first = s->first, *corners = s->corners;
+    size_t end = s->polygons.polygon_count ? s->first[s->polygons.polygon_count] : 0;
+    int status = grow(&first, &s->polygon_room, s->polygons.polygon_count + 1, sizeof *s->first);
+
+    for (int k = 0; k < count && status == 0; k++) {
+        status = grow(&corners, &s->corner_room, end + (size_t)k, sizeof *s->corners);
+        if (status == 0)
+            ((uint32_t *)corners)[end + (size_t)k] = points[k];
+    }
+    s->first = first;
+    s->corners = corners;
+    s->polygons.first = s->first;
+    s->polygons.corners = s->corners;
+    if (status == 0) {
+        s->first[s->polygons.polygon_count++] = (uint32_t)end;
+        s->first[s->polygons.polygon_count] = (uint32_t)(end + (size_t)count);
+    }
+    return status;
+}
+
+void shape_free(struct shape *s)
+{
+    free(s->points);
+    free(s->normals);
+    free(s->first);
+    free(s->corners);
+    memset(s, 0, sizeof *s);
+}
+
+static int quad(struct shape *s, int a, int b, int c, int d)
+{
+    return shape_polygon(s, 4, (uint32_t[]){(uint32_t)a, (uint32_t)b, (uint32_t)c, (uint32_t)d});
+}
+
+static int triangle(struct shape *s, int a, int b, int c)
+{
+    return shape_polygon(s, 3, (uint32_t[]){(uint32_t)a, (uint32_t)b, (uint32_t)c});
+}
+
+/* Points: the rings from 0 (north pole, around times the same position) to `rings`; the seam repeats no point. */
+int shape_sphere(struct shape *s, int rings, int around)
+{
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i <= rings; i++) {
+        double y = i == 0 ? 1 : i == rings ? -1 : cos(PI * i / rings), r = sin(PI * i / rings);
+        for (int j = 0; j < around; j++) {
+            double turn = 2 * PI * j / around;
+            bool pole = i == 0 || i == rings;
+            status |= shape_point(s, pole ? 0 : r * cos(turn), y, pole ? 0 : -r * sin(turn));
+        }
+    }
+    for (int i = 0; i < rings; i++) {
+        for (int j = 0; j < around; j++) {
+            int next = (j + 1) % around, up = i * around, down = up + around;
+            if (i == 0)
+                status |= triangle(s, up + j, down + j, down + next);
+            else if (i == rings - 1)
+                status |= triangle(s, up + j, down + j, up + next);
+            else
+                status |= quad(s, up + j, down + j, down + next, up + next);
+        }
+    }
+    return status;
+}
+
+int shape_torus(struct shape *s, double major, double minor, int along, int around)
+{
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i < along; i++) {
+        for (int j = 0; j < around; j++) {
+            double turn = 2 * PI * i / along, tube = 2 * PI * j / around, r = major + minor * cos(tube);
+            status |= shape_point(s, r * cos(turn), minor * sin(tube), -r * sin(turn));
+        }
+    }
+    for (int i = 0; i < along; i++) {
+        for (int j = 0; j < around; j++) {
+            int here = i * around, there = (i + 1) % along * around, next = (j + 1) % around;
+            status |= quad(s, here + j, there + j, there + next, here + next);
+        }
+    }
+    return status;
+}
+
+int shape_octahedron(struct shape *s)
+{
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int k = 0; k < 6; k++) {
+        double end = k % 2 ? -1 : 1;
+        status |= shape_point(s, k / 2 == 0 ? end : 0, k / 2 == 1 ? end : 0, k / 2 == 2 ? end : 0);
+    }
+    for (int octant = 0; octant < 8; octant++) {
+        int x = octant & 1, y = 2 + (octant >> 1 & 1), z = 4 + (octant >> 2);
+        bool mirrored = (octant & 1) ^ (octant >> 1 & 1) ^ (octant >> 2);
+        status |= mirrored ? triangle(s, x, z, y) : triangle(s, x, y, z);
+    }
+    return status;
+}
+
+int shape_cube(struct shape *s)
+{
+    static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int k = 0; k < 8; k++)
+        status |= shape_point(s, k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    for (int f = 0; f < 6; f++)
+        status |= quad(s, faces[f][0], faces[f][1], faces[f][2], faces[f][3]);
+    return status;
+}
+
+int shape_waves(struct shape *s, int cells, double height)
+{
+    int row = cells + 1, status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i < row * row; i++) {
+        double x = 2.0 * (i % row) / cells - 1, y = 2.0 * (i / row) / cells - 1;
+        status |= shape_point(s, x, y, height * sin(3 * x) * cos(2 * y));
+    }
+    for (int i = 0; i < cells * cells; i++) {
+        int at = i / cells * row + i % cells;
+        status |= quad(s, at, at + 1, at + row + 1, at + row);
+    }
+    size_t corners = 4 * (size_t)cells * (size_t)cells;
+    s->normals = calloc(corners, sizeof *s->normals);
+    if (!s->normals || status != 0)
+        return -1;
+    for (size_t c = 0; c < corners; c++) {
+        const double *p = s->points[s->corners[c]];
+        s->normals[c][0] = -height * 3 * cos(3 * p[0]) * cos(2 * p[1]);
+        s->normals[c][1] = height * 2 * sin(3 * p[0]) * sin(2 * p[1]);
+        s->normals[c][2] = 1;
+    }
+    s->polygons.normals = (const double(*)[3])s->normals;
+    return 0;
+}
+
+int shape_screen(struct shape *s)
+{
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int k = 0; k < 4; k++)
+        status |= shape_point(s, k & 1 ? 1.6 : -1.6, k & 2 ? 1.2 : -1.2, 0);
+    status |= triangle(s, 0, 1, 2); /* the diagonal runs from (-,+) to (+,-) */
+    status |= triangle(s, 2, 1, 3);
+    s->normals = calloc(6, sizeof *s->normals);
+    if (!s->normals || status != 0)
+        return -1;
+    for (int c = 0; c < 6; c++) {
+        s->normals[c][0] = s->corners[c] & 1 ? 0.5 : -0.5;
+        s->normals[c][1] = s->corners[c] & 2 ? 0.5 : -0.5;
+        s->normals[c][2] = 1;
+    }
+    s->polygons.normals = (const double(*)[3])s->normals;
+    return 0;
+}

@@ -1,0 +1,37 @@
+/*
+ * shapes.h - meshes for tests, as polygons in double precision.
+ */
+#ifndef SHAPES_H
+#define SHAPES_H
+
+#include "reference/reference.h"
+
+/* Owns what it points to; shape.polygons is the view for ref_mesh_build. */
+struct shape {
+    struct ref_polygons polygons;
+    double (*points)[3];
+    double (*normals)[3]; /* a corner, or NULL */
+    uint32_t *first, *corners;
+    size_t point_room, polygon_room, corner_room;
+};
+
+/* Each returns 0, or -1 where memory is short. Release with shape_free. */
+
+/* Unit sphere: rings of `around` quads from pole to pole (y = cos(pi i / rings)), the poles' as triangles. */
+int shape_sphere(struct shape *shape, int rings, int around);
+/* Around the y axis: `major` from the axis to the tube's centre, `minor` the tube's radius. Quads. */
+int shape_torus(struct shape *shape, double major, double minor, int along, int around);
+/* Octahedron with corners at distance 1; cube with corners at (+-1, +-1, +-1), quads. */
+int shape_octahedron(struct shape *shape);
+int shape_cube(struct shape *shape);
+/* A wavy sheet z = height * sin(3 x) * cos(2 y) over +-1, of cells x cells quads, with its exact normals as `vn`. */
+int shape_waves(struct shape *shape, int cells, double height);
+/* Four corners (+-1.6, +-1.2, 0), two triangles, normals (+-.5, +-.5, 1): fills a 4:3 picture at distance 2, fov 60. */
+int shape_screen(struct shape *shape);
+
+/* Build by hand: polygons of corners that are indices of points already added. */
+int shape_point(struct shape *shape, double x, double y, double z);
+int shape_polygon(struct shape *shape, int count, const uint32_t *points);
+void shape_free(struct shape *shape);
+
+#endif
