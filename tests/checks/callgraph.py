@@ -35,10 +35,7 @@ class CallGraph:
 
     def resolve_indirect(self, taken):
         """An indirect call may reach every function whose address is taken: all names in taken."""
-        targets = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
-        for called in self.calls.values():
-            if INDIRECT in called:
-                called.extend(targets)
+        self.calls[INDIRECT] = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
 
     def cycles(self):
         """A list of cycles, each as the list of its functions; one for each back edge met."""
@@ -64,12 +61,12 @@ class CallGraph:
         Only for a graph without cycles. Indirect calls to anything but the
         targets of resolve_indirect() are the caller's own callbacks: not counted.
         """
-        known = {INDIRECT: (0, [])}
+        known = {}
 
         def depth(name):
             if name not in known:
                 below = max((depth(callee) for callee in self.calls.get(name, ())), default=(0, []))
-                own = self.stack.get(name, outside)
+                own = 0 if name == INDIRECT else self.stack.get(name, outside)
                 known[name] = (own + below[0], [name] + below[1])
             return known[name]
 

@@ -1,0 +1,19 @@
+/* freestanding refuses: M3: tests/checks/seeded/shade_loop_division.c: sheen_seed, innermost loop at */
+#include <stdint.h>
+
+uint32_t sheen_seed(const uint32_t *from, int rows, int count);
+
+/* The rows' loop holds another, so only the inner one is looked at. */
+uint32_t sheen_seed(const uint32_t *from, int rows, int count)
+{
+    uint32_t sum = 0;
+
+    for (int row = 1; row <= rows; row++) {
+        for (int i = 0; i < count; i++) {
+            if (from[i] > 9) {
+                sum += from[i] / (uint32_t)row;
+            }
+        }
+    }
+    return sum;
+}

@@ -1,0 +1,22 @@
+# The checks of tests/checks: of the core as firmware gets it, of the same bits
+# everywhere, of the sources' layout; and of these checks themselves.
+sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
+sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
+sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
+sheen_script(layout format COMMAND tests/checks/layout)
+sheen_script(same_bits cross COMMAND tests/checks/cross TIMEOUT 300)
+
+# What each check must refuse, named in the first line of the file.
+file(GLOB seeds CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/checks/seeded/*.c)
+foreach(seed IN LISTS seeds)
+  cmake_path(GET seed STEM name)
+  set(part freestanding)
+  if(name MATCHES "^layout_")
+    set(part format)
+  endif()
+  sheen_script(seeded_${name} ${part} COMMAND tests/checks/refuses tests/checks/seeded/${name}.c)
+endforeach()
+
+# A program that depends on the byte order must not pass for the same bits.
+sheen_script(seeded_byte_order cross COMMAND tests/checks/cross tests/checks/seeded/byte_order gcc-O2 powerpc)
+set_tests_properties(seeded_byte_order PROPERTIES PASS_REGULAR_EXPRESSION "powerpc differs from gcc-O2")
