@@ -1,0 +1,52 @@
+/*
+ * bus_bitbang.c - SPI on GPIO lines, one ioctl a change, for boards without spidev.
+ *
+ *   mode 0   MOSI ==<  b7  ><  b6  >      the bit stands before its clock's first edge;
+ *            SCLK ____/--\____/--\__      the panel reads at that edge (CPHA 0)
+ *
+ *   mode 3   SCLK ---\___/---\___/--      the bit is put after the first edge, read
+ *            MOSI ====<  b7  ><  b6       at the second (CPHA 1)
+ *
+ * The kernel needs about a microsecond for a change, longer than any panel's
+ * set-up and hold times (ST7789V data sheet, table 6: 10 ns each), so nothing is
+ * waited for.
+ */
+#include "linux_bus.h"
+
+#include "sheen_target.h"
+
+static int send_bit(struct sheen_linux_bus *bus, int bit)
+{
+    int idle = bus->spi_mode >> 1, late = bus->spi_mode & 1; /* CPOL, CPHA */
+    int error = late ? 0 : sheen_pin_set(&bus->mosi, bit, bus->why);
+
+    if (error == 0)
+        error = sheen_pin_set(&bus->sclk, !idle, bus->why);
+    if (error == 0 && late)
+        error = sheen_pin_set(&bus->mosi, bit, bus->why);
+    return error < 0 ? error : sheen_pin_set(&bus->sclk, idle, bus->why);
+}
+
+static int send(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
+{
+    /* The clock may stand wrong after an error; CS is low then, and a panel without CS counts a bit: it is reset. */
+    int error = sheen_pin_set(&bus->sclk, bus->spi_mode >> 1, bus->why);
+
+    for (size_t i = 0; i < count && error == 0; i++)
+        for (unsigned mask = 0x80; mask && error == 0; mask >>= 1)
+            error = send_bit(bus, (bytes[i] & mask) != 0);
+    return error;
+}
+
+int sheen_bitbang_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
+{
+    int error;
+
+    if (!wiring->sclk || !wiring->mosi)
+        return sheen_fail(bus->why, SHEEN_ERR_ARGUMENT, "neither an SPI device nor lines for SCLK and MOSI are named");
+    error = sheen_pin_output(&bus->sclk, wiring->sclk, bus->spi_mode >> 1, bus->why);
+    if (error == 0)
+        error = sheen_pin_output(&bus->mosi, wiring->mosi, 0, bus->why);
+    bus->send = send;
+    return error;
+}

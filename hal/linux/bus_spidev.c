@@ -1,0 +1,136 @@
+/*
+ * bus_spidev.c - SPI through /dev/spidevB.C.
+ *
+ * spidev copies a transfer through a buffer of its own, 4096 bytes unless the
+ * module is told otherwise, and refuses longer ones (EMSGSIZE): a write goes out
+ * in chunks of that size. Between chunks the controller's chip select rises;
+ * panels go on where they stopped (ST7789V data sheet, "data transfer pause").
+ */
+#include "linux_bus.h"
+
+#include "sheen_target.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/spi/spidev.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#define BUFSIZ_PATH "/sys/module/spidev/parameters/bufsiz"
+#define BUFSIZ_DEFAULT 4096u /* B; spidev.c */
+#define CHUNK_MAX 65536u     /* B; more gains nothing, and some controllers' DMA ends there */
+
+static int ioctl_again(int fd, unsigned long request, void *value)
+{
+    int tries = SHEEN_TRIES, result;
+
+    do
+        result = ioctl(fd, request, value);
+    while (result < 0 && sheen_again(errno, &tries));
+    return result;
+}
+
+/* What spidev's buffer holds. Built into the kernel it may show no parameter: then its default. */
+static size_t chunk_size(void)
+{
+    FILE *file = fopen(BUFSIZ_PATH, "re");
+    unsigned size = 0;
+
+    if (!file)
+        return BUFSIZ_DEFAULT;
+    if (fscanf(file, "%u", &size) != 1 || size == 0)
+        size = BUFSIZ_DEFAULT;
+    fclose(file);
+    return size < CHUNK_MAX ? size : CHUNK_MAX;
+}
+
+static int transfer_fail(struct sheen_linux_bus *bus, int error)
+{
+    if (error == EMSGSIZE)
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: a transfer of %zu bytes is too long; see " BUFSIZ_PATH,
+                          bus->path, bus->chunk);
+    return sheen_fail(bus->why, error == ETIMEDOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS, "%s: %s", bus->path,
+                      strerror(error));
+}
+
+/* A transfer that moved fewer bytes goes on where it stopped; one that moved none, so often, is an error. */
+static int send(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
+{
+    int idle = 0;
+
+    while (count > 0) {
+        size_t chunk = count < bus->chunk ? count : bus->chunk;
+        struct spi_ioc_transfer transfer = {
+            .tx_buf = (uintptr_t)bytes, .len = (uint32_t)chunk, .speed_hz = bus->clock_hz, .bits_per_word = 8};
+        int sent = ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &transfer);
+
+        if (sent < 0)
+            return transfer_fail(bus, errno);
+        idle = sent > 0 ? 0 : idle + 1;
+        if (idle == SHEEN_TRIES || (size_t)sent > chunk)
+            return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: sent %d of %zu bytes", bus->path, sent, chunk);
+        bytes += sent;
+        count -= (size_t)sent;
+    }
+    return 0;
+}
+
+static int open_fail(struct sheen_linux_bus *bus, int error)
+{
+    switch (error) {
+    case EACCES:
+    case EPERM:
+        return sheen_fail(bus->why, SHEEN_ERR_BUS,
+                          "%s: no permission; become a member of the group that owns it (usually spi) and log in again",
+                          bus->path);
+    case ENOENT:
+        return sheen_fail(bus->why, SHEEN_ERR_ARGUMENT,
+                          "%s: no such device; switch SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or "
+                          "name lines for SCLK and MOSI instead",
+                          bus->path);
+    case EBUSY:
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", bus->path);
+    default:
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
+    }
+}
+
+/* Mode, word size and clock. A line of our own selects the panel: then the controller is asked to keep its own still. */
+static int set_up(struct sheen_linux_bus *bus, int own_cs)
+{
+    uint8_t mode = bus->spi_mode, quiet = (uint8_t)(mode | SPI_NO_CS), bits = 8;
+    int result = -1;
+
+    /* Controllers that cannot, refuse; theirs then moves on a pin that is not wired. */
+    if (own_cs)
+        result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &quiet);
+    if (result < 0)
+        result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
+    if (result < 0 && (errno == ENOTTY || errno == ENODEV))
+        return sheen_fail(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an SPI device (/dev/spidev0.0 is one)", bus->path);
+    if (result < 0)
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: SPI mode %u: %s", bus->path, mode, strerror(errno));
+    if (ioctl_again(bus->fd, SPI_IOC_WR_BITS_PER_WORD, &bits) < 0)
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: words of 8 bits: %s", bus->path, strerror(errno));
+    if (ioctl_again(bus->fd, SPI_IOC_WR_MAX_SPEED_HZ, &bus->clock_hz) < 0)
+        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: a clock of %u Hz: %s", bus->path, bus->clock_hz,
+                          strerror(errno));
+    return 0;
+}
+
+int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
+{
+    int tries = SHEEN_TRIES;
+
+    bus->path = wiring->spi;
+    do
+        bus->fd = open(bus->path, O_RDWR | O_CLOEXEC);
+    while (bus->fd < 0 && sheen_again(errno, &tries));
+    if (bus->fd < 0)
+        return open_fail(bus, errno);
+    bus->send = send;
+    bus->chunk = chunk_size();
+    return set_up(bus, wiring->cs != NULL);
+}

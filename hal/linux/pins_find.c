@@ -1,0 +1,167 @@
+/*
+ * pins_find.c - the chips of this machine, and finding a line by what people call it.
+ */
+#include "pins_gpiod.h"
+#include "sheen_target.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <glob.h>
+#include <gpiod.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+int sheen_chip_fail(struct sheen_failure *why, const char *path, int error)
+{
+    switch (error) {
+    case EACCES:
+    case EPERM:
+        return sheen_fail(
+            why, SHEEN_ERR_BUS,
+            "%s: no permission; become a member of the group that owns it (usually gpio) and log in again", path);
+    case ENOENT:
+        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "%s: no such chip; " SHEEN_LIST_THEM, path);
+    case ENODEV:
+    case ENOTTY:
+    case EINVAL:
+        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "%s is not a GPIO chip; " SHEEN_LIST_THEM, path);
+    default:
+        return sheen_fail(why, SHEEN_ERR_BUS, "%s: %s", path, strerror(error));
+    }
+}
+
+int sheen_chip_open(struct gpiod_chip **chip, const char *path, struct sheen_failure *why)
+{
+    int tries = SHEEN_TRIES;
+
+    do
+        *chip = gpiod_chip_open(path);
+    while (!*chip && sheen_again(errno, &tries));
+    return *chip ? 0 : sheen_chip_fail(why, path, errno);
+}
+
+/* Calls each() for the lines of one chip. */
+static int chip_each(const char *path, int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx,
+                     struct sheen_failure *why)
+{
+    struct gpiod_chip *chip;
+    struct sheen_pin_info info = {.chip = strrchr(path, '/') + 1};
+    char label[64] = "";
+    unsigned lines = 0;
+    int result = sheen_chip_open(&chip, path, why);
+
+    if (result < 0)
+        return result;
+    if (sheen_gpiod_describe(chip, label, sizeof label, &lines))
+        result = sheen_chip_fail(why, path, errno);
+    info.label = label;
+    for (unsigned i = 0; i < lines && result == 0; i++) {
+        info.offset = i;
+        if (sheen_gpiod_info(chip, i, &info))
+            result = sheen_fail(why, SHEEN_ERR_BUS, "%s:%u: %s", info.chip, i, strerror(errno));
+        else
+            result = each(ctx, &info);
+    }
+    gpiod_chip_close(chip);
+    return result;
+}
+
+int sheen_pins_each(int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx, struct sheen_failure *why)
+{
+    glob_t paths = {0};
+    size_t chips = 0;
+    int refused = 0, result = 0;
+
+    if (glob("/dev/gpiochip*", 0, NULL, &paths))
+        paths.gl_pathc = 0;
+    for (size_t i = 0; i < paths.gl_pathc && result >= 0; i++) {
+        struct stat about;
+
+        /* Some systems link an old number to the chip's new one: its lines would come twice. */
+        if (lstat(paths.gl_pathv[i], &about) == 0 && S_ISLNK(about.st_mode))
+            continue;
+        chips++;
+        result = chip_each(paths.gl_pathv[i], each, ctx, refused ? NULL : why);
+        if (result > 0)
+            break;
+        if (result < 0) {
+            refused = refused ? refused : result;
+            result = 0;
+        }
+    }
+    globfree(&paths);
+    if (chips == 0)
+        return sheen_fail(why, SHEEN_ERR_BUS, "this machine has no GPIO chip (/dev/gpiochip*)");
+    return result ? result : refused;
+}
+
+/* A line that is looked for by its name, or by a chip's label and its offset there. */
+struct search {
+    const char *name;
+    char label[64];
+    struct sheen_pin_place place; /* the first hit's */
+    unsigned hits;
+    char places[96]; /* of all hits */
+};
+
+static int compare(void *ctx, const struct sheen_pin_info *info)
+{
+    struct search *search = ctx;
+    size_t used = strlen(search->places);
+
+    if (search->label[0] ? strcmp(search->label, info->label) != 0 || search->place.offset != info->offset
+                         : strcmp(search->name, info->name) != 0)
+        return 0;
+    if (search->hits++ == 0) {
+        snprintf(search->place.path, sizeof search->place.path, "/dev/%s", info->chip);
+        search->place.offset = info->offset;
+    }
+    snprintf(search->places + used, sizeof search->places - used, "%s%s:%u", used ? ", " : "", info->chip,
+             info->offset);
+    return 0;
+}
+
+/* "GPIO25" is left as a name; of "chip:25" the chip is copied to search->label (or path) and the offset read. */
+static void split(struct search *search, const char *line)
+{
+    const char *colon = strrchr(line, ':');
+    char *end = NULL;
+    unsigned long offset = colon ? strtoul(colon + 1, &end, 10) : 0;
+    size_t length = colon ? (size_t)(colon - line) : 0;
+
+    search->name = line;
+    if (length == 0 || length >= sizeof search->label - 5 || !isdigit((unsigned char)colon[1]) || *end != '\0')
+        return;
+    search->place.offset = offset < INT_MAX ? (unsigned)offset : INT_MAX;
+    if (line[0] == '/')
+        snprintf(search->place.path, sizeof search->place.path, "%.*s", (int)length, line);
+    else if (strncmp(line, "gpiochip", 8) == 0)
+        snprintf(search->place.path, sizeof search->place.path, "/dev/%.*s", (int)length, line);
+    else if (strspn(line, "0123456789") == length)
+        snprintf(search->place.path, sizeof search->place.path, "/dev/gpiochip%.*s", (int)length, line);
+    else
+        snprintf(search->label, sizeof search->label, "%.*s", (int)length, line);
+}
+
+int sheen_pin_find(struct sheen_pin_place *place, const char *line, struct sheen_failure *why)
+{
+    struct search search = {0};
+    int error = 0;
+
+    split(&search, line);
+    if (!search.place.path[0])
+        error = sheen_pins_each(compare, &search, why);
+    *place = search.place;
+    place->by_name = search.hits == 1;
+    if (search.hits > 1)
+        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "several lines are called '%s': %s; name one of these", line,
+                          search.places);
+    if (place->path[0])
+        return 0;
+    if (error < 0)
+        return error;
+    return sheen_fail(why, SHEEN_ERR_ARGUMENT, "no line is called '%s'; " SHEEN_LIST_THEM, line);
+}
