@@ -4,6 +4,11 @@ sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
 sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
 sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)
+set(libraries $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal>)
+if(TARGET sheen_sim)
+  list(APPEND libraries $<TARGET_FILE:sheen_sim>)
+endif()
+sheen_script(names format COMMAND tests/checks/names ${libraries})
 sheen_script(same_bits cross COMMAND tests/checks/cross TIMEOUT 300)
 
 # What each check must refuse, named in the first line of the file.
@@ -18,5 +23,15 @@ foreach(seed IN LISTS seeds)
 endforeach()
 
 # A program that depends on the byte order must not pass for the same bits.
-sheen_script(seeded_byte_order cross COMMAND tests/checks/cross tests/checks/seeded/byte_order gcc-O2 powerpc)
-set_tests_properties(seeded_byte_order PROPERTIES PASS_REGULAR_EXPRESSION "powerpc differs from gcc-O2")
+sheen_script(seeded_byte_order cross COMMAND tests/checks/refuses "powerpc differs from gcc-O2"
+  tests/checks/cross tests/checks/seeded/byte_order gcc-O2 powerpc)
+
+add_library(seeded_name STATIC checks/seeded/rules_name.c)
+sheen_script(seeded_names format COMMAND tests/checks/refuses "does not start with sheen_: seed"
+  tests/checks/names $<TARGET_FILE:seeded_name>)
+
+# A page whose second command fails; a page that does not give a command that it should.
+sheen_script(seeded_readme_fails format COMMAND tests/checks/refuses "1 passed, 1 failed"
+  tests/checks/readme tests/checks/seeded/readme_fails.md)
+sheen_script(seeded_readme_lacks format COMMAND tests/checks/refuses "does not give the command tests/run"
+  tests/checks/readme --done tests/run tests/checks/seeded/readme_fails.md)
