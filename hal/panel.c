@@ -46,16 +46,16 @@ int sheen_panel_reset(struct sheen_panel *panel)
     int error = SHEEN_OK;
 
     if (bus->reset) {
-        /* High first: a pulse has an edge even where the line was left low. */
-        error = bus->reset(bus->ctx, 1);
-        if (error == SHEEN_OK)
-            error = bus->reset(bus->ctx, 0);
+        error = bus->reset(bus->ctx, 0);
         if (error == SHEEN_OK)
             error = bus->delay(bus->ctx, record->reset_low_us);
         if (error == SHEEN_OK)
             error = bus->reset(bus->ctx, 1);
     } else if (record->driver->reset_command >= 0) {
-        error = sheen_panel_command(panel, (uint8_t)record->driver->reset_command, NULL, 0);
+        /* The power may have come up just now: that is a reset too, with its own rest. */
+        error = bus->delay(bus->ctx, record->reset_ms * 1000u);
+        if (error == SHEEN_OK)
+            error = sheen_panel_command(panel, (uint8_t)record->driver->reset_command, NULL, 0);
     }
     return error < 0 ? error : bus->delay(bus->ctx, record->reset_ms * 1000u);
 }

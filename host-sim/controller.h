@@ -1,0 +1,96 @@
+/*
+ * controller.h - simulated display controllers: bytes in, panel memory out.
+ *
+ * The simulator's own knowledge of the hardware. It shares nothing with the
+ * records of hal/: RAM size, the part of it that lies behind the glass, how the
+ * glass is wired, and address counters. What a driver believes is not in here.
+ *
+ * A controller never stops at nonsense, as the real one would not; it counts a
+ * complaint and keeps the text of the first.
+ */
+#ifndef SHEEN_CONTROLLER_H
+#define SHEEN_CONTROLLER_H
+
+#include "bus.h"
+
+struct sheen_sim_controller;
+
+/* A command, or a range of them that differ in their low bits; run (or NULL) is called once all parameters are in. */
+struct sheen_sim_command {
+    uint8_t first, last;
+    uint8_t params;
+    void (*run)(struct sheen_sim_controller *controller);
+};
+
+/* What a kind of controller does. Times are minima, us. */
+struct sheen_sim_chip {
+    const char *name;
+    const struct sheen_sim_command *commands, *vendor; /* vendor: registers that are taken without effect */
+    size_t command_count, vendor_count;
+    void (*defaults)(struct sheen_sim_controller *controller);             /* registers after power-on or reset */
+    void (*pixels)(struct sheen_sim_controller *controller, uint8_t byte); /* a byte of picture data */
+    void (*stream_end)(struct sheen_sim_controller *controller);           /* another command ends the picture data */
+    uint16_t (*shown)(const struct sheen_sim_controller *controller, unsigned column, unsigned row);
+    uint16_t max_level;          /* 0: RGB565; else grey levels 0..max_level */
+    uint8_t reset_command;       /* may cut any other command off; 0: there is none */
+    uint8_t params_are_commands; /* 1: parameters come with D/C low, data is always picture data */
+    uint32_t reset_low_us, reset_us;
+};
+
+/* A module: a chip behind a glass. Positions are RAM columns and rows. */
+struct sheen_sim_module {
+    const char *name;
+    const struct sheen_sim_chip *chip;
+    uint16_t ram_w, ram_h, glass_w, glass_h; /* px */
+    uint16_t gap_x, gap_y;                   /* lowest RAM column and row behind the glass */
+    uint8_t mirror_x, mirror_y;              /* 1: RAM column (row) 0 is wired to the glass's right (bottom) */
+    uint8_t bgr;                             /* 1: the glass's sub-pixels are blue, green, red */
+    uint8_t inverted;                        /* 1: the glass shows the complement unless the chip inverts */
+    uint8_t round;                           /* 1: the glass is the disc that touches all four sides */
+};
+
+struct sheen_sim_controller {
+    const struct sheen_sim_module *module;
+    uint16_t *ram;                              /* ram_w * ram_h values: RGB565, or a level */
+    uint64_t now_us;                            /* the virtual clock: moved by delays only */
+    uint64_t quiet_until_us;                    /* nothing may be sent before */
+    uint64_t sleep_out_from_us;                 /* DCS: sleep out not before */
+    uint64_t display_on_from_us;                /* DCS: display on not before */
+    uint64_t reset_since_us;                    /* when the reset line fell */
+    uint8_t reset_level;                        /* of the line; 0 holds the chip in reset */
+    uint8_t command, count, missing, streaming; /* the command being taken in, its parameters */
+    uint8_t params[16];
+    uint16_t x0, x1, y0, y1, x, y; /* window and address counter, in the chip's own units */
+    uint8_t wrapped;               /* the counter has been through the whole window */
+    uint8_t half, half_set;        /* first byte of a pixel of two */
+    uint8_t awake, on, inverted, scan, format;
+    uint8_t unlocked, mode, multiplex, start_line, row_offset, pump; /* the SSD13xx and SH1106 families */
+    unsigned rectangles;                                             /* RAM writes begun */
+    unsigned complaints;
+    char first_complaint[160];
+};
+
+/* Allocates the RAM and switches the power on. 0, or SHEEN_ERR_MEMORY. */
+int sheen_sim_controller_open(struct sheen_sim_controller *controller, const struct sheen_sim_module *module);
+void sheen_sim_controller_close(struct sheen_sim_controller *controller);
+
+/* Power off and on: noise in the RAM, registers at their defaults. */
+void sheen_sim_power_cycle(struct sheen_sim_controller *controller);
+
+/* What arrives on the wires. */
+void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level);
+void sheen_sim_advance(struct sheen_sim_controller *controller, uint32_t us);
+
+/* For the chips: a complaint; the address counter; a store that checks its place. */
+void sheen_sim_complain(struct sheen_sim_controller *controller, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void sheen_sim_window_start(struct sheen_sim_controller *controller);
+void sheen_sim_store(struct sheen_sim_controller *controller, unsigned column, unsigned row, uint16_t value);
+
+extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341;
+
+/* The module of that whole name; NULL where there is none. */
+const struct sheen_sim_module *sheen_sim_module_find(const char *name);
+
+#endif

@@ -1,0 +1,207 @@
+/*
+ * controller_dcs.c - the simulated MIPI-DCS controllers, and the panel `ideal`.
+ *
+ * MADCTL as the ILI9341 and ST7789 data sheets tabulate it ("Memory to display
+ * address mapping"): MV sends the host's columns to RAM rows, MX and MY then
+ * count RAM columns and rows from their last.
+ */
+#include "controller.h"
+
+#define MY 0x80
+#define MX 0x40
+#define MV 0x20
+#define BGR 0x08
+
+/* Minima, us: command after sleep out, or after a reset; sleep out after a reset in sleep-out mode; display on. */
+#define AFTER_COMMAND_US 5000u
+#define RESET_TO_SLEEP_OUT_US 120000u
+#define SLEEP_OUT_TO_DISPLAY_ON_US 120000u
+
+static void defaults(struct sheen_sim_controller *controller)
+{
+    const struct sheen_sim_module *module = controller->module;
+
+    controller->awake = controller->on = controller->inverted = controller->scan = 0;
+    controller->format = 0x66; /* 18 bits: pixels sent before COLMOD are an error */
+    controller->x0 = controller->y0 = 0;
+    controller->x1 = (uint16_t)(module->ram_w - 1);
+    controller->y1 = (uint16_t)(module->ram_h - 1);
+    controller->sleep_out_from_us = controller->now_us + RESET_TO_SLEEP_OUT_US;
+    sheen_sim_window_start(controller);
+}
+
+static void software_reset(struct sheen_sim_controller *controller)
+{
+    defaults(controller);
+    controller->quiet_until_us = controller->now_us + AFTER_COMMAND_US;
+}
+
+static void sleep_in(struct sheen_sim_controller *controller)
+{
+    controller->awake = 0;
+    controller->quiet_until_us = controller->now_us + AFTER_COMMAND_US;
+    controller->sleep_out_from_us = controller->now_us + RESET_TO_SLEEP_OUT_US;
+}
+
+static void sleep_out(struct sheen_sim_controller *controller)
+{
+    if (controller->now_us < controller->sleep_out_from_us)
+        sheen_sim_complain(controller, "sleep out comes %u us too early",
+                           (unsigned)(controller->sleep_out_from_us - controller->now_us));
+    controller->awake = 1;
+    controller->quiet_until_us = controller->now_us + AFTER_COMMAND_US;
+    controller->display_on_from_us = controller->now_us + SLEEP_OUT_TO_DISPLAY_ON_US;
+}
+
+static void display_off(struct sheen_sim_controller *controller)
+{
+    controller->on = 0;
+}
+
+static void display_on(struct sheen_sim_controller *controller)
+{
+    if (!controller->awake)
+        sheen_sim_complain(controller, "display on in sleep mode");
+    else if (controller->now_us < controller->display_on_from_us)
+        sheen_sim_complain(controller, "display on comes %u us too early after sleep out",
+                           (unsigned)(controller->display_on_from_us - controller->now_us));
+    controller->on = 1;
+}
+
+static void inversion(struct sheen_sim_controller *controller)
+{
+    controller->inverted = controller->command & 1;
+}
+
+static void madctl(struct sheen_sim_controller *controller)
+{
+    if (controller->params[0] & 3)
+        sheen_sim_complain(controller, "MADCTL 0x%02X sets reserved bits", controller->params[0]);
+    controller->scan = controller->params[0];
+}
+
+static void colmod(struct sheen_sim_controller *controller)
+{
+    controller->format = controller->params[0];
+    if ((controller->format & 7) != 5)
+        sheen_sim_complain(controller, "COLMOD 0x%02X: only 16 bits a pixel are simulated", controller->format);
+}
+
+/* CASET and RASET: parameters are start and end, high byte first, end inclusive. */
+static void window(struct sheen_sim_controller *controller)
+{
+    const struct sheen_sim_module *module = controller->module;
+    const uint8_t *p = controller->params;
+    uint16_t start = (uint16_t)(p[0] << 8 | p[1]), end = (uint16_t)(p[2] << 8 | p[3]);
+    int rows = controller->command == 0x2B, swap = (controller->scan & MV) != 0;
+    uint16_t size = rows == swap ? module->ram_w : module->ram_h;
+
+    if (start > end || end >= size)
+        sheen_sim_complain(controller, "%s %u..%u of %u", rows ? "RASET" : "CASET", start, end, size);
+    *(rows ? &controller->y0 : &controller->x0) = start;
+    *(rows ? &controller->y1 : &controller->x1) = end;
+}
+
+static void memory_continue(struct sheen_sim_controller *controller)
+{
+    if ((controller->format & 7) != 5)
+        sheen_sim_complain(controller, "pixels at COLMOD 0x%02X", controller->format);
+    controller->streaming = 1;
+}
+
+static void memory_write(struct sheen_sim_controller *controller)
+{
+    memory_continue(controller);
+    sheen_sim_window_start(controller);
+    controller->rectangles++;
+}
+
+static void store(struct sheen_sim_controller *controller, uint16_t value)
+{
+    const struct sheen_sim_module *module = controller->module;
+    uint8_t scan = controller->scan;
+    unsigned column = scan & MV ? controller->y : controller->x;
+    unsigned row = scan & MV ? controller->x : controller->y;
+
+    if (controller->wrapped)
+        sheen_sim_complain(controller, "pixel outside the window %u..%u, %u..%u", controller->x0, controller->x1,
+                           controller->y0, controller->y1);
+    /* A counter past the RAM turns into a huge number here, which the store reports. */
+    sheen_sim_store(controller, scan & MX ? module->ram_w - 1u - column : column,
+                    scan & MY ? module->ram_h - 1u - row : row, value);
+    if (controller->x++ < controller->x1)
+        return;
+    controller->x = controller->x0;
+    if (controller->y++ < controller->y1)
+        return;
+    controller->y = controller->y0;
+    controller->wrapped = 1;
+}
+
+static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
+{
+    if (controller->half_set)
+        store(controller, (uint16_t)(controller->half << 8 | byte));
+    controller->half = byte;
+    controller->half_set ^= 1;
+}
+
+static void stream_end(struct sheen_sim_controller *controller)
+{
+    if (controller->half_set)
+        sheen_sim_complain(controller, "half a pixel before command");
+}
+
+static uint16_t shown(const struct sheen_sim_controller *controller, unsigned column, unsigned row)
+{
+    const struct sheen_sim_module *module = controller->module;
+    uint16_t v = controller->ram[(size_t)row * module->ram_w + column];
+
+    if (!controller->awake || !controller->on)
+        return 0;
+    if (controller->inverted != module->inverted)
+        v = (uint16_t)~v;
+    if (((controller->scan & BGR) != 0) != module->bgr)
+        v = (uint16_t)((v & 0x07E0) | v >> 11 | v << 11);
+    return v;
+}
+
+static const struct sheen_sim_command commands[] = {
+    {0x01, 0x01, 0, software_reset}, {0x10, 0x10, 0, sleep_in},
+    {0x11, 0x11, 0, sleep_out},      {0x13, 0x13, 0, NULL},
+    {0x20, 0x21, 0, inversion},      {0x28, 0x28, 0, display_off},
+    {0x29, 0x29, 0, display_on},     {0x2A, 0x2B, 4, window},
+    {0x2C, 0x2C, 0, memory_write},   {0x34, 0x34, 0, NULL},
+    {0x35, 0x35, 1, NULL},           {0x36, 0x36, 1, madctl},
+    {0x3A, 0x3A, 1, colmod},         {0x3C, 0x3C, 0, memory_continue},
+};
+
+#define DCS(label, extra, extra_count)                                                                                 \
+    .name = label, .commands = commands, .command_count = sizeof commands / sizeof commands[0], .vendor = extra,       \
+    .vendor_count = extra_count, .defaults = defaults, .pixels = pixels, .stream_end = stream_end, .shown = shown,     \
+    .reset_command = 0x01, .reset_low_us = 10, .reset_us = AFTER_COMMAND_US
+
+const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341", NULL, 0)};
+
+/* The ideal panel is awake, lit and in 16 bits from the start, and never turned. */
+static void ideal_defaults(struct sheen_sim_controller *controller)
+{
+    defaults(controller);
+    controller->awake = controller->on = 1;
+    controller->format = 0x55;
+    for (size_t i = 0; i < (size_t)controller->module->ram_w * controller->module->ram_h; i++)
+        controller->ram[i] = 0;
+}
+
+static const struct sheen_sim_command ideal_commands[] = {
+    {0x2A, 0x2B, 4, window},
+    {0x2C, 0x2C, 0, memory_write},
+};
+
+const struct sheen_sim_chip sheen_sim_chip_ideal = {.name = "ideal",
+                                                    .commands = ideal_commands,
+                                                    .command_count = sizeof ideal_commands / sizeof ideal_commands[0],
+                                                    .defaults = ideal_defaults,
+                                                    .pixels = pixels,
+                                                    .stream_end = stream_end,
+                                                    .shown = shown};

@@ -1,0 +1,11 @@
+# The simulator below the panel drivers: controllers, bus, glass.
+target_sources(sheen_sim PRIVATE
+  controller.c
+  controller_dcs.c
+  glass.c
+  sim_bus.c
+  sim_panel.c
+  sim_panel_choose.c
+  sim_panel_ideal.c
+  sim_panel_modules.c
+)

@@ -1,0 +1,69 @@
+/*
+ * sim_panel.h - a simulated panel by name: the shipped driver, a bus, a controller, the glass.
+ *
+ *   core -> target -> panel driver (hal/) -> sim_bus -> controller -> glass -> the viewer's picture
+ *
+ * The panel `ideal` is plain RGB565 memory of any size from 8x8 to 640x480 behind
+ * the same bus, its driver a few lines (sim_panel_ideal.c), so its counters compare.
+ */
+#ifndef SHEEN_SIM_PANEL_H
+#define SHEEN_SIM_PANEL_H
+
+#include "panel.h"
+#include "sim_bus.h"
+
+/* What `sheen render` asks for, resolved: the size is that of the picture in the orientation. */
+struct sheen_sim_choice {
+    const struct sheen_panel_record *record; /* NULL: ideal */
+    unsigned orientation;                    /* 0..7 */
+    uint16_t width, height;                  /* px */
+};
+
+/*
+ * The rules of the command line. orientation: 0..7, or -1 where not given; width
+ * and height 0 where not given. Given a size alone, the first orientation that has
+ * it; given neither, the panel's default. `ideal` takes any size (default 320x240)
+ * and looks the same in every orientation.
+ * SHEEN_ERR_ARGUMENT: no such panel, or a size it cannot have; why (of why_size
+ * bytes) then holds a line without newline that says so.
+ */
+int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int orientation, unsigned width,
+                     unsigned height, char *why, size_t why_size);
+
+struct sheen_sim_panel;
+
+/* Allocates and powers the panel; nothing is sent. record MUST be of hal's table. 0, or SHEEN_ERR_MEMORY or _ARGUMENT. */
+int sheen_sim_panel_open(struct sheen_sim_panel **panel, const struct sheen_sim_choice *choice);
+void sheen_sim_panel_close(struct sheen_sim_panel *panel);
+
+/* The target to draw on; valid until the panel is closed. */
+const struct sheen_target *sheen_sim_panel_target(struct sheen_sim_panel *panel);
+
+/* Initialises the panel now, so that the first frame's counters hold pixels only. */
+int sheen_sim_panel_init(struct sheen_sim_panel *panel);
+
+/* The driver starts anew, as after a restart of its machine; the controller stays as it is. */
+int sheen_sim_panel_restart(struct sheen_sim_panel *panel);
+
+/*
+ * The picture as the viewer sees it: the glass turned and, for orientations
+ * 4..7, mirrored back. Row by row, choice.width x choice.height values: RGB565, or
+ * levels 0..sheen_sim_panel_levels(). Dark is 0, and so is what a round glass lacks.
+ * SHEEN_ERR_STATE while a write is under way (wait for the target first).
+ */
+int sheen_sim_panel_picture(struct sheen_sim_panel *panel, uint16_t *values);
+
+/* The highest grey level: 1, 15; 0: the values are RGB565. */
+unsigned sheen_sim_panel_levels(const struct sheen_sim_panel *panel);
+
+/* 0 where a round glass has no pixel at the viewer's (x, y). */
+int sheen_sim_panel_has(const struct sheen_sim_panel *panel, unsigned x, unsigned y);
+
+/* Complaints of controller and bus since the start, and the text of the first ("" for none). */
+unsigned sheen_sim_panel_complaints(const struct sheen_sim_panel *panel);
+const char *sheen_sim_panel_complaint(const struct sheen_sim_panel *panel);
+
+/* For counters, faults and hand-written bytes. */
+struct sheen_sim_bus *sheen_sim_panel_bus(struct sheen_sim_panel *panel);
+
+#endif

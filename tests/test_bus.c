@@ -1,0 +1,191 @@
+/*
+ * test_bus.c - the simulated bus: late DMA, counters, each named fault.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "glass.h"
+#include "sheen_target.h"
+#include "sim_bus.h"
+
+static const struct sheen_sim_module module = {
+    .name = "ideal", .chip = &sheen_sim_chip_ideal, .ram_w = 8, .ram_h = 8, .glass_w = 8, .glass_h = 8};
+static struct sheen_sim_controller chip;
+static struct sheen_sim_bus sim;
+
+static int set_up(void **state)
+{
+    (void)state;
+    assert_int_equal(sheen_sim_controller_open(&chip, &module), 0);
+    sheen_sim_bus_open(&sim, &chip, 1);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    sheen_sim_controller_close(&chip);
+    return 0;
+}
+
+static int start(enum sheen_dc dc, const void *bytes, size_t count)
+{
+    return sim.bus.write(&sim, dc, bytes, count);
+}
+
+static int finish(void)
+{
+    return sim.bus.wait(&sim);
+}
+
+static void ram_write(void)
+{
+    assert_int_equal(start(SHEEN_COMMAND, "\x2C", 1), 0);
+    assert_int_equal(finish(), 0);
+}
+
+static void bytes_arrive_at_the_wait(void **state)
+{
+    (void)state;
+    ram_write();
+    assert_int_equal(start(SHEEN_DATA, "\x12\x34", 2), 0);
+    assert_int_equal(chip.ram[0], 0);
+    assert_int_equal(finish(), 0);
+    assert_int_equal(chip.ram[0], 0x1234);
+    assert_int_equal(finish(), 0); /* nothing under way */
+    assert_int_equal(chip.complaints, 0);
+}
+
+static void touched_buffer(void **state)
+{
+    uint8_t pixel[2] = {0x12, 0x34};
+
+    (void)state;
+    ram_write();
+    assert_int_equal(start(SHEEN_DATA, pixel, 2), 0);
+    pixel[1] = 0x35;
+    assert_int_equal(finish(), 0);
+    assert_int_equal(chip.complaints, 1);
+    assert_non_null(strstr(chip.first_complaint, "touched before wait"));
+    assert_int_equal(chip.ram[0], 0x1235); /* what a slow DMA sends */
+}
+
+static void missing_waits(void **state)
+{
+    (void)state;
+    start(SHEEN_COMMAND, "\x2C", 1);
+    start(SHEEN_DATA, "\x12\x34", 2);
+    assert_non_null(strstr(chip.first_complaint, "write before the last one was waited for"));
+    sim.bus.delay(&sim, 1);
+    sim.bus.reset(&sim, 1);
+    assert_int_equal(chip.complaints, 3);
+    finish();
+    assert_int_equal(start(SHEEN_DATA, "", 0), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(chip.complaints, 4);
+}
+
+static void counters(void **state)
+{
+    struct sheen_sim_counters is;
+
+    (void)state;
+    ram_write();
+    start(SHEEN_DATA, "\1\2\3\4", 4);
+    finish();
+    is = sheen_sim_bus_counters(&sim);
+    assert_int_equal(is.bytes, 5);
+    assert_int_equal(is.commands, 1);
+    assert_int_equal(is.transactions, 2);
+    assert_int_equal(is.rectangles, 1);
+    sheen_sim_bus_counters_reset(&sim);
+    is = sheen_sim_bus_counters(&sim);
+    assert_int_equal(is.bytes + is.commands + is.transactions + is.rectangles, 0);
+}
+
+static void fault_error(void **state)
+{
+    (void)state;
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_ERROR, 3); /* write, wait, write, then this wait */
+    ram_write();
+    assert_int_equal(start(SHEEN_DATA, "\x12\x34", 2), 0);
+    assert_int_equal(finish(), SHEEN_ERR_BUS);
+    assert_int_equal(chip.ram[0], 0);
+    assert_int_equal(finish(), 0); /* once only */
+    assert_int_equal(chip.complaints, 0);
+}
+
+static void fault_short(void **state)
+{
+    (void)state;
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_SHORT, 3);
+    ram_write();
+    start(SHEEN_DATA, "\x12\x34\x56\x78", 4);
+    assert_int_equal(finish(), SHEEN_ERR_BUS);
+    assert_int_equal(chip.ram[0], 0x1234);
+    assert_int_equal(chip.ram[1], 0);
+    assert_int_equal(chip.complaints, 0);
+}
+
+static void fault_timeout(void **state)
+{
+    (void)state;
+    ram_write();
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_TIMEOUT, 1);
+    start(SHEEN_DATA, "\x12\x34", 2);
+    assert_int_equal(finish(), SHEEN_ERR_TIMEOUT);
+    assert_int_equal(chip.ram[0], 0);
+    assert_int_equal(chip.now_us, 1000000);
+}
+
+static void fault_brown_out(void **state)
+{
+    (void)state;
+    start(SHEEN_COMMAND, "\x2A", 1);
+    finish();
+    start(SHEEN_DATA, "\0\3\0\4", 4);
+    finish();
+    assert_int_equal(chip.x0, 3);
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_BROWN_OUT, 0);
+    assert_int_equal(start(SHEEN_COMMAND, "\x2C", 1), SHEEN_ERR_BUS);
+    assert_int_equal(chip.x0, 0); /* registers are lost */
+    assert_int_equal(chip.streaming, 0);
+}
+
+static void fault_stuck_reset(void **state)
+{
+    (void)state;
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_STUCK_RESET, 0);
+    assert_int_equal(sim.bus.delay(&sim, 5), SHEEN_ERR_BUS);
+    assert_int_equal(chip.reset_level, 0);
+    assert_int_equal(sim.bus.reset(&sim, 0), 0);
+    assert_int_equal(sim.bus.reset(&sim, 1), SHEEN_ERR_BUS);
+    assert_int_equal(sim.bus.reset(&sim, 1), SHEEN_ERR_BUS);
+    assert_int_equal(chip.reset_level, 0);
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_NONE, 0);
+    assert_int_equal(sim.bus.reset(&sim, 1), 0);
+    assert_int_equal(chip.reset_level, 1);
+}
+
+#define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        TEST(bytes_arrive_at_the_wait),
+        TEST(touched_buffer),
+        TEST(missing_waits),
+        TEST(counters),
+        TEST(fault_error),
+        TEST(fault_short),
+        TEST(fault_timeout),
+        TEST(fault_brown_out),
+        TEST(fault_stuck_reset),
+    };
+
+    return cmocka_run_group_tests_name("bus", tests, NULL, NULL);
+}

@@ -1,0 +1,168 @@
+/*
+ * test_panel_faults.c - everything that can fail on a bus, made to fail, one operation at a time.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "test_panel_canvas.h"
+
+/* One panel of each driver. */
+static const char *const panels[] = {"ili9341"};
+#define BAND 96 /* rows: few bands, since each operation of each is failed many times */
+#define PANELS (sizeof panels / sizeof panels[0])
+
+/* Two frames: the whole picture, then two windows; stops at the first error, as the core does. */
+static int two_frames(struct canvas *canvas)
+{
+    int error = canvas_push_all(canvas, BAND);
+
+    for (unsigned i = 0; i < 2 && error == 0; i++)
+        error = canvas_push(canvas, canvas_rect(canvas));
+    return error;
+}
+
+static uint64_t operations_of_two_frames(const char *name)
+{
+    struct canvas canvas;
+
+    canvas_open(&canvas, name, -1, 0, 0);
+    assert_int_equal(two_frames(&canvas), 0);
+    uint64_t operations = sheen_sim_panel_bus(canvas.panel)->operations;
+    canvas_close(&canvas);
+    return operations;
+}
+
+static void fail_at(const char *name, enum sheen_sim_fault fault, uint64_t after)
+{
+    int expected = fault == SHEEN_FAULT_TIMEOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS;
+    struct canvas canvas;
+    struct sheen_sim_bus *bus;
+
+    canvas_open(&canvas, name, -1, 0, 0);
+    bus = sheen_sim_panel_bus(canvas.panel);
+    sheen_sim_bus_fault(bus, fault, after);
+    assert_int_equal(two_frames(&canvas), expected);
+    if (fault == SHEEN_FAULT_STUCK_RESET) {
+        assert_int_equal(canvas_push_all(&canvas, BAND), SHEEN_ERR_BUS); /* for as long as it is stuck */
+        sheen_sim_bus_fault(bus, SHEEN_FAULT_NONE, 0);
+    }
+    assert_int_equal(canvas_push_all(&canvas, BAND), 0);
+    if (canvas_differences(&canvas))
+        fail_msg("%s, %s at operation %u: the next frame is wrong", name, sheen_sim_fault_name(fault),
+                 (unsigned)after + 1);
+    canvas_quiet(&canvas);
+    canvas_close(&canvas);
+}
+
+static void every_operation_and_fault(void **state)
+{
+    (void)state;
+    for (size_t p = 0; p < PANELS; p++) {
+        uint64_t operations = operations_of_two_frames(panels[p]);
+
+        assert_true(operations > 40);
+        for (unsigned fault = SHEEN_FAULT_ERROR; fault < SHEEN_FAULT_COUNT; fault++)
+            for (uint64_t n = 0; n < operations; n++)
+                fail_at(panels[p], (enum sheen_sim_fault)fault, n);
+    }
+}
+
+/* The machine is cut off after any operation, with and without the panel's power, and starts again. */
+static void cut_at(const char *name, uint64_t after, int power)
+{
+    struct canvas canvas;
+
+    canvas_open(&canvas, name, -1, 0, 0);
+    sheen_sim_bus_fault(sheen_sim_panel_bus(canvas.panel), SHEEN_FAULT_ERROR, after);
+    assert_int_equal(two_frames(&canvas), SHEEN_ERR_BUS);
+    if (power)
+        sheen_sim_power_cycle(sheen_sim_panel_bus(canvas.panel)->controller);
+    assert_int_equal(sheen_sim_panel_restart(canvas.panel), 0);
+    assert_int_equal(canvas_push_all(&canvas, BAND), 0);
+    if (canvas_differences(&canvas))
+        fail_msg("%s, cut after operation %u: wrong after restart", name, (unsigned)after);
+    canvas_quiet(&canvas);
+    canvas_close(&canvas);
+}
+
+static void cut_after_every_operation(void **state)
+{
+    (void)state;
+    for (size_t p = 0; p < PANELS; p++) {
+        uint64_t operations = operations_of_two_frames(panels[p]);
+
+        for (uint64_t n = 0; n < operations; n++) {
+            cut_at(panels[p], n, 0);
+            cut_at(panels[p], n, 1);
+        }
+    }
+}
+
+/* A board's own code reaches the caller as it is, and a panel without reset line starts over by command. */
+struct own_bus {
+    struct sheen_bus to; /* the simulated one */
+    int countdown;       /* writes until the failure */
+};
+
+static int own_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+{
+    struct own_bus *own = ctx;
+
+    return own->countdown-- == 0 ? -77 : own->to.write(own->to.ctx, dc, bytes, count);
+}
+
+static int own_wait(void *ctx)
+{
+    struct own_bus *own = ctx;
+
+    return own->to.wait(own->to.ctx);
+}
+
+static int own_delay(void *ctx, uint32_t us)
+{
+    struct own_bus *own = ctx;
+
+    return own->to.delay(own->to.ctx, us);
+}
+
+static void own_code_and_no_reset_line(void **state)
+{
+    struct canvas canvas;
+    struct sheen_panel panel;
+    struct sheen_target target;
+
+    (void)state;
+    for (size_t p = 0; p < PANELS; p++) {
+        for (int n = 0; n < 12; n++) {
+            canvas_open(&canvas, panels[p], -1, 0, 0);
+            struct own_bus own = {sheen_sim_panel_bus(canvas.panel)->bus, n};
+            const struct sheen_bus bus = {.ctx = &own, .write = own_write, .wait = own_wait, .delay = own_delay};
+            const struct sheen_panel_record *record = sheen_panel_find(panels[p]);
+
+            assert_int_equal(sheen_panel_open(&panel, record, &bus, sheen_panel_default_orientation(record)), 0);
+            assert_int_equal(sheen_panel_target(&panel, &target), 0);
+            canvas.target = &target;
+            assert_int_equal(canvas_push_all(&canvas, BAND), -77);
+            assert_int_equal(canvas_push_all(&canvas, BAND), 0);
+            assert_int_equal(canvas_differences(&canvas), 0);
+            canvas_quiet(&canvas);
+            canvas_close(&canvas);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_operation_and_fault),
+        cmocka_unit_test(cut_after_every_operation),
+        cmocka_unit_test(own_code_and_no_reset_line),
+    };
+
+    return cmocka_run_group_tests_name("panel_faults", tests, NULL, NULL);
+}
