@@ -21,10 +21,10 @@ static inline int64_t asr64(int64_t x, unsigned n)
     return x >= 0 ? x >> n : ~(~x >> n);
 }
 
-/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold |x| < 2^62. */
+/* floor(x / 2^n + 1/2), 1 <= n <= 63, any x. */
 static inline int64_t round_shift64(int64_t x, unsigned n)
 {
-    return asr64(x + ((int64_t)1 << (n - 1)), n);
+    return asr64(asr64(x, n - 1) + 1, 1);
 }
 
 /* round(a * b / 2^n), 1 <= n <= 62; the caller shows that the result fits. */

@@ -16,7 +16,7 @@
  * leave no gap and draw no pixel twice.
  *
  * Depth. Of several triangles at a pixel the one with the largest 1/m (16 bits)
- * stays, on a tie the first drawn. Its step at m is m^2 (1/near - 1/far) / 65344.
+ * stays, on a tie the first drawn. Its step at m is m^2 (1/near - 1/far) / 65020.
  *
  * Memory. The core allocates nothing and keeps nothing outside what the caller
  * gives: one arena a frame (sheen_arena_size) and the tables inside materials.
@@ -116,7 +116,7 @@ struct sheen_draw {
 struct sheen_view {
     struct sheen_rect viewport; /* px on the target; empty: all of it */
     sheen_angle_t fov;          /* vertical, 1..150 degrees */
-    sheen_q24_t near, far;      /* units, 0 < near < far: m outside is not drawn */
+    sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
     uint8_t background[3];      /* r, g, b */
     /*
@@ -216,7 +216,7 @@ sheen_q30_t sheen_cos(sheen_angle_t angle);
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
                       sheen_q24_t distance);
 
-/* v to unit length in Q1.30, each part within 2 raw steps of exact. SHEEN_ERR_DEGENERATE: v = 0, out untouched. */
+/* v to unit length in Q1.30, each part within 4 raw steps of exact. SHEEN_ERR_DEGENERATE: v = 0, out untouched. */
 int sheen_normalize(const int32_t v[3], sheen_q30_t out[3]);
 
 /*

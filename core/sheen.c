@@ -1,0 +1,353 @@
+/*
+ * sheen.c - the main path: init, begin, draw, band, end.
+ */
+#include <string.h>
+
+#include "stages.h"
+
+/* ---- init: the arena ---- */
+
+static uint32_t or_default(uint32_t value, uint32_t fallback)
+{
+    return value != 0 ? value : fallback;
+}
+
+static int target_valid(const struct sheen_target *t)
+{
+    unsigned x = or_default(t->align_x, 1), y = or_default(t->align_y, 1);
+
+    return t->push != NULL && t->width >= 1 && t->width <= 640 && t->height >= 1 && t->height <= 480 &&
+           t->pixel <= SHEEN_RGB565_LE && x <= 16 && (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
+}
+
+/* Defaults filled in and the band's height aligned; SHEEN_ERR_ARGUMENT where a value is out of range. */
+static int config_complete(struct sheen_config *c)
+{
+    if (c->target == NULL || !target_valid(c->target))
+        return SHEEN_ERR_ARGUMENT;
+    unsigned align = or_default(c->target->align_y, 1);
+
+    c->band_rows = (uint16_t)or_default(c->band_rows, 16);
+    if (c->band_rows > c->target->height)
+        c->band_rows = c->target->height;
+    c->band_rows = (uint16_t)((c->band_rows + align - 1) / align * align);
+    c->buffers = (uint8_t)or_default(c->buffers, 1);
+    c->workers = (uint8_t)or_default(c->workers, 1);
+    c->max_draws = (uint16_t)or_default(c->max_draws, 4);
+    c->max_carried = (uint16_t)or_default(c->max_carried, 80);
+    return c->buffers > 2 || c->workers > MAX_WORKERS || c->max_vertices == 0 || c->max_triangles == 0 ||
+                   c->max_triangles == NONE || c->max_carried > 254
+               ? SHEEN_ERR_ARGUMENT
+               : SHEEN_OK;
+}
+
+/* A piece of the arena, aligned to 8; base NULL: only counts. */
+static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
+{
+    void *piece = base != NULL ? base + *used : NULL;
+
+    *used += (count * bytes + 7) & ~(size_t)7;
+    return piece;
+}
+
+/* Lay the stores out in the arena; returns its size. With base NULL nothing is written but f. */
+static size_t lay_out(struct sheen_frame *f, uint8_t *base)
+{
+    const struct sheen_config *c = &f->config;
+    size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, tile = (size_t)c->target->width * c->band_rows;
+
+    (void)take(base, &used, 1, sizeof(struct sheen_frame));
+    f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
+    f->band = take(base, &used, f->max_bands, sizeof(struct band));
+    f->draw = take(base, &used, c->max_draws, sizeof(struct draw_record));
+    f->vertex = take(base, &used, c->max_vertices, sizeof(struct vertex));
+    f->entry = take(base, &used, c->max_triangles, sizeof(struct entry));
+    f->piece = take(base, &used, c->max_clipped, sizeof(struct piece));
+    f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
+    if (c->max_clipped == 0)
+        f->cut = NULL;
+    for (unsigned i = 0; i < c->workers; i++) {
+        struct worker *w = &f->worker[i];
+        w->carried = take(base, &used, c->max_carried, sizeof(struct setup));
+        w->pending = take(base, &used, bits, sizeof(uint32_t));
+        w->spans = take(base, &used, c->band_rows, sizeof(struct span));
+        w->depth = take(base, &used, tile, sizeof(uint16_t));
+        for (unsigned k = 0; k < c->buffers; k++)
+            w->pixels[k] = take(base, &used, tile, sizeof(uint16_t));
+    }
+    return used;
+}
+
+size_t sheen_arena_size(const struct sheen_config *config)
+{
+    struct sheen_frame f;
+
+    f.config = *config;
+    return config_complete(&f.config) < 0 ? 0 : lay_out(&f, NULL);
+}
+
+int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config)
+{
+    if (frame == NULL || arena == NULL || size == NULL || config == NULL || ((uintptr_t)arena & 7u) != 0)
+        return SHEEN_ERR_ARGUMENT;
+    size_t needed = sheen_arena_size(config);
+    if (needed == 0)
+        return SHEEN_ERR_ARGUMENT;
+    if (*size < needed) {
+        *size = needed;
+        return SHEEN_ERR_MEMORY;
+    }
+
+    struct sheen_frame *f = arena;
+    memset(f, 0, sizeof *f);
+    f->config = *config;
+    (void)config_complete(&f->config);
+    f->target = config->target;
+    f->arena_bytes = lay_out(f, arena);
+    f->failed = 1;
+    *frame = f;
+    return SHEEN_OK;
+}
+
+/* ---- begin ---- */
+
+static int same_rect(struct sheen_rect a, struct sheen_rect b)
+{
+    return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
+/* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
+static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
+{
+    const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
+    int x = (int)or_default(t->align_x, 1), y = (int)or_default(t->align_y, 1);
+
+    *viewport = rect_empty(asked) ? all : asked;
+    if (!same_rect(sheen_rect_intersection(*viewport, all), *viewport))
+        return SHEEN_ERR_ARGUMENT;
+    int aligned = viewport->x0 % x == 0 && viewport->y0 % y == 0 && (viewport->x1 % x == 0 || viewport->x1 == all.x1) &&
+                  (viewport->y1 % y == 0 || viewport->y1 == all.y1);
+    return aligned ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+}
+
+static void workers_begin(struct sheen_frame *f)
+{
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        struct worker *w = &f->worker[i];
+        w->last_band = -2; /* no band's pending triangles are at hand */
+        w->error = 0;
+        memset(&w->stats, 0, sizeof w->stats);
+    }
+}
+
+/* What the last frame touched becomes stale; it has to be drawn over. */
+static void bands_begin(struct sheen_frame *f)
+{
+    unsigned rows = f->config.band_rows;
+    int moved = !f->begun || f->send_all;
+
+    f->bands = ((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1) / rows;
+    f->band_scale = ((1u << 20) + rows - 1) / rows;
+    for (unsigned b = 0; b < f->bands; b++)
+        f->band[b].stale = moved ? (struct sheen_rect){0, 0, 0, 0} : f->band[b].cover;
+    sheen_bin_clear(f);
+}
+
+int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
+{
+    struct sheen_rect viewport;
+    struct projection projection;
+
+    if (f->state != IDLE)
+        return SHEEN_ERR_STATE;
+    int error = sheen_wait(f);
+    if (error == 0)
+        error = viewport_of(f->target, view->viewport, &viewport);
+    if (error == 0)
+        error = sheen_project_begin(&projection, view, (unsigned)(viewport.y1 - viewport.y0));
+    if (error < 0)
+        return error;
+
+    int changed = !f->begun || !same_rect(viewport, f->viewport) ||
+                  memcmp(view->background, f->view.background, sizeof view->background) != 0;
+    f->send_all = (uint8_t)(changed || f->failed);
+    f->failed = 1; /* until sheen_finish has seen every band through */
+    f->view = *view;
+    f->viewport = viewport;
+    f->projection = projection;
+    f->vertices = f->entries = f->pieces = f->draws = 0;
+    memset(&f->stats, 0, sizeof f->stats);
+    workers_begin(f);
+    bands_begin(f);
+    f->begun = 1;
+    f->state = OPEN;
+    return SHEEN_OK;
+}
+
+/* ---- draw: transform, light, clip, bin ---- */
+
+static void transform_mesh(struct sheen_frame *f, const struct sheen_mesh *mesh, const struct transform *t,
+                           struct vertex *v)
+{
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        sheen_q24_t eye[3];
+        sheen_transform_point(t, mesh->positions + 3 * i, eye);
+        sheen_project(&f->projection, eye, &v[i]);
+    }
+}
+
+/* Gouraud: light the corners of a listed triangle, each vertex once. */
+static void light_corners(const struct draw_record *d, struct vertex *store, const uint32_t index[3])
+{
+    for (int k = 0; k < 3; k++) {
+        struct vertex *v = &store[index[k]];
+        if ((v->flags & LIT) != 0)
+            continue;
+        struct lit lit;
+        sheen_light_normal(&d->light, d->material, d->mesh->normals + 3 * index[k], &lit);
+        v->diffuse = (uint16_t)lit.diffuse;
+        v->specular = (uint16_t)lit.specular;
+        v->flags |= LIT;
+    }
+}
+
+/* Cull, clip and list one triangle: 0, or SHEEN_ERR_CAPACITY. */
+static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                         uint32_t triangle)
+{
+    struct vertex *store = f->vertex + d->first_vertex;
+    const uint32_t index[3] = {mesh_index(d->mesh, 3 * triangle), mesh_index(d->mesh, 3 * triangle + 1),
+                               mesh_index(d->mesh, 3 * triangle + 2)};
+    const struct vertex *const v[3] = {&store[index[0]], &store[index[1]], &store[index[2]]};
+
+    if ((v[0]->flags & v[1]->flags & v[2]->flags & OUTSIDE) != 0)
+        return 0;
+    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OUTSIDE) != 0)
+        return sheen_clip(f, d, t, (uint16_t)triangle);
+
+    int64_t area = twice_area(v[0], v[1], v[2]);
+    if (area >= 0 && (area == 0 || !d->two_sided))
+        return 0;
+    f->stats.front++;
+    int listed = sheen_bin_triangle(f, v, triangle, 0);
+    if (listed == 1 && d->shading == SHEEN_GOURAUD)
+        light_corners(d, store, index);
+    return listed < 0 ? listed : 0;
+}
+
+static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw)
+{
+    const struct sheen_mesh *mesh = draw->mesh;
+
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_PHONG || mesh->positions == NULL ||
+        mesh->indices == NULL || (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
+        return SHEEN_ERR_ARGUMENT;
+    if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)
+        return SHEEN_ERR_CAPACITY;
+    return SHEEN_OK;
+}
+
+int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
+{
+    struct transform t;
+    struct sheen_stats stats = f->stats;
+    uint32_t entries = f->entries, pieces = f->pieces;
+    int error = draw_valid(f, draw);
+
+    if (error < 0)
+        return error;
+    struct draw_record *d = &f->draw[f->draws];
+    d->mesh = draw->mesh;
+    d->material = draw->material;
+    d->shading = draw->shading;
+    d->two_sided = draw->two_sided;
+    d->first_vertex = f->vertices;
+    error = sheen_light_begin(&d->light, draw);
+    if (error == 0)
+        error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
+    if (error < 0)
+        return error;
+    sheen_colour_begin(&d->colour, draw->material, &d->light);
+    transform_mesh(f, draw->mesh, &t, f->vertex + d->first_vertex);
+    for (uint32_t i = 0; i < draw->mesh->triangles && error == 0; i++)
+        error = draw_triangle(f, d, &t, i);
+    if (error < 0) {
+        f->pieces = pieces;
+        f->stats = stats;
+        sheen_bin_rollback(f, entries);
+        return error;
+    }
+    d->end_entry = f->entries;
+    f->vertices += draw->mesh->vertices;
+    f->draws++;
+    f->stats.triangles += draw->mesh->triangles;
+    f->stats.drawn += f->entries - entries;
+    return SHEEN_OK;
+}
+
+int sheen_mark(struct sheen_frame *f, struct sheen_rect rect)
+{
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    int32_t rows = f->config.band_rows;
+    for (unsigned b = 0; b < f->bands; b++) {
+        struct sheen_rect strip = f->viewport;
+        strip.y0 = (int16_t)(f->viewport.y0 + (int32_t)b * rows);
+        strip.y1 = (int16_t)min32(strip.y0 + rows, f->viewport.y1);
+        strip = sheen_rect_intersection(strip, rect);
+        if (!rect_empty(strip))
+            f->band[b].stale = sheen_rect_union(f->band[b].stale, strip);
+    }
+    return SHEEN_OK;
+}
+
+/* ---- end: the bands are in band.c ---- */
+
+unsigned sheen_band_count(const struct sheen_frame *f)
+{
+    return f->bands;
+}
+
+int sheen_wait(struct sheen_frame *f)
+{
+    int error = 0;
+
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        int result = sheen_worker_wait(f, &f->worker[i]);
+        if (error == 0)
+            error = result;
+    }
+    if (error < 0)
+        f->failed = 1;
+    return error;
+}
+
+int sheen_finish(struct sheen_frame *f)
+{
+    int error = 0;
+
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    for (unsigned i = 0; i < f->config.workers && error == 0; i++)
+        error = f->worker[i].error;
+    f->failed = error < 0;
+    f->state = IDLE;
+    return error;
+}
+
+int sheen_end(struct sheen_frame *f)
+{
+    int error = f->state == OPEN ? 0 : SHEEN_ERR_STATE;
+
+    for (unsigned b = 0; b < f->bands && error == 0; b++)
+        error = sheen_band(f, 0, b);
+    int finished = sheen_finish(f);
+    return error < 0 ? error : finished;
+}
+
+void sheen_invalidate(struct sheen_frame *f)
+{
+    f->failed = 1;
+}
