@@ -55,6 +55,12 @@ static void link_entry(struct sheen_frame *f, uint32_t entry, struct sheen_rect 
     }
 }
 
+/* 1 where a triangle covers the centre of some pixel's column and row. */
+int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3])
+{
+    return !rect_empty(covered(f, v));
+}
+
 /* 1: listed; 0: covers no pixel centre; SHEEN_ERR_CAPACITY: no entry left. */
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece)
 {

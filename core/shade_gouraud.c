@@ -13,7 +13,7 @@ static void corner_lit(const struct setup *s, const struct surface_corners *c, i
 {
     const struct vertex *v = c->at.v[k];
 
-    if (!c->back) {
+    if (!c->back || (v->flags & LIT_AS_SEEN) != 0) {
         lit->diffuse = v->diffuse;
         lit->specular = v->specular;
         return;

@@ -40,7 +40,8 @@ enum vertex_flag { /* sides of the view volume a vertex lies outside of, and wha
     OUTSIDE_TOP = 16,
     OUTSIDE_BOTTOM = 32,
     OUTSIDE = 63,
-    LIT = 64
+    LIT = 64,         /* diffuse and specular are set, for the mesh's normal */
+    LIT_AS_SEEN = 128 /* for the side that is seen, front or back: corners of pieces */
 };
 
 struct vertex {
@@ -291,6 +292,7 @@ struct sheen_frame {
     struct entry *entry;
     uint32_t *cut; /* a bit an entry: its triangle is a piece */
     struct piece *piece;
+    void *scratch; /* two polygons of clip.c */
     struct draw_record *draw;
     struct band *band;
     struct worker worker[MAX_WORKERS];
@@ -355,11 +357,14 @@ static inline uint32_t quadric_at(const struct quadric *q, int32_t x, int32_t y)
     return q->base + ux * q->dx + uy * q->dy + pairs(x) * q->dxx + ux * uy * q->dxy + pairs(y) * q->dyy;
 }
 
-/* clip.c */
+/* clip.c: cut a triangle and list its pieces; 0 or SHEEN_ERR_CAPACITY. */
+#define MAX_CLIP_CORNERS 9 /* a triangle cut by six planes */
+size_t sheen_clip_scratch_bytes(void);
 int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
 
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);
+int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3]);
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece);
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c);
