@@ -9,22 +9,33 @@
 
 #include <stdint.h>
 
-/* floor(x / 2^n), 0 <= n <= 31. Compilers make one arithmetic shift of it. */
+/*
+ * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative as
+ * arithmetic; elsewhere the complement of a non-negative number is shifted.
+ */
 static inline int32_t asr32(int32_t x, unsigned n)
 {
+#ifdef __GNUC__
+    return x >> n;
+#else
     return x >= 0 ? x >> n : ~(~x >> n);
+#endif
 }
 
 /* floor(x / 2^n), 0 <= n <= 63. */
 static inline int64_t asr64(int64_t x, unsigned n)
 {
+#ifdef __GNUC__
+    return x >> n;
+#else
     return x >= 0 ? x >> n : ~(~x >> n);
+#endif
 }
 
-/* floor(x / 2^n + 1/2), 1 <= n <= 63, any x. */
+/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold |x| < 2^63 - 2^(n - 1). */
 static inline int64_t round_shift64(int64_t x, unsigned n)
 {
-    return asr64(asr64(x, n - 1) + 1, 1);
+    return asr64(x + ((int64_t)1 << (n - 1)), n);
 }
 
 /* round(a * b / 2^n), 1 <= n <= 62; the caller shows that the result fits. */

@@ -29,8 +29,8 @@ int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3],
     g->b2[1] = (int32_t)round_shift64(x1 * scale, bits + 1);
     g->origin[0] = asr32(x[0], SUBPIXEL_BITS);
     g->origin[1] = asr32(y[0], SUBPIXEL_BITS);
-    g->centre[0] = (g->origin[0] << SUBPIXEL_BITS) + SUBPIXEL_HALF - x[0];
-    g->centre[1] = (g->origin[1] << SUBPIXEL_BITS) + SUBPIXEL_HALF - y[0];
+    g->centre[0] = g->origin[0] * SUBPIXEL_ONE + SUBPIXEL_HALF - x[0];
+    g->centre[1] = g->origin[1] * SUBPIXEL_ONE + SUBPIXEL_HALF - y[0];
     return 1;
 }
 

@@ -15,7 +15,7 @@ static void edge_begin(struct edge *e, int32_t xa, int32_t ya, int32_t xb, int32
 {
     int32_t height = yb - ya, width = xb - xa;
     int32_t first = first_centre(ya), skipped = row - first;
-    int32_t rest = (first << SUBPIXEL_BITS) + SUBPIXEL_HALF - ya; /* 0..63 */
+    int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - ya; /* 0..63 */
     int32_t step = width / height, carry = width % height;
 
     if (carry < 0) {

@@ -17,6 +17,7 @@
 #endif
 
 #define SUBPIXEL_BITS 6                   /* vertices are snapped to 1/64 px */
+#define SUBPIXEL_ONE 64
 #define SUBPIXEL_HALF 32                  /* a pixel's centre */
 #define GUARD_BAND (511 << SUBPIXEL_BITS) /* 1/64 px from the viewport's centre */
 

@@ -1,0 +1,121 @@
+/*
+ * setup_phong.c - normals at the corners to L.N, V.N and N.N over the triangle
+ * (lecture, "Clever Implementation"; the change in D as mended: its second
+ * difference is constant).
+ */
+#include "stages.h"
+
+/* Steps of the normal below 2 a px in Q2.29, or the triangle is scaled down, at most so many bits. */
+#define STEEPEST ((int64_t)1 << 30)
+#define MAX_SCALE 6
+
+/* Corner normals times weight, Q2.29; component i of corner k at [i][k]. Range: |normal| <= 2^15, weight <= 2^16. */
+static void weighted_normals(const struct surface_corners *c, int32_t n[3][3])
+{
+    for (int k = 0; k < 3; k++) {
+        int32_t weight = (int32_t)((c->weight[k] >> 16) + (c->weight[k] >> 15 & 1u));
+        for (int i = 0; i < 3; i++) {
+            int32_t component = c->back ? -c->at.normal[k][i] : c->at.normal[k][i];
+            n[i][k] = asr32(component * weight, 2);
+        }
+    }
+}
+
+/* Normal at the origin pixel and its steps; 0 where they do not fit however scaled. */
+static int normal_slopes(const struct gradients *g, int32_t n[3][3], struct slope slope[3])
+{
+    for (int scale = 0; scale <= MAX_SCALE; scale++) {
+        int64_t steepest = 0;
+        for (int i = 0; i < 3; i++) {
+            sheen_slope(g, n[i], 0, &slope[i]);
+            steepest |= (slope[i].dx < 0 ? -slope[i].dx : slope[i].dx) | (slope[i].dy < 0 ? -slope[i].dy : slope[i].dy);
+        }
+        if (steepest < STEEPEST)
+            return 1;
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                n[i][k] = asr32(n[i][k], 1);
+    }
+    return 0;
+}
+
+/* v . N as a plane, Q1.30: Q1.30 times Q2.29 is Q.59. Range: three terms below 2^60. */
+static struct plane dot_plane(const struct gradients *g, const sheen_q30_t v[3], const struct slope n[3])
+{
+    struct slope s = {0, 0, 0};
+
+    for (int i = 0; i < 3; i++) {
+        s.value += v[i] * n[i].value;
+        s.dx += v[i] * n[i].dx;
+        s.dy += v[i] * n[i].dy;
+    }
+    s.value = round_shift64(s.value, 29);
+    s.dx = round_shift64(s.dx, 29);
+    s.dy = round_shift64(s.dy, 29);
+    return sheen_slope_plane(g, &s);
+}
+
+/*
+ * D = N.N by second differences, UQ1.31: Q2.29 squared is Q.58. With a px as the
+ * step, N(x, y) = N + x Nx + y Ny gives D_xx = 2 Nx.Nx, D_xy = 2 Nx.Ny and the
+ * first difference D(1, 0) - D(0, 0) = 2 N.Nx + Nx.Nx.
+ * Range: |Nx|, |Ny| < 2^30, |N| <= 2^30: sums of three products below 2^62.
+ */
+static struct quadric square_quadric(const struct gradients *g, const struct slope n[3])
+{
+    int64_t nn = 0, nx = 0, ny = 0, xx = 0, xy = 0, yy = 0;
+
+    for (int i = 0; i < 3; i++) {
+        nn += n[i].value * n[i].value;
+        nx += n[i].value * n[i].dx;
+        ny += n[i].value * n[i].dy;
+        xx += n[i].dx * n[i].dx;
+        xy += n[i].dx * n[i].dy;
+        yy += n[i].dy * n[i].dy;
+    }
+    uint32_t dxx = (uint32_t)round_shift64(xx, 26), dxy = (uint32_t)round_shift64(xy, 26);
+    uint32_t dyy = (uint32_t)round_shift64(yy, 26);
+    uint32_t dx = (uint32_t)round_shift64(nx, 26) + (uint32_t)round_shift64(xx, 27);
+    uint32_t dy = (uint32_t)round_shift64(ny, 26) + (uint32_t)round_shift64(yy, 27);
+    int32_t ox = -g->origin[0], oy = -g->origin[1];
+    uint32_t x = (uint32_t)ox, y = (uint32_t)oy;
+
+    /* The polynomial about pixel (0, 0) of the target, (ox, oy) from the origin pixel; exact modulo 2^32. */
+    struct quadric q = {0, dx + x * dxx + y * dxy, dy + y * dyy + x * dxy, dxx, dxy, dyy};
+    q.base = (uint32_t)round_shift64(nn, 27) + x * dx + y * dy + pairs(ox) * dxx + x * y * dxy + pairs(oy) * dyy;
+    return q;
+}
+
+static void constant_normal(const struct sheen_frame *f, struct setup *s, int32_t n[3][3])
+{
+    sheen_q30_t sum[3], unit[3] = {0, 0, 0};
+    int16_t normal[3];
+    struct lit lit;
+
+    for (int i = 0; i < 3; i++)
+        sum[i] = n[i][0] / 4 + n[i][1] / 4 + n[i][2] / 4;
+    (void)sheen_normalize(sum, unit); /* a zero sum stays zero: ambient only */
+    for (int i = 0; i < 3; i++)
+        normal[i] = (int16_t)min32(asr32(unit[i] + (1 << 14), 15), 32767);
+    sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
+    sheen_setup_constant(f, s, &lit);
+}
+
+void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                       const struct gradients *g)
+{
+    const struct lighting *l = &s->draw->light;
+    int32_t n[3][3];
+    struct slope slope[3];
+
+    weighted_normals(c, n);
+    if (g == NULL || l->count == 0 || !normal_slopes(g, n, slope)) {
+        constant_normal(f, s, n);
+        return;
+    }
+    s->way = SHEEN_WAY_PHONG_ROOT;
+    s->clamp = s->draw->colour.clamp;
+    s->shade.phong.light = dot_plane(g, l->to[0], slope);
+    s->shade.phong.view = dot_plane(g, l->view, slope);
+    s->shade.phong.square = square_quadric(g, slope);
+}
