@@ -1,0 +1,125 @@
+/*
+ * builtin.c - meshes that need no file.
+ *
+ * Points are computed in double precision and rounded to 32-bit floats, as a
+ * file would hold them, so the last bit of a sine does not matter.
+ */
+#include "builtin.h"
+
+#include <math.h>
+#include <string.h>
+
+void sheen_builtin_grid(struct sheen_polygons *polygons, size_t base, unsigned rows, unsigned columns, int reverse)
+{
+    for (unsigned i = 0; i < rows * columns; i++) {
+        size_t at = base + (size_t)(i / columns) * (columns + 1) + i % columns;
+        size_t quad[4] = {at, at + columns + 1, at + columns + 2, at + 1};
+        uint32_t *corner = polygons->corners + polygons->corner_count;
+        unsigned count = 0;
+
+        for (int k = 0; k < 4; k++) {
+            size_t here = quad[reverse ? 3 - k : k], next = quad[reverse ? (6 - k) % 4 : (k + 1) % 4];
+            if (memcmp(polygons->points[here], polygons->points[next], sizeof polygons->points[here]) != 0)
+                corner[count++] = (uint32_t)here;
+        }
+        polygons->corner_count += count;
+        polygons->first[++polygons->polygon_count] = (uint32_t)polygons->corner_count;
+    }
+}
+
+/* Room for rows x columns quads and their points; the counts of polygons and corners are left at 0 for the grid. */
+static int grid_alloc(struct sheen_polygons *polygons, unsigned rows, unsigned columns)
+{
+    size_t quads = (size_t)rows * columns;
+    int error = sheen_polygons_alloc(polygons, (size_t)(rows + 1) * (columns + 1), quads, 4 * quads, 1, 0);
+
+    polygons->polygon_count = polygons->corner_count = 0;
+    return error;
+}
+
+/* cos and sin of a part of a turn; whole quarters exactly, so that seams and poles close. */
+static void on_circle(unsigned part, unsigned parts, double *cosine, double *sine)
+{
+    double angle = 2 * acos(-1.0) * (part % parts) / parts;
+
+    *cosine = 4 * part % (2 * parts) == parts ? 0 : cos(angle);
+    *sine = 2 * part % parts == 0 ? 0 : sin(angle);
+}
+
+static void set_point(double point[3], double x, double y, double z)
+{
+    point[0] = (float)x + 0.0; /* no -0 */
+    point[1] = (float)y + 0.0;
+    point[2] = (float)z + 0.0;
+}
+
+/* Unit sphere, 32 rings of 64 quads, y = cos(pi ring / 32); triangles at the poles. */
+static int make_sphere(struct sheen_polygons *polygons)
+{
+    enum { RINGS = 32, COLUMNS = 64 };
+    int error = grid_alloc(polygons, RINGS, COLUMNS);
+
+    for (unsigned i = 0; !error && i < (RINGS + 1) * (COLUMNS + 1); i++) {
+        double y, r, c, s;
+        on_circle(i / (COLUMNS + 1), 2 * RINGS, &y, &r);
+        on_circle(i % (COLUMNS + 1), COLUMNS, &c, &s);
+        set_point(polygons->points[i], r * s, y, r * c);
+    }
+    if (!error)
+        sheen_builtin_grid(polygons, 0, RINGS, COLUMNS, 0);
+    return error;
+}
+
+/* Torus around y, radii 0.75 and 0.33, 40 x 25 quads. */
+static int make_torus(struct sheen_polygons *polygons)
+{
+    enum { AROUND = 40, TUBE = 25 };
+    int error = grid_alloc(polygons, TUBE, AROUND);
+
+    for (unsigned i = 0; !error && i < (TUBE + 1) * (AROUND + 1); i++) {
+        double tube_c, tube_s, c, s;
+        on_circle(i / (AROUND + 1), TUBE, &tube_c, &tube_s);
+        on_circle(i % (AROUND + 1), AROUND, &c, &s);
+        double r = 0.75 + 0.33 * tube_c;
+        set_point(polygons->points[i], r * s, 0.33 * tube_s, r * c);
+    }
+    if (!error)
+        sheen_builtin_grid(polygons, 0, TUBE, AROUND, 1);
+    return error;
+}
+
+static const struct {
+    const char *name;
+    int (*make)(struct sheen_polygons *polygons);
+} builtins[] = {{"teapot", sheen_builtin_teapot}, {"sphere", make_sphere}, {"torus", make_torus}};
+
+enum { BUILTINS = sizeof builtins / sizeof builtins[0] };
+
+/* The number of the mesh, or BUILTINS. */
+static int find(const char *name)
+{
+    int i = 0;
+
+    while (i < BUILTINS && strcmp(name + strlen(SHEEN_BUILTIN), builtins[i].name) != 0)
+        i++;
+    return i;
+}
+
+int sheen_builtin_check(const char *name, struct sheen_problem *problem)
+{
+    if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) != 0 || find(name) < BUILTINS)
+        return SHEEN_OK;
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                         "%s: no such mesh; there are builtin:teapot, builtin:sphere, builtin:torus", name);
+}
+
+int sheen_builtin(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+{
+    int error = sheen_builtin_check(name, problem);
+
+    memset(polygons, 0, sizeof *polygons);
+    if (error)
+        return error;
+    error = builtins[find(name)].make(polygons);
+    return error ? sheen_problem(problem, error, "%s: not enough memory", name) : SHEEN_OK;
+}

@@ -1,0 +1,17 @@
+/*
+ * commands.h - what `sheen` can be told to do.
+ */
+#ifndef SHEEN_COMMANDS_H
+#define SHEEN_COMMANDS_H
+
+#include "options.h"
+
+/* The table, ended by an entry without a name. */
+extern const struct sheen_command sheen_command_table[];
+
+enum sheen_exit sheen_cmd_render(struct sheen_options *options);
+
+/* The one line on standard error: "sheen: ...", for a wrong command line with where to look. Returns status. */
+enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem);
+
+#endif

@@ -1,0 +1,243 @@
+/*
+ * host_mesh.c - from polygons to a mesh that is ready to be drawn: the way of the data, step by step.
+ */
+#include "host_mesh.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "builtin.h"
+#include "host_build.h"
+#include "host_vector.h"
+#include "mesh_file.h"
+#include "unique.h"
+
+static int weld_points(struct sheen_host_build *build)
+{
+    const struct sheen_polygons *from = build->from;
+    float(*keys)[3] = malloc((from->point_count + 1) * sizeof *keys);
+    int error = SHEEN_ERR_MEMORY;
+
+    build->weld = malloc((from->point_count + 1) * sizeof *build->weld);
+    if (keys && build->weld) {
+        for (size_t i = 0; i < from->point_count; i++) {
+            for (int k = 0; k < 3; k++)
+                keys[i][k] = (float)from->points[i][k];
+        }
+        error = sheen_unique(keys, sizeof *keys, from->point_count, build->weld, &build->weld_count);
+    }
+    free(keys);
+    return error;
+}
+
+/* The polygons that have an area, and their corners. */
+static int keep_polygons(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    const struct sheen_polygons *from = build->from;
+    struct sheen_host_mesh *mesh = build->mesh;
+
+    mesh->polygons = calloc(from->polygon_count, sizeof *mesh->polygons);
+    build->source = malloc(from->corner_count * sizeof *build->source);
+    if (!mesh->polygons || !build->source)
+        return SHEEN_ERR_MEMORY;
+    for (size_t p = 0; p < from->polygon_count; p++) {
+        struct sheen_host_polygon *keep = &mesh->polygons[mesh->polygon_count];
+        uint32_t first = from->first[p], count = from->first[p + 1] - first;
+
+        if (!sheen_host_newell((const double(*)[3])from->points, from->corners + first, count, keep->normal))
+            continue;
+        keep->first = (uint32_t)mesh->corner_count;
+        keep->count = count;
+        keep->group = from->groups[p];
+        for (uint32_t c = 0; c < count; c++)
+            build->source[mesh->corner_count++] = first + c;
+        mesh->polygon_count++;
+        mesh->triangle_count += count - 2;
+    }
+    if (mesh->polygon_count == 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no face has an area", name);
+    if (mesh->triangle_count > SHEEN_HOST_MESH_MAX)
+        return sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %zu triangles, at most %u can be drawn", name,
+                             mesh->triangle_count, SHEEN_HOST_MESH_MAX);
+    return SHEEN_OK;
+}
+
+/* Centre and radius over every point that a polygon uses, one without area included. */
+static int fit(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    const struct sheen_polygons *from = build->from;
+    struct sheen_host_mesh *mesh = build->mesh;
+    double low[3], high[3];
+
+    memcpy(low, from->points[from->corners[0]], sizeof low);
+    memcpy(high, low, sizeof high);
+    for (size_t c = 0; c < from->corner_count; c++) {
+        const double *point = from->points[from->corners[c]];
+        for (int k = 0; k < 3; k++) {
+            low[k] = fmin(low[k], point[k]);
+            high[k] = fmax(high[k], point[k]);
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        mesh->center[k] = (low[k] + high[k]) / 2;
+    for (size_t c = 0; c < from->corner_count; c++) {
+        const double *point = from->points[from->corners[c]];
+        double d[3] = {point[0] - mesh->center[0], point[1] - mesh->center[1], point[2] - mesh->center[2]};
+        mesh->radius = fmax(mesh->radius, sqrt(dot3(d, d)));
+    }
+    if (!(mesh->radius > 0))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no extent: all vertices are at one place", name);
+    return SHEEN_OK;
+}
+
+/* What makes two corners the same vertex; every byte counts, so there is no padding. */
+struct vertex_key {
+    double normal[3];
+    uint32_t weld, group;
+};
+
+static void set_vertex(struct sheen_host_build *build, size_t corner, const struct vertex_key *key)
+{
+    struct sheen_host_mesh *mesh = build->mesh;
+    struct sheen_host_vertex *vertex = &mesh->vertices[mesh->corners[corner]];
+    const double *point = build->from->points[build->from->corners[build->source[corner]]];
+
+    for (int k = 0; k < 3; k++)
+        vertex->position[k] = (point[k] - mesh->center[k]) / mesh->radius;
+    memcpy(vertex->normal, key->normal, sizeof vertex->normal);
+    vertex->weld = key->weld;
+    vertex->group = key->group;
+}
+
+static int make_vertices(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    struct sheen_host_mesh *mesh = build->mesh;
+    struct vertex_key *keys = calloc(mesh->corner_count, sizeof *keys);
+
+    mesh->corners = malloc(mesh->corner_count * sizeof *mesh->corners);
+    if (!keys || !mesh->corners) {
+        free(keys);
+        return SHEEN_ERR_MEMORY;
+    }
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        const struct sheen_host_polygon *polygon = &mesh->polygons[p];
+        for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++) {
+            for (int k = 0; k < 3; k++)
+                keys[c].normal[k] = build->normals[c][k] + 0.0; /* -0 becomes 0 */
+            keys[c].weld = sheen_corner_weld(build, c);
+            keys[c].group = build->options->by_group ? polygon->group : 0;
+        }
+    }
+    int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
+    if (!error && mesh->vertex_count > SHEEN_HOST_MESH_MAX)
+        error = sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %zu vertices (by position and normal), at most %u "
+                              "can be drawn", name, mesh->vertex_count, SHEEN_HOST_MESH_MAX);
+    if (!error) {
+        mesh->vertices = calloc(mesh->vertex_count, sizeof *mesh->vertices);
+        error = mesh->vertices ? SHEEN_OK : SHEEN_ERR_MEMORY;
+    }
+    for (size_t c = 0; !error && c < mesh->corner_count; c++)
+        set_vertex(build, c, &keys[c]);
+    free(keys);
+    return error;
+}
+
+static int make_triangles(struct sheen_host_build *build)
+{
+    struct sheen_host_mesh *mesh = build->mesh;
+    uint32_t(*cut)[3] = malloc(mesh->corner_count * sizeof *cut);
+    uint32_t *points = malloc(mesh->corner_count * sizeof *points);
+    struct sheen_host_triangle *out = malloc(mesh->triangle_count * sizeof *out);
+    int error = cut && points && out ? SHEEN_OK : SHEEN_ERR_MEMORY;
+
+    mesh->triangles = out;
+    for (size_t c = 0; !error && c < mesh->corner_count; c++)
+        points[c] = build->from->corners[build->source[c]];
+    for (size_t p = 0; !error && p < mesh->polygon_count; p++) {
+        const struct sheen_host_polygon *polygon = &mesh->polygons[p];
+
+        error = sheen_host_split((const double(*)[3])build->from->points, points + polygon->first, polygon->count,
+                                 polygon->normal, cut);
+        for (uint32_t t = 0; !error && t + 2 < polygon->count; t++, out++) {
+            for (int k = 0; k < 3; k++)
+                out->vertex[k] = mesh->corners[polygon->first + cut[t][k]];
+            out->polygon = (uint32_t)p;
+        }
+    }
+    free(cut);
+    free(points);
+    return error;
+}
+
+static int copy_groups(struct sheen_host_build *build)
+{
+    struct sheen_host_mesh *mesh = build->mesh;
+
+    mesh->group = malloc(build->from->group_count * sizeof *mesh->group);
+    if (!mesh->group)
+        return SHEEN_ERR_MEMORY;
+    memcpy(mesh->group, build->from->group, build->from->group_count * sizeof *mesh->group);
+    mesh->group_count = build->from->group_count;
+    return SHEEN_OK;
+}
+
+int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+{
+    struct sheen_host_build build = {.from = polygons, .options = options, .mesh = mesh};
+
+    memset(mesh, 0, sizeof *mesh);
+    int error = sheen_polygons_check(polygons, name, problem);
+    if (error)
+        return error; /* the problem is set, nothing was allocated */
+    error = fit(&build, name, problem);
+    if (!error)
+        error = keep_polygons(&build, name, problem);
+    if (!error)
+        error = weld_points(&build);
+    if (!error)
+        error = sheen_host_normals(&build);
+    if (!error)
+        error = make_vertices(&build, name, problem);
+    if (!error)
+        error = make_triangles(&build);
+    if (!error)
+        error = copy_groups(&build);
+    free(build.weld);
+    free(build.source);
+    free(build.normals);
+    if (error)
+        sheen_host_mesh_free(mesh);
+    if (error == SHEEN_ERR_MEMORY)
+        sheen_problem(problem, error, "%s: not enough memory", name);
+    return error;
+}
+
+void sheen_host_mesh_free(struct sheen_host_mesh *mesh)
+{
+    free(mesh->vertices);
+    free(mesh->polygons);
+    free(mesh->corners);
+    free(mesh->triangles);
+    free(mesh->group);
+    memset(mesh, 0, sizeof *mesh);
+}
+
+int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+{
+    if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) == 0)
+        return sheen_builtin(polygons, name, problem);
+    return sheen_mesh_file_read(polygons, name, problem);
+}
+
+int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const struct sheen_host_options *options,
+                         struct sheen_problem *problem)
+{
+    struct sheen_polygons polygons;
+    int error = sheen_polygons_load(&polygons, name, problem);
+
+    if (!error)
+        error = sheen_host_mesh_build(mesh, &polygons, options, name, problem);
+    sheen_polygons_free(&polygons);
+    return error;
+}

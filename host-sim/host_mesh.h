@@ -1,0 +1,75 @@
+/*
+ * host_mesh.h - a mesh ready to be drawn, in double precision: fitted, with its normals, split into triangles.
+ *
+ *   name -> polygons -> host mesh -> quantise.h -> the core's struct sheen_mesh
+ *
+ * The rules, in the order in which they are applied:
+ *   - points with bit-equal positions (32-bit floats, -0 counting as 0) are one vertex;
+ *   - a polygon's normal is Newell's, over the whole polygon; a polygon without area is
+ *     dropped, though its points count for the fit;
+ *   - fit: minus the centre of the bounding box, then the farthest point to distance 1;
+ *   - a corner's normal is the file's, else the average over the polygons around its
+ *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
+ *   - polygons are split into triangles (host_split.c).
+ */
+#ifndef SHEEN_HOST_MESH_H
+#define SHEEN_HOST_MESH_H
+
+#include "polygons.h"
+
+#define SHEEN_HOST_MESH_MAX 65535u /* vertices, and triangles: what 16-bit indices hold */
+
+struct sheen_host_options {
+    int average;   /* 1: the file's normals are not used */
+    int by_group;  /* 1: groups share no vertices, each becomes a mesh of its own */
+    int use_crease; /* 1: average only over polygons within `crease` of the corner's own */
+    double crease; /* degrees, 0..180 */
+};
+
+struct sheen_host_vertex {
+    double position[3]; /* after the fit: |position| <= 1 */
+    double normal[3];   /* unit */
+    uint32_t weld;      /* equal for vertices at one place that differ in normal or group */
+    uint32_t group;     /* 0 unless by_group */
+};
+
+struct sheen_host_polygon {
+    double normal[3]; /* Newell's, unit */
+    uint32_t first, count; /* its corners */
+    uint32_t group;   /* of the file, also without by_group */
+};
+
+struct sheen_host_triangle {
+    uint32_t vertex[3];
+    uint32_t polygon;
+};
+
+struct sheen_host_mesh {
+    struct sheen_host_vertex *vertices;
+    size_t vertex_count; /* 3..SHEEN_HOST_MESH_MAX */
+    struct sheen_host_polygon *polygons;
+    size_t polygon_count;
+    uint32_t *corners; /* the vertex of each corner of the polygons */
+    size_t corner_count;
+    struct sheen_host_triangle *triangles; /* in the polygons' order */
+    size_t triangle_count;                 /* 1..SHEEN_HOST_MESH_MAX */
+    struct sheen_group *group;             /* the file's materials */
+    size_t group_count;
+    double center[3], radius; /* fitted = (file - center) / radius */
+};
+
+/*
+ * Polygons to a host mesh; `name` is for *problem. 0, SHEEN_ERR_ARGUMENT (no faces,
+ * no extent), SHEEN_ERR_CAPACITY (more vertices or triangles than 16 bits number) or
+ * SHEEN_ERR_MEMORY. On error nothing is left to free.
+ */
+int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem);
+void sheen_host_mesh_free(struct sheen_host_mesh *mesh);
+
+/* By name: "builtin:..." or a file. Errors as above, and what the reader found. */
+int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem);
+int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const struct sheen_host_options *options,
+                         struct sheen_problem *problem);
+
+#endif

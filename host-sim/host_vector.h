@@ -1,0 +1,38 @@
+/*
+ * host_vector.h - three doubles. Private to host-sim.
+ */
+#ifndef SHEEN_HOST_VECTOR_H
+#define SHEEN_HOST_VECTOR_H
+
+#include <math.h>
+
+static inline double dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void cross3(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/*
+ * v to unit length; 1, or 0 and v untouched where it is zero. The largest part
+ * goes to 1 first, so that squares neither vanish nor overflow.
+ */
+static inline int unit3(double v[3])
+{
+    double largest = fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+
+    if (!(largest > 0))
+        return 0;
+    double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest, length = sqrt(x * x + y * y + z * z);
+    v[0] = x / length;
+    v[1] = y / length;
+    v[2] = z / length;
+    return 1;
+}
+
+#endif

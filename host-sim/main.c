@@ -1,0 +1,78 @@
+/*
+ * main.c - the command `sheen`: finds the subcommand and hands over.
+ */
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "commands.h"
+
+const struct sheen_command sheen_command_table[] = {
+    {"render", "MESH [options] -o OUT.png",
+     "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
+     "controller, and writes what the glass shows.",
+     SHEEN_RENDER, sheen_cmd_render},
+    {NULL, NULL, NULL, 0, NULL},
+};
+
+enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem)
+{
+    fprintf(stderr, "sheen: %s%s\n", problem->text, status == SHEEN_EXIT_USAGE ? " (see sheen --help)" : "");
+    return status;
+}
+
+static void print_help(void)
+{
+    printf("Usage: sheen COMMAND ...\nShaded 3D with integers only, as a small display would show it.\n\n");
+    for (const struct sheen_command *command = sheen_command_table; command->name; command++)
+        printf("sheen %s %s\n", command->name, command->operands);
+    printf("\nsheen COMMAND --help tells its options, sheen --version the version.\n");
+}
+
+/* Output that did not arrive, as in a closed pipe or on a full disk, is a failure. */
+static enum sheen_exit finish(enum sheen_exit status)
+{
+    struct sheen_problem problem;
+
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return status;
+    sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "standard output: %s", strerror(errno));
+    return status == SHEEN_EXIT_OK ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : status;
+}
+
+static enum sheen_exit run(const struct sheen_command *command, int argc, char **argv)
+{
+    struct sheen_options options;
+    struct sheen_problem problem;
+    int parsed = sheen_options_parse(&options, command, argc, argv, &problem);
+
+    if (parsed < 0)
+        return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    return parsed == 0 ? SHEEN_EXIT_OK : command->run(&options);
+}
+
+int main(int argc, char **argv)
+{
+    struct sheen_problem problem;
+    const char *name = argc > 1 ? argv[1] : "";
+
+    signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error of the write, not the end of the program */
+    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+        print_help();
+        return finish(SHEEN_EXIT_OK);
+    }
+    if (strcmp(name, "--version") == 0) {
+        printf("sheen %s\n", SHEEN_VERSION);
+        return finish(SHEEN_EXIT_OK);
+    }
+    for (const struct sheen_command *command = sheen_command_table; command->name; command++) {
+        if (strcmp(name, command->name) == 0)
+            return finish(run(command, argc - 1, argv + 1));
+    }
+    if (argc > 1)
+        sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "unknown command '%.100s'", name);
+    else
+        sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no command given");
+    return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+}

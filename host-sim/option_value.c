@@ -1,0 +1,146 @@
+/*
+ * option_value.c - an option's argument into its field.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "options.h"
+
+static int refuse(const struct sheen_option *option, const char *text, const char *what, struct sheen_problem *problem)
+{
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': %s", option->name, text, what);
+}
+
+/* A finite decimal number that takes up the text as far as `end`; *text moves there. 0 or -1. */
+static int read_real(const char **text, char end, double *value)
+{
+    char *stop;
+
+    if (**text == '\0' || strspn(*text, "+-.0123456789eE") != strcspn(*text, end ? "," : ""))
+        return -1; /* strtod would take spaces, hexadecimal, inf and nan as well */
+    *value = strtod(*text, &stop);
+    if (stop == *text || *stop != end || !isfinite(*value))
+        return -1;
+    *text = stop + (end != '\0');
+    return 0;
+}
+
+static int set_number(const struct sheen_option *option, const char *text, void *field, struct sheen_problem *problem)
+{
+    const char *rest = text;
+    double value;
+
+    if (read_real(&rest, '\0', &value) != 0)
+        return refuse(option, text, "not a number", problem);
+    if (option->kind == SHEEN_OPTION_WHOLE && value != floor(value))
+        return refuse(option, text, "not a whole number", problem);
+    if (value < option->low || value > option->high)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': out of range %g..%g", option->name, text,
+                             option->low, option->high);
+    if (option->kind == SHEEN_OPTION_WHOLE)
+        *(int *)field = (int)value;
+    else
+        *(double *)field = value;
+    return SHEEN_OK;
+}
+
+static int set_choice(const struct sheen_option *option, const char *text, int *field, struct sheen_problem *problem)
+{
+    size_t length = strlen(text);
+    int number = 0;
+
+    for (const char *word = option->argument; *word; number++) {
+        size_t end = strcspn(word, "|");
+        if (end == length && strncmp(word, text, length) == 0) {
+            *field = number;
+            return SHEEN_OK;
+        }
+        word += end + (word[end] == '|');
+    }
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': not one of %s", option->name, text,
+                         option->argument);
+}
+
+static int set_color(const struct sheen_option *option, const char *text, uint8_t color[3],
+                     struct sheen_problem *problem)
+{
+    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6)
+        return refuse(option, text, "not a colour of six hex digits", problem);
+    unsigned long value = strtoul(text, NULL, 16);
+    for (int k = 0; k < 3; k++)
+        color[k] = (uint8_t)(value >> (16 - 8 * k));
+    return SHEEN_OK;
+}
+
+static int set_size(const struct sheen_option *option, const char *text, unsigned size[2],
+                    struct sheen_problem *problem)
+{
+    size_t width = strspn(text, "0123456789"), height = 0;
+
+    if (text[width] == 'x')
+        height = strspn(text + width + 1, "0123456789");
+    if (width < 1 || width > 4 || height < 1 || height > 4 || text[width + 1 + height] != '\0')
+        return refuse(option, text, "not a size such as 320x240", problem);
+    size[0] = (unsigned)strtoul(text, NULL, 10);
+    size[1] = (unsigned)strtoul(text + width + 1, NULL, 10);
+    return size[0] && size[1] ? SHEEN_OK : refuse(option, text, "no pixels", problem);
+}
+
+static int set_light(const struct sheen_option *option, const char *text, struct sheen_light_list *lights,
+                     struct sheen_problem *problem)
+{
+    const char *rest = text;
+    double to[3];
+
+    for (int k = 0; k < 3; k++) {
+        if (read_real(&rest, k < 2 ? ',' : '\0', &to[k]) != 0)
+            return refuse(option, text, "not a direction x,y,z", problem);
+    }
+    if (to[0] == 0 && to[1] == 0 && to[2] == 0)
+        return refuse(option, text, "points nowhere", problem);
+    if (!lights->given)
+        lights->count = 0;
+    if (lights->count == SHEEN_MAX_LIGHTS)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': at most %d lights", option->name, text,
+                             SHEEN_MAX_LIGHTS);
+    memcpy(lights->to[lights->count++], to, sizeof to);
+    lights->given = 1;
+    return SHEEN_OK;
+}
+
+static int set_paint(const struct sheen_option *option, const char *text, struct sheen_paint *paint,
+                     struct sheen_problem *problem)
+{
+    paint->from_file = strcmp(text, "file") == 0;
+    return paint->from_file ? SHEEN_OK : set_color(option, text, paint->color, problem);
+}
+
+int sheen_option_set(struct sheen_options *options, const struct sheen_option *option, const char *text,
+                     struct sheen_problem *problem)
+{
+    void *field = (char *)options + option->offset;
+
+    switch (option->kind) {
+    case SHEEN_OPTION_FLAG:
+        *(int *)field = 1;
+        return SHEEN_OK;
+    case SHEEN_OPTION_REAL:
+    case SHEEN_OPTION_WHOLE:
+        return set_number(option, text, field, problem);
+    case SHEEN_OPTION_CHOICE:
+        return set_choice(option, text, field, problem);
+    case SHEEN_OPTION_COLOR:
+        return set_color(option, text, field, problem);
+    case SHEEN_OPTION_PAINT:
+        return set_paint(option, text, field, problem);
+    case SHEEN_OPTION_SIZE:
+        return set_size(option, text, field, problem);
+    case SHEEN_OPTION_LIGHT:
+        return set_light(option, text, field, problem);
+    case SHEEN_OPTION_TEXT:
+        *(const char **)field = text;
+        return SHEEN_OK;
+    }
+    return SHEEN_ERR_ARGUMENT;
+}

@@ -1,0 +1,174 @@
+/*
+ * options.c - the command line of `sheen`: the table, the parser, the help.
+ */
+#include "options.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <string.h>
+
+#define AT(field) offsetof(struct sheen_options, field)
+#define ANY 1e300 /* an angle may be any finite number */
+
+const struct sheen_option sheen_option_table[] = {
+    {"output", "FILE", NULL, "the picture; with several frames %d or %0Nd stands for the frame", SHEEN_OPTION_TEXT,
+     SHEEN_RENDER, AT(out), 0, 0, 'o'},
+    {"panel", "NAME", "ili9341", "the panel to draw on, by controller or full name; ideal takes any size",
+     SHEEN_OPTION_TEXT, SHEEN_RENDER, AT(panel), 0, 0, 0},
+    {"size", "WxH", NULL, "of the picture, px; the panel must have it [the panel's]", SHEEN_OPTION_SIZE, SHEEN_RENDER,
+     AT(size), 0, 0, 0},
+    {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
+     SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(orientation), 0, 7, 0},
+    {"shade", "flat|gouraud|phong", "phong", "one normal a polygon, light at the corners, or normals at the pixels",
+     SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(shade), 0, 0, 0},
+    {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw), -ANY, ANY, 0},
+    {"pitch", "DEG", "20", "then about x", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(pitch), -ANY, ANY, 0},
+    {"roll", "DEG", "0", "then about z", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(roll), -ANY, ANY, 0},
+    {"distance", "D", "3", "of the eye from the mesh's centre, in radii of the mesh", SHEEN_OPTION_REAL, SHEEN_RENDER,
+     AT(distance), 0.1, 100, 0},
+    {"fov", "DEG", "40", "vertical field of view", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(fov), 1, 150, 0},
+    {"perspective", "correct|affine", "correct", "shading linear in space, or on the screen", SHEEN_OPTION_CHOICE,
+     SHEEN_RENDER, AT(affine), 0, 0, 0},
+    {"light", "X,Y,Z", "-0.5,0.7,0.5", "direction to a light, seen from the eye; up to 4 times", SHEEN_OPTION_LIGHT,
+     SHEEN_RENDER, AT(lights), 0, 0, 0},
+    {"ambient", "K", "0.1", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(ambient), 0, 4, 0},
+    {"diffuse", "K", "0.6", "light that scatters", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(diffuse), 0, 4, 0},
+    {"specular", "K", "0.3", "light that mirrors: the highlight", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(specular), 0, 4,
+     0},
+    {"shininess", "N", "32", "its sharpness, the exponent", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(shininess), 1, 128,
+     0},
+    {"color", "RRGGBB|file", "c8a050", "of the mesh, or as the file's materials say", SHEEN_OPTION_PAINT, SHEEN_RENDER,
+     AT(color), 0, 0, 0},
+    {"background", "RRGGBB", "000020", "", SHEEN_OPTION_COLOR, SHEEN_RENDER, AT(background), 0, 0, 0},
+    {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
+     SHEEN_RENDER, AT(two_sided), 0, 0, 0},
+    {"normals", "file|average", "file", "the file's normals where it has them, or always averages of the faces",
+     SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(average), 0, 0, 0},
+    {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL, SHEEN_RENDER,
+     AT(crease), 0, 180, 0},
+    {"band", "ROWS", "16", "rows drawn and sent at a time", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(band), 1, 480, 0},
+    {"buffers", "1|2", "1", "2: draw a band while the last one is sent", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(buffers),
+     1, 2, 0},
+    {"frames", "N", "1", "pictures, the mesh turning by the yaw step from one to the next", SHEEN_OPTION_WHOLE,
+     SHEEN_RENDER, AT(frames), 1, 10000, 0},
+    {"yaw-step", "DEG", "6", "", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw_step), -ANY, ANY, 0},
+    {"stats", NULL, NULL, "a line of JSON a frame on standard output", SHEEN_OPTION_FLAG, SHEEN_RENDER, AT(stats), 0, 0,
+     0},
+    {NULL, NULL, NULL, NULL, SHEEN_OPTION_FLAG, 0, 0, 0, 0, 0},
+};
+
+enum {
+    MAX_OPTIONS = 64,
+    HELP = 1000, /* values of struct option: the number of a table entry plus FIRST */
+    FIRST = 2000
+};
+
+/* The table in the form that getopt_long takes. letters: room for two characters an option and three more. */
+static void make_getopt(unsigned command, struct option *longs, char *letters)
+{
+    int count = 0;
+
+    letters += sprintf(letters, ":h"); /* a missing argument is told from an unknown option */
+    for (int i = 0; sheen_option_table[i].name; i++) {
+        const struct sheen_option *option = &sheen_option_table[i];
+        if (!(option->commands & command))
+            continue;
+        longs[count++] =
+            (struct option){option->name, option->argument ? required_argument : no_argument, NULL, FIRST + i};
+        if (option->letter)
+            letters += sprintf(letters, "%c%s", option->letter, option->argument ? ":" : "");
+    }
+    longs[count++] = (struct option){"help", no_argument, NULL, HELP};
+    longs[count] = (struct option){NULL, 0, NULL, 0};
+}
+
+static const struct sheen_option *find_option(int value)
+{
+    if (value >= FIRST)
+        return &sheen_option_table[value - FIRST];
+    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
+        if (option->letter == value)
+            return option;
+    }
+    return NULL;
+}
+
+/* What getopt_long did not like: '?' or ':'. */
+static int refuse(int answer, char **argv, struct sheen_problem *problem)
+{
+    const struct sheen_option *option = optopt ? find_option(optopt) : NULL;
+
+    if (option && answer == ':')
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s needs %s", option->name, option->argument);
+    if (option)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s takes no value", option->name);
+    if (optopt > 0 && optopt < 256)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown option -%c", optopt);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown or ambiguous option %.100s", argv[optind - 1]);
+}
+
+static int set_defaults(struct sheen_options *options, struct sheen_problem *problem)
+{
+    memset(options, 0, sizeof *options);
+    options->orientation = -1;
+    options->crease = -1;
+    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
+        int error = option->value ? sheen_option_set(options, option, option->value, problem) : SHEEN_OK;
+        if (error)
+            return error;
+    }
+    options->lights.given = 0;
+    return SHEEN_OK;
+}
+
+/* The operand: one mesh. */
+static int take_operand(struct sheen_options *options, int argc, char **argv, struct sheen_problem *problem)
+{
+    if (optind == argc)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no mesh given");
+    if (optind + 1 < argc)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "one mesh at a time, not also '%.100s'", argv[optind + 1]);
+    options->mesh = argv[optind];
+    return 1;
+}
+
+int sheen_options_parse(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
+                        struct sheen_problem *problem)
+{
+    struct option longs[MAX_OPTIONS];
+    char letters[2 * MAX_OPTIONS + 3];
+    int answer, error = set_defaults(options, problem);
+
+    make_getopt(command->bit, longs, letters);
+    opterr = 0;
+    optind = 0; /* GNU: start anew, as another command line may have been parsed */
+    while (!error && (answer = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
+        if (answer == HELP || answer == 'h') {
+            sheen_options_help(command);
+            return 0;
+        }
+        if (answer == '?' || answer == ':')
+            return refuse(answer, argv, problem);
+        error = sheen_option_set(options, find_option(answer), optarg, problem);
+    }
+    return error ? error : take_operand(options, argc, argv, problem);
+}
+
+void sheen_options_help(const struct sheen_command *command)
+{
+    printf("Usage: sheen %s %s\n%s\n\n", command->name, command->operands, command->summary);
+    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
+        char left[64];
+        if (!(option->commands & command->bit))
+            continue;
+        char letter[4] = {'-', option->letter, ',', '\0'};
+        snprintf(left, sizeof left, "%3s --%s %s", option->letter ? letter : "", option->name,
+                 option->argument ? option->argument : "");
+        printf("%-36s %s", left, option->help);
+        if (option->value)
+            printf("%s[%s]", *option->help ? " " : "", option->value);
+        putchar('\n');
+    }
+    printf("\nMESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, builtin:torus.\n"
+           "Angles in degrees, counter-clockwise; default values in brackets.\n");
+}

@@ -1,0 +1,105 @@
+/*
+ * options.h - the command line of `sheen`: one table makes the parser, --help and the man page.
+ */
+#ifndef SHEEN_OPTIONS_H
+#define SHEEN_OPTIONS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "problem.h"
+#include "sheen.h"
+
+/* Exit statuses. */
+enum sheen_exit {
+    SHEEN_EXIT_OK = 0,
+    SHEEN_EXIT_FAILURE = 1, /* bad input, a failed write, a complaint of the controller */
+    SHEEN_EXIT_USAGE = 2    /* a wrong command line */
+};
+
+/* What an option's argument is, and where it goes: the type of the field at its offset. */
+enum sheen_option_kind {
+    SHEEN_OPTION_FLAG,   /* int: 1 where given */
+    SHEEN_OPTION_REAL,   /* double */
+    SHEEN_OPTION_WHOLE,  /* int */
+    SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, words parted by | */
+    SHEEN_OPTION_COLOR,  /* uint8_t[3] */
+    SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` */
+    SHEEN_OPTION_SIZE,   /* unsigned[2] */
+    SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one */
+    SHEEN_OPTION_TEXT    /* const char * */
+};
+
+struct sheen_paint {
+    uint8_t color[3];
+    int from_file;
+};
+
+struct sheen_light_list {
+    double to[SHEEN_MAX_LIGHTS][3];
+    int count;
+    int given; /* 0 while the list is the default, which the first given light replaces */
+};
+
+struct sheen_options {
+    const char *mesh, *out, *panel;
+    unsigned size[2]; /* px; 0: not given */
+    int orientation;  /* -1: not given */
+    int shade;        /* enum sheen_shading */
+    double yaw, pitch, roll, yaw_step; /* degrees */
+    double distance, fov;
+    struct sheen_light_list lights;
+    double ambient, diffuse, specular;
+    int shininess;
+    struct sheen_paint color;
+    uint8_t background[3];
+    int two_sided, average, affine;
+    double crease; /* degrees; < 0: off */
+    int band, buffers;
+    int frames;
+    int stats;
+};
+
+/* Bits of the commands that take an option. */
+enum sheen_command_bit {
+    SHEEN_RENDER = 1
+};
+
+struct sheen_option {
+    const char *name;     /* long, without dashes */
+    const char *argument; /* its name in the help, or the words of a choice; NULL: none */
+    const char *value;    /* default, as one would type it; NULL: none */
+    const char *help;
+    enum sheen_option_kind kind;
+    unsigned commands; /* of enum sheen_command_bit */
+    size_t offset;     /* into struct sheen_options */
+    double low, high;  /* range of a number */
+    char letter;       /* short form, or 0 */
+};
+
+struct sheen_command {
+    const char *name;
+    const char *operands; /* "MESH -o OUT.png" */
+    const char *summary;
+    unsigned bit;
+    enum sheen_exit (*run)(struct sheen_options *options);
+};
+
+/* The table, ended by an entry without a name. */
+extern const struct sheen_option sheen_option_table[];
+
+/*
+ * Defaults, then argv[1..]; options and the operand may stand in any order.
+ * 1: go on; 0: help was asked for and printed; SHEEN_ERR_ARGUMENT and *problem.
+ */
+int sheen_options_parse(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
+                        struct sheen_problem *problem);
+
+/* --help of a command, on standard output. */
+void sheen_options_help(const struct sheen_command *command);
+
+/* An option's argument into its field. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+int sheen_option_set(struct sheen_options *options, const struct sheen_option *option, const char *text,
+                     struct sheen_problem *problem);
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * polygons.c - a mesh as its file lists it.
+ */
+#include "polygons.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+int sheen_polygons_alloc(struct sheen_polygons *polygons, size_t points, size_t count, size_t corners, size_t groups,
+                         int with_normals)
+{
+    memset(polygons, 0, sizeof *polygons);
+    polygons->point_count = points;
+    polygons->polygon_count = count;
+    polygons->corner_count = corners;
+    polygons->group_count = groups;
+    polygons->points = calloc(points + 1, sizeof *polygons->points);
+    polygons->first = calloc(count + 1, sizeof *polygons->first);
+    polygons->corners = calloc(corners + 1, sizeof *polygons->corners);
+    polygons->groups = calloc(count + 1, sizeof *polygons->groups);
+    polygons->group = calloc(groups + 1, sizeof *polygons->group);
+    if (with_normals)
+        polygons->normals = calloc(corners + 1, sizeof *polygons->normals);
+    if (!polygons->points || !polygons->first || !polygons->corners || !polygons->groups || !polygons->group ||
+        (with_normals && !polygons->normals))
+        return SHEEN_ERR_MEMORY;
+    return SHEEN_OK;
+}
+
+void sheen_polygons_free(struct sheen_polygons *polygons)
+{
+    free(polygons->points);
+    free(polygons->first);
+    free(polygons->corners);
+    free(polygons->normals);
+    free(polygons->groups);
+    free(polygons->group);
+    memset(polygons, 0, sizeof *polygons);
+}
+
+static int is_finite3(const double v[3])
+{
+    return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
+}
+
+static int check_polygon(const struct sheen_polygons *polygons, size_t p, const char *name,
+                         struct sheen_problem *problem)
+{
+    uint32_t begin = polygons->first[p], end = polygons->first[p + 1];
+
+    if (end > polygons->corner_count || end < begin || end - begin < 3)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu is broken", name, p + 1);
+    if (polygons->groups[p] >= polygons->group_count)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu: no such material", name, p + 1);
+    for (uint32_t c = begin; c < end; c++) {
+        uint32_t point = polygons->corners[c];
+        if (point >= polygons->point_count)
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu: vertex %lu of %zu", name, p + 1,
+                                 (unsigned long)point + 1, polygons->point_count);
+        if (!is_finite3(polygons->points[point]))
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu has a vertex that is not a finite number",
+                                 name, p + 1);
+        if (polygons->normals && !is_finite3(polygons->normals[c]))
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu has a normal that is not a finite number",
+                                 name, p + 1);
+    }
+    return SHEEN_OK;
+}
+
+int sheen_polygons_check(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+{
+    if (polygons->polygon_count == 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", name);
+    if (polygons->first[0] != 0 || polygons->first[polygons->polygon_count] != polygons->corner_count)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: faces are broken", name);
+    for (size_t p = 0; p < polygons->polygon_count; p++) {
+        int error = check_polygon(polygons, p, name, problem);
+        if (error)
+            return error;
+    }
+    return SHEEN_OK;
+}

@@ -1,0 +1,41 @@
+/*
+ * stats_json.c - `--stats`: a line of JSON a frame.
+ */
+#include "stats_json.h"
+
+#include <inttypes.h>
+
+/* By enum sheen_way. */
+static const char *const way_names[] = {"flat", "gouraud_linear", "gouraud_quotient", "phong_root"};
+
+static void print_triangles(FILE *stream, const struct sheen_stats *stats)
+{
+    fprintf(stream,
+            "\"triangles\": {\"in\": %" PRIu32 ", \"front\": %" PRIu32 ", \"drawn\": %" PRIu32 ", \"clipped\": %" PRIu32
+            ", \"by_shading\": {",
+            stats->triangles, stats->front, stats->drawn, stats->clipped);
+    for (size_t i = 0; i < sizeof way_names / sizeof way_names[0]; i++)
+        fprintf(stream, "%s\"%s\": %" PRIu32, i ? ", " : "", way_names[i], stats->by_way[i]);
+    fprintf(stream, "}}, \"setups\": %" PRIu32 ", \"spans\": %" PRIu32, stats->setups, stats->spans);
+}
+
+int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int number)
+{
+    struct sheen_sim_counters bus = sheen_sim_bus_counters(sheen_sim_panel_bus(table->panel));
+    struct sheen_stats stats;
+
+    sheen_frame_stats(table->frame, &stats);
+    fprintf(stream, "{\"frame\": %d, ", number);
+    print_triangles(stream, &stats);
+    fprintf(stream, ", \"pixels\": {\"covered\": %" PRIu32 ", \"shaded\": %" PRIu32 "}", stats.covered, stats.shaded);
+    fprintf(stream,
+            ", \"bus\": {\"bytes\": %" PRIu64 ", \"commands\": %" PRIu64 ", \"transactions\": %" PRIu64
+            ", \"rectangles\": %" PRIu64 "}",
+            bus.bytes, bus.commands, bus.transactions, bus.rectangles);
+    fprintf(stream,
+            ", \"ram\": {\"arena\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"lists\": %" PRIu32 ", \"bands\": %" PRIu32
+            ", \"tables\": %zu}}\n",
+            stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands,
+            table->count * sizeof *table->materials);
+    return fflush(stream) == 0 && !ferror(stream) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+}
