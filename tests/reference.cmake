@@ -1,4 +1,4 @@
-# The picture in double precision, and the shapes that tests draw.
+# The picture in double precision, and what is measured against it.
 add_library(reference STATIC
   reference/ref_mesh.c reference/ref_split.c reference/ref_project.c reference/ref_light.c
   reference/ref_raster.c reference/ref_shade.c reference/ref_pixel.c reference/ref_compare.c
@@ -6,4 +6,12 @@ add_library(reference STATIC
 target_include_directories(reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(reference PUBLIC m)
 
+# Scenes of the reference drawn by the core; by which core, the program says.
+add_library(core_picture STATIC core_picture.c memory_target.c frame_stage.c accuracy.c)
+target_include_directories(core_picture PUBLIC ${PROJECT_SOURCE_DIR}/core)
+target_link_libraries(core_picture PUBLIC reference)
+
 sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
+sheen_test(test_accuracy accuracy SOURCES test_accuracy.c LIBRARIES core_picture sheen::core TIMEOUT 300)
+sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
+  LIBRARIES core_picture sheen::core)

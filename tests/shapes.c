@@ -158,31 +158,49 @@ int shape_cube(struct shape *s)
     return status;
 }
 
-int shape_waves(struct shape *s, int cells, double height)
+static int barrel_normals(struct shape *s, size_t sides)
 {
-    int row = cells + 1, status = 0;
+    size_t corners = s->first[s->polygons.polygon_count];
 
-    memset(s, 0, sizeof *s);
-    for (int i = 0; i < row * row; i++) {
-        double x = 2.0 * (i % row) / cells - 1, y = 2.0 * (i / row) / cells - 1;
-        status |= shape_point(s, x, y, height * sin(3 * x) * cos(2 * y));
-    }
-    for (int i = 0; i < cells * cells; i++) {
-        int at = i / cells * row + i % cells;
-        status |= quad(s, at, at + 1, at + row + 1, at + row);
-    }
-    size_t corners = 4 * (size_t)cells * (size_t)cells;
     s->normals = calloc(corners, sizeof *s->normals);
-    if (!s->normals || status != 0)
+    if (!s->normals)
         return -1;
     for (size_t c = 0; c < corners; c++) {
         const double *p = s->points[s->corners[c]];
-        s->normals[c][0] = -height * 3 * cos(3 * p[0]) * cos(2 * p[1]);
-        s->normals[c][1] = height * 2 * sin(3 * p[0]) * sin(2 * p[1]);
-        s->normals[c][2] = 1;
+        double r = hypot(p[0], p[2]);
+        s->normals[c][0] = c < 4 * sides ? p[0] / r : 0;
+        s->normals[c][1] = c < 4 * sides ? 0.8 * p[1] : p[1];
+        s->normals[c][2] = c < 4 * sides ? p[2] / r : 0;
     }
     s->polygons.normals = (const double(*)[3])s->normals;
     return 0;
+}
+
+int shape_barrel(struct shape *s, int rings, int around)
+{
+    uint32_t *lid = malloc((size_t)around * sizeof *lid);
+    int status = lid ? 0 : -1;
+
+    memset(s, 0, sizeof *s);
+    for (int i = 0; i <= rings && status == 0; i++) {
+        for (int j = 0; j < around; j++) {
+            double y = 0.8 - 1.6 * i / rings, r = 0.8 - 0.4 * y * y, turn = 2 * PI * j / around;
+            status |= shape_point(s, r * cos(turn), y, -r * sin(turn));
+        }
+    }
+    for (int i = 0; i < rings && status == 0; i++) {
+        for (int j = 0; j < around; j++) {
+            int next = (j + 1) % around, up = i * around, down = up + around;
+            status |= quad(s, up + j, down + j, down + next, up + next);
+        }
+    }
+    for (int end = 0; end < 2 && status == 0; end++) {
+        for (int j = 0; j < around; j++)
+            lid[j] = (uint32_t)(end ? rings * around + around - 1 - j : j);
+        status |= shape_polygon(s, around, lid);
+    }
+    free(lid);
+    return status == 0 ? barrel_normals(s, (size_t)rings * (size_t)around) : -1;
 }
 
 int shape_screen(struct shape *s)

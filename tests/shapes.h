@@ -24,8 +24,11 @@ int shape_torus(struct shape *shape, double major, double minor, int along, int 
 /* Octahedron with corners at distance 1; cube with corners at (+-1, +-1, +-1), quads. */
 int shape_octahedron(struct shape *shape);
 int shape_cube(struct shape *shape);
-/* A wavy sheet z = height * sin(3 x) * cos(2 y) over +-1, of cells x cells quads, with its exact normals as `vn`. */
-int shape_waves(struct shape *shape, int cells, double height);
+/*
+ * A barrel around the y axis, |y| <= 0.8, radius 0.8 - 0.4 y^2: sides of quads with their exact normals as `vn`,
+ * lids of one polygon each with its own normal, so the rims are creases.
+ */
+int shape_barrel(struct shape *shape, int rings, int around);
 /* Four corners (+-1.6, +-1.2, 0), two triangles, normals (+-.5, +-.5, 1): fills a 4:3 picture at distance 2, fov 60. */
 int shape_screen(struct shape *shape);
 

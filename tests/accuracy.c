@@ -1,0 +1,111 @@
+/*
+ * accuracy.c - scenes, limits and scores of the accuracy tests.
+ */
+#include "accuracy.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const struct accuracy_limit accuracy_limits[4] = {
+    [REF_FLAT] = {0.97, 1.0, 1},
+    [REF_GOURAUD] = {0.97, 1.0, 1},
+    [REF_PHONG] = {0.96, 0.999, 2},
+    [REF_SLERP] = {0.96, 0.999, 2},
+};
+
+/* A ball of patches: the sphere of few polygons, where neighbouring normals stand far apart. */
+static int make_shape(struct shape *shape, int index, bool coarse, const char **name)
+{
+    switch (index) {
+    case 0:
+        *name = "sphere";
+        return coarse ? shape_sphere(shape, 8, 12) : shape_sphere(shape, 32, 64);
+    case 1:
+        *name = "torus";
+        return coarse ? shape_torus(shape, 0.75, 0.33, 12, 8) : shape_torus(shape, 0.75, 0.33, 40, 25);
+    case 2:
+        *name = "barrel, vn";
+        return coarse ? shape_barrel(shape, 4, 8) : shape_barrel(shape, 12, 32);
+    case 3:
+        *name = "cube";
+        return shape_cube(shape);
+    default:
+        *name = "ball 12x16";
+        return coarse ? shape_octahedron(shape) : shape_sphere(shape, 12, 16);
+    }
+}
+
+int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
+{
+    static const struct ref_mesh_options options = {.fit = true, .crease = -1};
+    struct shape shape;
+
+    memset(mesh, 0, sizeof *mesh);
+    int status = make_shape(&shape, index, coarse, &mesh->name);
+    if (status == 0)
+        status = ref_mesh_build(&mesh->reference, &shape.polygons, &options);
+    if (status == 0)
+        status = core_mesh_make(&mesh->core, &mesh->reference);
+    shape_free(&shape);
+    return status;
+}
+
+void accuracy_mesh_free(struct accuracy_mesh *mesh)
+{
+    ref_mesh_free(&mesh->reference);
+    core_mesh_free(&mesh->core);
+}
+
+void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index)
+{
+    static const double pose[ACCURACY_VIEWS][5] = {
+        {30, 20, 0, 3, 40}, {75, -35, 20, 2.2, 55}, {200, 60, -15, 1.9, 60}}; /* yaw, pitch, roll, distance, fov */
+    static const double light[ACCURACY_VIEWS][3] = {{-0.5, 0.7, 0.5}, {0.3, 0.4, 1.0}, {0.9, -0.1, 0.3}};
+    static const double parts[ACCURACY_VIEWS][3] = {{0.1, 0.6, 0.3}, {0.15, 0.7, 0.5}, {0.2, 0.9, 0.8}};
+    static const int base[ACCURACY_VIEWS][3] = {{0xc8, 0xa0, 0x50}, {255, 153, 77}, {90, 220, 255}};
+
+    ref_scene_default(scene, mesh);
+    ref_scene_orbit(scene, pose[index][0], pose[index][1], pose[index][2], pose[index][3]);
+    scene->fov = pose[index][4];
+    memcpy(scene->light[0], light[index], sizeof scene->light[0]);
+    scene->ambient = parts[index][0];
+    scene->diffuse = parts[index][1];
+    scene->specular = parts[index][2];
+    for (int k = 0; k < 3; k++)
+        scene->base[k] = base[index][k] / 255.0;
+}
+
+int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct core_mesh *mesh,
+                   uint16_t *values)
+{
+    struct memory_target target;
+    struct ref_picture picture;
+    int status;
+
+    if (memory_target_init(&target, scene->width, scene->height, SHEEN_RGB565_BE) != 0)
+        return SHEEN_ERR_MEMORY;
+    status = core_draw_scene(&target, scene, mesh, 16);
+    if (status == SHEEN_OK && ref_render(&picture, scene) != 0)
+        status = SHEEN_ERR_MEMORY;
+    if (status == SHEEN_OK) {
+        for (int i = 0; i < scene->width * scene->height; i++)
+            values[i] = (uint16_t)memory_target_pixel(&target, i % scene->width, i / scene->width);
+        memset(score, 0, sizeof *score);
+        if (ref_compare(score, scene, &picture, values) != 0)
+            status = SHEEN_ERR_MEMORY;
+        ref_picture_free(&picture);
+    }
+    if (target.breaches > 0)
+        status = SHEEN_ERR_STATE;
+    memory_target_free(&target);
+    return status;
+}
+
+bool accuracy_kept(const struct ref_score *score, enum ref_shading shading)
+{
+    const struct accuracy_limit *limit = &accuracy_limits[shading];
+    double compared = (double)score->compared;
+
+    return compared >= ACCURACY_COMPARED * (double)score->covered && score->equal >= limit->equal * compared &&
+           score->within_one >= limit->within_one * compared && score->worst <= limit->worst;
+}

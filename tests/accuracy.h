@@ -1,0 +1,42 @@
+/*
+ * accuracy.h - the core against the picture in double precision: scenes, limits, scores.
+ */
+#ifndef ACCURACY_H
+#define ACCURACY_H
+
+#include "core_picture.h"
+#include "shapes.h"
+
+#define ACCURACY_MESHES 5
+#define ACCURACY_VIEWS 3
+
+/* The limits of README, "How close the integers come". Shares are of the compared pixels. */
+struct accuracy_limit {
+    double equal, within_one;
+    int worst; /* steps of a channel */
+};
+extern const struct accuracy_limit accuracy_limits[4]; /* by enum ref_shading */
+
+#define ACCURACY_COMPARED 0.60 /* of the covered pixels, at least */
+
+struct accuracy_mesh {
+    const char *name;
+    struct ref_mesh reference;
+    struct core_mesh core;
+};
+
+/* Mesh number `index`; coarse: with polygons large enough to judge flat shading by. 0 or -1. */
+int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse);
+void accuracy_mesh_free(struct accuracy_mesh *mesh);
+
+/* View number `index` of 0..2: pose, distance, field of view, light, colours. */
+void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index);
+
+/* Draw the scene with both and compare. values: width * height of 565, for further use. 0 or a negative code. */
+int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct core_mesh *mesh,
+                   uint16_t *values);
+
+/* True where the score keeps the limit for its shading. */
+bool accuracy_kept(const struct ref_score *score, enum ref_shading shading);
+
+#endif

@@ -1,0 +1,213 @@
+/*
+ * core_picture.c - a scene of the reference, drawn by the core.
+ */
+#include "core_picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TURN 360.0
+
+/* Corners in an order that brings those together which become one vertex. */
+struct key {
+    uint32_t weld, corner;
+    int16_t normal[3];
+};
+
+static int key_order(const void *a, const void *b)
+{
+    const struct key *p = a, *q = b;
+
+    if (p->weld != q->weld)
+        return p->weld < q->weld ? -1 : 1;
+    return memcmp(p->normal, q->normal, sizeof p->normal);
+}
+
+static int16_t to_q15(double c)
+{
+    return (int16_t)lround(32767 * c);
+}
+
+static uint32_t number_vertices(const struct ref_mesh *from, struct key *keys, uint32_t *vertex_of)
+{
+    uint32_t vertices = 0;
+
+    for (size_t c = 0; c < from->corner_count; c++) {
+        keys[c] = (struct key){.weld = from->weld[c], .corner = (uint32_t)c};
+        for (int k = 0; k < 3; k++)
+            keys[c].normal[k] = to_q15(from->normal[c][k]);
+    }
+    qsort(keys, from->corner_count, sizeof *keys, key_order);
+    for (size_t i = 0; i < from->corner_count; i++) {
+        if (i > 0 && key_order(&keys[i - 1], &keys[i]) != 0)
+            vertices++;
+        vertex_of[keys[i].corner] = vertices;
+    }
+    return vertices + 1;
+}
+
+static void fill(struct core_mesh *to, const struct ref_mesh *from, const uint32_t *vertex_of, double reach)
+{
+    for (size_t c = 0; c < from->corner_count; c++) {
+        for (int k = 0; k < 3; k++) {
+            to->positions[3 * vertex_of[c] + (uint32_t)k] = to_q15(from->position[c][k] / reach);
+            to->normals[3 * vertex_of[c] + (uint32_t)k] = to_q15(from->normal[c][k]);
+        }
+    }
+    for (size_t p = 0; p < from->polygon_count; p++) {
+        for (int k = 0; k < 3; k++)
+            to->polygon_normals[3 * p + (size_t)k] = to_q15(from->polygon_normal[p][k]);
+    }
+    for (size_t t = 0; t < from->triangle_count; t++) {
+        to->polygons[t] = (uint16_t)from->triangles[t].polygon;
+        for (int k = 0; k < 3; k++)
+            to->indices[3 * t + (size_t)k] = (uint16_t)vertex_of[from->triangles[t].corner[k]];
+    }
+}
+
+int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
+{
+    struct key *keys = malloc(from->corner_count * sizeof *keys);
+    uint32_t *vertex_of = malloc(from->corner_count * sizeof *vertex_of);
+    double reach = 0;
+
+    memset(to, 0, sizeof *to);
+    if (!keys || !vertex_of || from->polygon_count > 65535 || from->triangle_count > 65535)
+        goto fail;
+    for (size_t c = 0; c < from->corner_count; c++) {
+        for (int k = 0; k < 3; k++)
+            reach = fmax(reach, fabs(from->position[c][k]));
+    }
+    uint32_t vertices = number_vertices(from, keys, vertex_of);
+    to->positions = calloc(vertices, 3 * sizeof *to->positions);
+    to->normals = calloc(vertices, 3 * sizeof *to->normals);
+    to->polygon_normals = calloc(from->polygon_count, 3 * sizeof *to->polygon_normals);
+    to->polygons = calloc(from->triangle_count, sizeof *to->polygons);
+    to->indices = calloc(from->triangle_count, 3 * sizeof *to->indices);
+    if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices)
+        goto fail;
+    fill(to, from, vertex_of, reach);
+    to->mesh = (struct sheen_mesh){.positions = to->positions,
+                                   .normals = to->normals,
+                                   .polygon_normals = to->polygon_normals,
+                                   .polygons = to->polygons,
+                                   .indices = to->indices,
+                                   .index_bytes = 2,
+                                   .vertices = (uint16_t)vertices,
+                                   .triangles = (uint16_t)from->triangle_count,
+                                   .scale = (sheen_q24_t)lround(reach * 32768 / 32767 * 16777216)};
+    free(keys);
+    free(vertex_of);
+    return 0;
+fail:
+    free(keys);
+    free(vertex_of);
+    core_mesh_free(to);
+    return -1;
+}
+
+void core_mesh_free(struct core_mesh *mesh)
+{
+    free(mesh->positions);
+    free(mesh->normals);
+    free(mesh->polygon_normals);
+    free(mesh->polygons);
+    free(mesh->indices);
+    memset(mesh, 0, sizeof *mesh);
+}
+
+void core_view(struct sheen_view *view, const struct ref_scene *scene)
+{
+    *view = (struct sheen_view){.fov = (sheen_angle_t)llround(scene->fov / TURN * 4294967296.0),
+                                .near = (sheen_q24_t)lround(scene->near * 16777216),
+                                .far = (sheen_q24_t)lround(scene->far * 16777216),
+                                .affine = scene->affine};
+    for (int k = 0; k < 3; k++)
+        view->background[k] = (uint8_t)lround(255 * scene->background[k]);
+}
+
+void core_pose(struct sheen_pose *pose, const struct ref_scene *scene)
+{
+    for (int k = 0; k < 9; k++)
+        pose->rotation[k] = (sheen_q30_t)lround(scene->rotation[k] * 1073741824);
+    pose->scale = (sheen_q16_t)lround(scene->scale * 65536);
+    for (int k = 0; k < 3; k++)
+        pose->translation[k] = (sheen_q24_t)lround(scene->translation[k] * 16777216);
+}
+
+void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene)
+{
+    for (int i = 0; i < scene->light_count; i++) {
+        double reach = 0;
+        for (int k = 0; k < 3; k++)
+            reach = fmax(reach, fabs(scene->light[i][k]));
+        lights[i] = (struct sheen_light){.intensity = 65536, .highlight = 1};
+        for (int k = 0; k < 3; k++)
+            lights[i].to[k] = (sheen_q30_t)lround(scene->light[i][k] / reach * 1073741824);
+    }
+}
+
+int core_material(struct sheen_material *material, const struct ref_scene *scene)
+{
+    *material = (struct sheen_material){.ambient = (sheen_q16_t)lround(scene->ambient * 65536),
+                                        .diffuse = (sheen_q16_t)lround(scene->diffuse * 65536),
+                                        .specular = (sheen_q16_t)lround(scene->specular * 65536),
+                                        .shininess = (uint8_t)lround(scene->shininess)};
+    for (int k = 0; k < 3; k++) {
+        material->base[k] = (uint8_t)lround(255 * scene->base[k]);
+        material->highlight[k] = (uint8_t)lround(255 * scene->highlight[k]);
+    }
+    return sheen_material_prepare(material);
+}
+
+int core_frame_make(struct core_frame *f, const struct sheen_config *config)
+{
+    f->arena_bytes = sheen_arena_size(config);
+    f->arena = f->arena_bytes ? malloc(f->arena_bytes) : NULL;
+    if (!f->arena)
+        return SHEEN_ERR_MEMORY;
+    memset(f->arena, 0xa5, f->arena_bytes); /* nothing may be taken for granted */
+    int status = sheen_init(&f->frame, f->arena, &f->arena_bytes, config);
+    if (status < 0)
+        core_frame_free(f);
+    return status;
+}
+
+void core_frame_free(struct core_frame *f)
+{
+    free(f->arena);
+    memset(f, 0, sizeof *f);
+}
+
+int core_draw_scene(struct memory_target *target, const struct ref_scene *scene, const struct core_mesh *mesh,
+                    int band_rows)
+{
+    struct sheen_config config = {.target = &target->target,
+                                  .band_rows = (uint16_t)band_rows,
+                                  .max_vertices = mesh->mesh.vertices,
+                                  .max_triangles = mesh->mesh.triangles,
+                                  .max_clipped = 2000};
+    struct sheen_light lights[SHEEN_MAX_LIGHTS];
+    struct sheen_material material;
+    struct sheen_view view;
+    struct sheen_draw draw = {.mesh = &mesh->mesh,
+                              .material = &material,
+                              .lights = lights,
+                              .light_count = (uint8_t)scene->light_count,
+                              .shading = (uint8_t)scene->shading,
+                              .two_sided = scene->two_sided};
+    struct core_frame f;
+    int status = core_frame_make(&f, &config);
+
+    if (status < 0)
+        return status;
+    core_view(&view, scene);
+    core_pose(&draw.pose, scene);
+    core_lights(lights, scene);
+    if ((status = core_material(&material, scene)) == SHEEN_OK && (status = sheen_begin(f.frame, &view)) == SHEEN_OK &&
+        (status = sheen_draw(f.frame, &draw)) == SHEEN_OK && (status = sheen_end(f.frame)) == SHEEN_OK)
+        status = sheen_wait(f.frame);
+    core_frame_free(&f);
+    return status;
+}

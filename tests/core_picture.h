@@ -1,0 +1,45 @@
+/*
+ * core_picture.h - a scene of the reference, drawn by the core.
+ */
+#ifndef CORE_PICTURE_H
+#define CORE_PICTURE_H
+
+#include "memory_target.h"
+#include "reference/reference.h"
+#include "sheen.h"
+
+/* A reference mesh in the core's numbers: corners with equal position and normal become one vertex. */
+struct core_mesh {
+    struct sheen_mesh mesh;
+    int16_t *positions, *normals, *polygon_normals;
+    uint16_t *polygons, *indices;
+};
+
+/* 0, or -1 where memory is short or the mesh has too many vertices. Release with core_mesh_free. */
+int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from);
+void core_mesh_free(struct core_mesh *mesh);
+
+/* Scenes in the core's numbers. Not for what the core draws otherwise: groups' colours, slerp, ortho. */
+void core_view(struct sheen_view *view, const struct ref_scene *scene);
+void core_pose(struct sheen_pose *pose, const struct ref_scene *scene);
+void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene);
+int core_material(struct sheen_material *material, const struct ref_scene *scene);
+
+/* A frame with an arena of its own, room for one draw of `mesh` a frame. */
+struct core_frame {
+    struct sheen_frame *frame;
+    void *arena;
+    size_t arena_bytes;
+};
+
+int core_frame_make(struct core_frame *f, const struct sheen_config *config);
+void core_frame_free(struct core_frame *f);
+
+/*
+ * Draw the scene with `mesh` to the target, in bands of band_rows. 0, or the
+ * code of what failed.
+ */
+int core_draw_scene(struct memory_target *target, const struct ref_scene *scene, const struct core_mesh *mesh,
+                    int band_rows);
+
+#endif

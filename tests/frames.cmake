@@ -1,0 +1,6 @@
+# Whole frames.
+foreach(name equal changed limits)
+  sheen_test(test_frame_${name} frames SOURCES test_frame_${name}.c LIBRARIES core_picture sheen::core)
+endforeach()
+sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
+  LIBRARIES core_picture sheen::core Threads::Threads)

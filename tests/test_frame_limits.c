@@ -1,0 +1,373 @@
+/*
+ * test_frame_limits.c - memory and capacities: enough works, one less is a clean error.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "frame_stage.h"
+
+#define WIDTH 160
+#define HEIGHT 120
+
+static struct stage stage;
+
+static int make_stage(void **state)
+{
+    (void)state;
+    return stage_make(&stage);
+}
+
+static int free_stage(void **state)
+{
+    (void)state;
+    stage_free(&stage);
+    return 0;
+}
+
+/* ---- the arena ---- */
+
+/* Every size below the one needed is the same error, names that size and writes nothing. */
+static void every_arena_too_small(void **state)
+{
+    struct memory_target target;
+    struct sheen_config config;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, 32, 16, SHEEN_RGB565_BE), 0);
+    config = (struct sheen_config){
+        .target = &target.target, .band_rows = 4, .max_vertices = 20, .max_triangles = 30, .max_clipped = 4};
+    size_t need = sheen_arena_size(&config);
+    assert_true(need > 0);
+    uint8_t *arena = malloc(need + 16);
+    assert_non_null(arena);
+    for (size_t size = 0; size < need; size++) {
+        struct sheen_frame *frame = NULL;
+        size_t told = size;
+        memset(arena, 0xa5, need + 16);
+        assert_int_equal(sheen_init(&frame, arena, &told, &config), SHEEN_ERR_MEMORY);
+        assert_int_equal(told, need);
+        assert_null(frame);
+        for (size_t i = 0; i < need + 16; i++)
+            assert_int_equal(arena[i], 0xa5);
+    }
+    free(arena);
+    memory_target_free(&target);
+}
+
+/* The size needed is enough: nothing behind it is written, whatever is drawn. */
+static void arena_is_kept_to(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 16; k++) {
+        struct memory_target target;
+        struct sheen_config config;
+        struct sheen_frame *frame;
+        struct sheen_view view;
+        struct actor actors[2] = {{STAGE_TORUS, 0, (enum sheen_shading)(k % 3), 0, 0, 3, 2, 30, 40},
+                                  {STAGE_BALL, 1, SHEEN_PHONG, 0, 0, 1.2, 0.6, 0, 20}};
+
+        assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+        stage_config(&config, &target, 2);
+        config.band_rows = (uint16_t)(1 + 13 * (k % 5));
+        config.buffers = (uint8_t)(1 + k % 2);
+        config.workers = (uint8_t)(1 + k / 4);
+        config.max_carried = (uint16_t)(1 + k);
+        config.max_clipped = 300;
+        size_t need = sheen_arena_size(&config), size = need;
+        uint8_t *arena = malloc(need); /* the address sanitizer watches its ends */
+        assert_int_equal(sheen_init(&frame, arena, &size, &config), SHEEN_OK);
+        stage_view(&view);
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(stage_frame(frame, &view, &stage, actors, 2), SHEEN_OK);
+        struct sheen_stats stats;
+        sheen_frame_stats(frame, &stats);
+        assert_int_equal(stats.ram_arena, need);
+        assert_true(stats.ram_vertices + stats.ram_lists + stats.ram_bands <= need);
+        free(arena);
+        memory_target_free(&target);
+    }
+}
+
+static void bad_configurations(void **state)
+{
+    struct memory_target target;
+    struct sheen_config good, bad;
+    uint64_t arena[8192];
+    struct sheen_frame *frame;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, 64, 32, SHEEN_RGB565_BE), 0);
+    good = (struct sheen_config){.target = &target.target, .max_vertices = 10, .max_triangles = 10};
+    assert_true(sheen_arena_size(&good) > 0 && sheen_arena_size(&good) <= sizeof arena);
+    for (int k = 0; k < 9; k++) {
+        struct sheen_target other = target.target;
+        size_t size = sizeof arena;
+        bad = good;
+        bad.target = k == 0 ? NULL : &other;
+        bad.max_vertices = k == 1 ? 0 : bad.max_vertices;
+        bad.max_triangles = k == 2 ? 0 : bad.max_triangles;
+        bad.buffers = k == 3 ? 3 : 0;
+        bad.workers = k == 4 ? 5 : 0;
+        bad.max_carried = k == 5 ? 255 : 0;
+        other.push = k == 6 ? NULL : other.push;
+        other.width = k == 7 ? 641 : other.width;
+        other.height = k == 8 ? 481 : other.height;
+        if (sheen_arena_size(&bad) != 0 || sheen_init(&frame, arena, &size, &bad) != SHEEN_ERR_ARGUMENT)
+            fail_msg("bad configuration %d was taken", k);
+    }
+    memory_target_free(&target);
+}
+
+/* ---- capacities of a frame ---- */
+
+static const struct actor first = {STAGE_BALL, 0, SHEEN_GOURAUD, -0.8, 0, 4, 1, 30, 20};
+static const struct actor second = {STAGE_TORUS, 1, SHEEN_PHONG, 0.9, 0.1, 4, 1, 60, 50};
+static const struct actor cut = {STAGE_BALL, 2, SHEEN_PHONG, 0.2, 0.1, 1.3, 0.6, 0, 40};
+
+/*
+ * Draw the first actor, then the other, whose result is returned; end the frame. What arrived is in `target`,
+ * counters in *stats.
+ */
+static int draw_two(struct memory_target *target, const struct sheen_config *config, const struct actor *other,
+                    struct sheen_stats *stats)
+{
+    struct core_frame f;
+    struct sheen_view view;
+    struct sheen_draw draw;
+
+    memory_target_begin(target);
+    assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
+    stage_view(&view);
+    for (int frame = 0; frame < 2; frame++) { /* the second sends what the draws cover */
+        memory_target_begin(target);
+        assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+        stage_draw(&stage, &first, &draw);
+        assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+        int status = SHEEN_OK;
+        if (other) {
+            stage_draw(&stage, other, &draw);
+            status = sheen_draw(f.frame, &draw);
+        }
+        sheen_frame_stats(f.frame, stats);
+        assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+        if (frame == 1) {
+            core_frame_free(&f);
+            return status;
+        }
+    }
+    return SHEEN_ERR_STATE; /* not reached */
+}
+
+/* With `room` as the capacity under test. */
+static void set_room(struct sheen_config *config, int which, uint32_t room)
+{
+    uint16_t *field[] = {&config->max_vertices, &config->max_triangles, &config->max_draws, &config->max_clipped};
+
+    *field[which] = (uint16_t)room;
+}
+
+/* n is enough, n - 1 an error that leaves the frame as the first draw left it. */
+static void check_capacity(int which, const struct actor *other, const char *what)
+{
+    struct memory_target target, one;
+    struct sheen_config config;
+    struct sheen_stats stats, stats_one;
+    uint32_t low = 0, high = 2000;
+
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&one, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &one, 2);
+    config.max_clipped = 500;
+    assert_int_equal(draw_two(&one, &config, NULL, &stats_one), SHEEN_OK);
+    config.target = &target.target;
+    assert_int_equal(draw_two(&target, &config, other, &stats), SHEEN_OK);
+
+    while (high - low > 1) { /* the smallest room that the draws fit in */
+        uint32_t room = (low + high) / 2;
+        struct sheen_config tried = config;
+        set_room(&tried, which, room);
+        struct sheen_draw draw;
+        struct core_frame f;
+        struct sheen_view view;
+        assert_int_equal(core_frame_make(&f, &tried), SHEEN_OK);
+        stage_view(&view);
+        assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+        stage_draw(&stage, &first, &draw);
+        int status = sheen_draw(f.frame, &draw);
+        stage_draw(&stage, other, &draw);
+        if (status == SHEEN_OK)
+            status = sheen_draw(f.frame, &draw);
+        assert_true(status == SHEEN_OK || status == SHEEN_ERR_CAPACITY);
+        *(status == SHEEN_OK ? &high : &low) = room;
+        core_frame_free(&f);
+    }
+    if (which == 0)
+        assert_int_equal(high, stage.mesh[first.mesh].mesh.vertices + stage.mesh[other->mesh].mesh.vertices);
+    if (which == 1)
+        assert_int_equal(high, stats.drawn);
+    if (which == 2)
+        assert_int_equal(high, 2);
+    if (which == 3) /* every cut triangle leaves nothing or some pieces */
+        assert_true(high > 1 && stats.clipped > 1);
+
+    set_room(&config, which, high);
+    assert_int_equal(draw_two(&target, &config, other, &stats), SHEEN_OK);
+    assert_memory_not_equal(target.memory, one.memory, HEIGHT * one.row_bytes);
+    set_room(&config, which, high - 1);
+    memset(target.memory, 0, HEIGHT * target.row_bytes);
+    assert_int_equal(draw_two(&target, &config, other, &stats), SHEEN_ERR_CAPACITY);
+    assert_memory_equal(target.memory, one.memory, HEIGHT * one.row_bytes);
+    assert_int_equal(target.area, one.area); /* not even the rectangles know of it */
+    assert_int_equal(stats.drawn, stats_one.drawn);
+    print_message("  %s: %u are enough, %u are an error\n", what, high, high - 1);
+    memory_target_free(&target);
+    memory_target_free(&one);
+}
+
+static void capacities(void **state)
+{
+    (void)state;
+    check_capacity(0, &second, "vertices");
+    check_capacity(1, &second, "triangles");
+    check_capacity(2, &second, "draws");
+    check_capacity(3, &cut, "pieces");
+}
+
+/* ---- several draws ---- */
+
+static void draw_actors(struct memory_target *target, const struct actor *actors, int count)
+{
+    struct sheen_config config;
+    struct core_frame f;
+    struct sheen_view view;
+
+    stage_config(&config, target, 3);
+    stage_view(&view);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    assert_int_equal(stage_frame(f.frame, &view, &stage, actors, count), SHEEN_OK);
+    core_frame_free(&f);
+}
+
+/* One mesh twice, apart: the picture is both pictures; and one behind the other, in either order. */
+static void two_draws_of_one_mesh(void **state)
+{
+    struct actor a = {STAGE_TORUS, 0, SHEEN_PHONG, -0.9, 0, 4, 0.8, 30, 40};
+    struct actor b = {STAGE_TORUS, 1, SHEEN_GOURAUD, 1, 0.2, 5, 0.8, 80, 10}, behind = a;
+    struct memory_target both, only_a, only_b, turned;
+    int of_a = 0, of_b = 0;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&both, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_a, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_b, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&turned, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    draw_actors(&both, (struct actor[]){a, b}, 2);
+    draw_actors(&only_a, &a, 1);
+    draw_actors(&only_b, &b, 1);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            unsigned p = memory_target_pixel(&only_a, x, y), q = memory_target_pixel(&only_b, x, y);
+            assert_true(p == 4 || q == 4); /* background 000020: they stand apart */
+            assert_int_equal(memory_target_pixel(&both, x, y), p == 4 ? q : p);
+            of_a += p != 4;
+            of_b += q != 4;
+        }
+    }
+    assert_true(of_a > 500 && of_b > 500);
+
+    behind.depth = 6;
+    behind.material = 2;
+    draw_actors(&both, (struct actor[]){a, behind}, 2);
+    draw_actors(&turned, (struct actor[]){behind, a}, 2);
+    assert_memory_equal(both.memory, turned.memory, HEIGHT * both.row_bytes);
+    assert_memory_not_equal(both.memory, only_a.memory, HEIGHT * both.row_bytes);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            if (memory_target_pixel(&only_a, x, y) != 4)
+                assert_int_equal(memory_target_pixel(&both, x, y), memory_target_pixel(&only_a, x, y));
+        }
+    }
+    memory_target_free(&both);
+    memory_target_free(&only_a);
+    memory_target_free(&only_b);
+    memory_target_free(&turned);
+}
+
+/* Of triangles at the same depth the first drawn stays. */
+static void first_drawn_stays(void **state)
+{
+    struct actor a = {STAGE_CUBE, 0, SHEEN_FLAT, 0, 0, 4, 1, 30, 40}, b = a;
+    struct memory_target both, only_a;
+
+    (void)state;
+    b.material = 2;
+    assert_int_equal(memory_target_init(&both, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_a, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    draw_actors(&both, (struct actor[]){a, b, b}, 3);
+    draw_actors(&only_a, &a, 1);
+    assert_memory_equal(both.memory, only_a.memory, HEIGHT * both.row_bytes);
+    memory_target_free(&both);
+    memory_target_free(&only_a);
+}
+
+/* ---- calls out of order ---- */
+
+static void out_of_order(void **state)
+{
+    struct memory_target target;
+    struct sheen_config config;
+    struct core_frame f;
+    struct sheen_view view, bad;
+    struct sheen_draw draw;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 1);
+    stage_view(&view);
+    stage_draw(&stage, &first, &draw);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_mark(f.frame, (struct sheen_rect){0, 0, 1, 1}), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_end(f.frame), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_finish(f.frame), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_band(f.frame, 0, 0), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_wait(f.frame), SHEEN_OK);
+    for (int k = 0; k < 5; k++) {
+        bad = view;
+        bad.near = k == 0 ? 0 : bad.near;
+        bad.far = k == 1 ? bad.near : bad.far;
+        bad.fov = k == 2 ? 0 : k == 3 ? SHEEN_DEGREES(151) : bad.fov;
+        if (k == 4)
+            bad.viewport = (struct sheen_rect){0, 0, WIDTH + 1, HEIGHT};
+        if (sheen_begin(f.frame, &bad) != SHEEN_ERR_ARGUMENT)
+            fail_msg("bad view %d was taken", k);
+    }
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    assert_int_equal(sheen_band(f.frame, 1, 0), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_band(f.frame, 0, sheen_band_count(f.frame)), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    assert_int_equal(sheen_end(f.frame), SHEEN_ERR_STATE);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_arena_too_small), cmocka_unit_test(arena_is_kept_to),
+        cmocka_unit_test(bad_configurations),    cmocka_unit_test(capacities),
+        cmocka_unit_test(two_draws_of_one_mesh), cmocka_unit_test(first_drawn_stays),
+        cmocka_unit_test(out_of_order),
+    };
+
+    return cmocka_run_group_tests_name("frame_limits", tests, make_stage, free_stage);
+}
