@@ -1,4 +1,4 @@
-"""Thumb machine code as objdump prints it: functions, calls, innermost loops."""
+"""Thumb machine code as objdump prints it: functions, flow, loops."""
 import re
 import subprocess
 
@@ -63,9 +63,14 @@ class Function:
         graph = self.successors()
         return [sorted(loop) for loop in innermost(graph, set(graph))]
 
+    def outermost_loops(self):
+        """Each loop that no other holds, with all within it, as the sorted list of its addresses."""
+        graph = self.successors()
+        return [sorted(loop) for loop in loops(graph, set(graph))]
+
 
 def disassemble(objdump, path):
-    """The functions of an object file, with all its relocations against functions' addresses in data."""
+    """The functions of an object file, with the symbols that their instructions refer to."""
     listing = subprocess.run([objdump, "-dr", "--no-show-raw-insn", path], check=True, capture_output=True, text=True)
     functions = []
     for line in listing.stdout.splitlines():
@@ -79,15 +84,20 @@ def disassemble(objdump, path):
     return functions
 
 
+def loops(graph, nodes):
+    """The strongly connected sets that hold an edge."""
+    for component in strongly_connected(graph, nodes):
+        if len(component) > 1 or component & graph[min(component)]:
+            yield component
+
+
 def innermost(graph, nodes):
     """The innermost loops of a flow graph within nodes, by taking loops' entries away.
 
     A strongly connected set is a loop. Without its entries what is still
     strongly connected is a loop inside it; works for loops of any shape.
     """
-    for loop in strongly_connected(graph, nodes):
-        if len(loop) == 1 and not loop & graph[next(iter(loop))]:
-            continue
+    for loop in loops(graph, nodes):
         entries = {n for source in graph if source not in loop for n in graph[source] & loop}
         inner = list(innermost(graph, loop - (entries or {min(loop)})))
         if inner:

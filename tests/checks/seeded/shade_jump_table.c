@@ -1,4 +1,4 @@
-/* freestanding refuses: innermost loop at */
+/* freestanding refuses: sheen_seed, pixel loop at */
 #include <stdint.h>
 
 int32_t sheen_seed(const int32_t *from, int count);

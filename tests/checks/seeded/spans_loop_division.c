@@ -1,4 +1,4 @@
-/* freestanding refuses: M3: tests/checks/seeded/shade_loop_division.c: sheen_seed, innermost loop at */
+/* freestanding refuses: M3: tests/checks/seeded/spans_loop_division.c: sheen_seed, pixel loop at */
 #include <stdint.h>
 
 uint32_t sheen_seed(const uint32_t *from, int rows, int count);
