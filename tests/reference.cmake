@@ -15,3 +15,13 @@ sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_accuracy accuracy SOURCES test_accuracy.c LIBRARIES core_picture sheen::core TIMEOUT 300)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
+sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture sheen::core)
+
+# The test of test_accuracy: the same core, but its root table is the program's own, to be spoilt.
+get_target_property(core_sources sheen_core SOURCES)
+list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
+add_library(core_spoilt STATIC ${core_sources})
+target_include_directories(core_spoilt PUBLIC ${PROJECT_SOURCE_DIR}/core)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/tables.c PROPERTIES
+  COMPILE_DEFINITIONS sheen_root_table=shipped_root_table)
+sheen_test(test_root_fault accuracy SOURCES test_root_fault.c LIBRARIES core_picture core_spoilt)

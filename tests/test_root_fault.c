@@ -1,0 +1,111 @@
+/*
+ * test_root_fault.c - the test of the accuracy test: one wrong table entry must fail it.
+ *
+ * Linked with a core whose root table is this program's own copy (reference.cmake),
+ * so that an entry can be spoilt by 1/64 of its value: each in turn, to find the
+ * one that the sphere uses most in a view; that one must fail the view.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "accuracy.h"
+
+#define ENTRIES 387
+extern const uint16_t shipped_root_table[ENTRIES];
+uint16_t sheen_root_table[ENTRIES]; /* what this program's core reads */
+
+static struct accuracy_mesh sphere;
+static uint16_t values[640 * 480], good[640 * 480];
+
+static void mend(void)
+{
+    memcpy(sheen_root_table, shipped_root_table, sizeof sheen_root_table);
+}
+
+static void spoil(int entry)
+{
+    mend();
+    sheen_root_table[entry] = (uint16_t)(sheen_root_table[entry] + sheen_root_table[entry] / 64);
+}
+
+static int make_sphere(void **state)
+{
+    (void)state;
+    mend();
+    return accuracy_mesh_make(&sphere, 0, false);
+}
+
+static int free_sphere(void **state)
+{
+    (void)state;
+    accuracy_mesh_free(&sphere);
+    return 0;
+}
+
+static bool kept(int view)
+{
+    struct ref_scene scene;
+    struct ref_score score;
+
+    accuracy_view(&scene, &sphere.reference, view);
+    assert_int_equal(accuracy_score(&score, &scene, &sphere.core, values), SHEEN_OK);
+    print_message("  view %d: %.2f %% equal, %.3f %% within one step, worst %d\n", view,
+                  100.0 * (double)score.equal / (double)score.compared,
+                  100.0 * (double)score.within_one / (double)score.compared, score.worst);
+    return accuracy_kept(&score, REF_PHONG);
+}
+
+/* The entry whose fault changes most pixels of a view. */
+static int most_used_entry(int view, long *changed)
+{
+    struct ref_scene scene;
+    struct ref_score score;
+    int most = -1;
+
+    accuracy_view(&scene, &sphere.reference, view);
+    mend();
+    assert_int_equal(accuracy_score(&score, &scene, &sphere.core, good), SHEEN_OK);
+    *changed = 0;
+    for (int entry = 0; entry < ENTRIES; entry++) {
+        long differing = 0;
+        spoil(entry);
+        struct memory_target target;
+        assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
+        assert_int_equal(core_draw_scene(&target, &scene, &sphere.core, 240), SHEEN_OK);
+        for (int i = 0; i < scene.width * scene.height; i++)
+            differing += memory_target_pixel(&target, i % scene.width, i / scene.width) != good[i];
+        memory_target_free(&target);
+        if (differing > *changed) {
+            *changed = differing;
+            most = entry;
+        }
+    }
+    return most;
+}
+
+static void one_wrong_entry_fails(void **state)
+{
+    (void)state;
+    for (int view = 0; view < ACCURACY_VIEWS; view++) {
+        long changed;
+        int entry = most_used_entry(view, &changed);
+        assert_true(entry >= 0);
+        mend();
+        assert_true(kept(view));
+        print_message("  entry %d off by 1/64 changes %ld pixels:\n", entry, changed);
+        spoil(entry);
+        assert_false(kept(view));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(one_wrong_entry_fails)};
+
+    return cmocka_run_group_tests_name("root_fault", tests, make_sphere, free_sphere);
+}
