@@ -24,7 +24,7 @@ int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int numb
     struct sheen_sim_counters bus = sheen_sim_bus_counters(sheen_sim_panel_bus(table->panel));
     struct sheen_stats stats;
 
-    sheen_frame_stats(table->frame, &stats);
+    sheen_frame_stats(table->scene.frame, &stats);
     fprintf(stream, "{\"frame\": %d, ", number);
     print_triangles(stream, &stats);
     fprintf(stream, ", \"pixels\": {\"covered\": %" PRIu32 ", \"shaded\": %" PRIu32 "}", stats.covered, stats.shaded);
@@ -36,6 +36,6 @@ int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int numb
             ", \"ram\": {\"arena\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"lists\": %" PRIu32 ", \"bands\": %" PRIu32
             ", \"tables\": %zu}}\n",
             stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands,
-            table->count * sizeof *table->materials);
+            table->scene.count * sizeof *table->scene.materials);
     return fflush(stream) == 0 && !ferror(stream) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
 }

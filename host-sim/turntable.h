@@ -1,29 +1,19 @@
 /*
  * turntable.h - a mesh that turns on a simulated panel: what `render` writes and `view` shows.
  *
- *   mesh file -> quantised meshes -> core -> panel driver -> bus -> simulated controller -> picture
+ *   scene -> panel driver -> bus -> simulated controller -> picture
  */
 #ifndef SHEEN_TURNTABLE_H
 #define SHEEN_TURNTABLE_H
 
-#include "options.h"
-#include "quantise.h"
+#include "scene.h"
 #include "sim_panel.h"
 
 struct sheen_turntable {
     const struct sheen_options *options;
-    /* What is drawn: one mesh, or with --color file one for each material. */
-    struct sheen_quantised *meshes;
-    struct sheen_material *materials;
-    size_t count;
-    struct sheen_light lights[SHEEN_MAX_LIGHTS];
-    struct sheen_view view;
-    /* Where. */
+    struct sheen_scene scene; /* what is drawn */
     struct sheen_sim_choice choice;
     struct sheen_sim_panel *panel;
-    struct sheen_config config;
-    void *arena;
-    struct sheen_frame *frame;
     uint16_t *values; /* the picture as the viewer sees it: 565 values or grey levels */
     uint8_t *rgb;     /* the same, 3 bytes a pixel */
 };

@@ -1,0 +1,194 @@
+/*
+ * scene.c - a mesh that turns, on any target.
+ */
+#include "scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static sheen_q16_t to_q16(double x)
+{
+    return (sheen_q16_t)lround(x * 65536);
+}
+
+static sheen_q24_t to_q24(double x)
+{
+    return (sheen_q24_t)lround(x * 16777216);
+}
+
+/* Any finite angle in degrees to turns. fmod is exact, so a million turns too many lose nothing. */
+static sheen_angle_t to_angle(double degrees)
+{
+    return (sheen_angle_t)(int64_t)llround(fmod(degrees, 360) / 360 * 4294967296.0);
+}
+
+/* ---- what is drawn ---- */
+
+static int prepare_material(struct sheen_material *material, const struct sheen_options *options,
+                            const uint8_t color[3])
+{
+    memset(material, 0, sizeof *material);
+    memcpy(material->base, color, sizeof material->base);
+    memset(material->highlight, 255, sizeof material->highlight);
+    material->ambient = to_q16(options->ambient);
+    material->diffuse = to_q16(options->diffuse);
+    material->specular = to_q16(options->specular);
+    material->shininess = (uint8_t)options->shininess;
+    return sheen_material_prepare(material);
+}
+
+/* One mesh of everything, or one a material that has faces. */
+static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *host)
+{
+    const struct sheen_paint *paint = &scene->options->color;
+    size_t groups = paint->from_file ? host->group_count : 1;
+
+    scene->meshes = calloc(groups, sizeof *scene->meshes);
+    scene->materials = calloc(groups, sizeof *scene->materials);
+    if (!scene->meshes || !scene->materials)
+        return SHEEN_ERR_MEMORY;
+    for (size_t g = 0; g < groups; g++) {
+        const struct sheen_group *group = &host->group[g];
+        int use_group = paint->from_file && group->has_color;
+        int error =
+            sheen_quantise(&scene->meshes[scene->count], host, paint->from_file ? (uint32_t)g : SHEEN_ALL_GROUPS);
+        if (error == SHEEN_ERR_ARGUMENT)
+            continue; /* a material without faces */
+        if (!error)
+            error = prepare_material(&scene->materials[scene->count], scene->options,
+                                     use_group ? group->color : paint->color);
+        if (error)
+            return error;
+        scene->count++;
+    }
+    return SHEEN_OK;
+}
+
+static int load(struct sheen_scene *scene, struct sheen_problem *problem)
+{
+    const struct sheen_options *options = scene->options;
+    struct sheen_host_options how = {.average = options->average,
+                                     .by_group = options->color.from_file,
+                                     .use_crease = options->crease >= 0,
+                                     .crease = options->crease};
+    struct sheen_host_mesh host;
+    int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
+
+    if (error)
+        return error;
+    error = make_meshes(scene, &host);
+    sheen_host_mesh_free(&host);
+    return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
+}
+
+static void set_view(struct sheen_scene *scene)
+{
+    const struct sheen_options *options = scene->options;
+    struct sheen_view *view = &scene->view;
+
+    /* The fitted mesh lies within 1 of its centre; 0.05 more for rounding. */
+    view->near = to_q24(fmax(options->distance - 1.05, 0.05));
+    view->far = to_q24(options->distance + 1.05);
+    view->fov = to_angle(options->fov);
+    view->affine = (uint8_t)options->affine;
+    memcpy(view->background, options->background, sizeof view->background);
+    for (int i = 0; i < options->lights.count; i++) {
+        const double *to = options->lights.to[i];
+        double largest = fmax(fabs(to[0]), fmax(fabs(to[1]), fabs(to[2])));
+        for (int k = 0; k < 3; k++)
+            scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
+        scene->lights[i].intensity = to_q16(1);
+        scene->lights[i].highlight = 1;
+    }
+}
+
+/* ---- the frame's memory ---- */
+
+/*
+ * An arena for all of the meshes. pieces: of clipped triangles, 0 for the core's
+ * default; how many there will be is not known before they are cut.
+ */
+static int make_frame(struct sheen_scene *scene, unsigned pieces)
+{
+    struct sheen_config *config = &scene->config;
+    uint32_t vertices = 0, triangles = pieces;
+
+    for (size_t i = 0; i < scene->count; i++) {
+        vertices += scene->meshes[i].mesh.vertices;
+        triangles += scene->meshes[i].mesh.triangles;
+    }
+    *config = (struct sheen_config){.target = scene->target,
+                                    .band_rows = (uint16_t)scene->options->band,
+                                    .buffers = (uint8_t)scene->options->buffers,
+                                    .max_vertices = (uint16_t)vertices,
+                                    .max_triangles = (uint16_t)(triangles < UINT16_MAX ? triangles : UINT16_MAX),
+                                    .max_draws = (uint16_t)scene->count,
+                                    .max_clipped = (uint16_t)pieces};
+    size_t size = sheen_arena_size(config);
+    if (size == 0)
+        return SHEEN_ERR_ARGUMENT;
+    free(scene->arena);
+    scene->arena = malloc(size);
+    if (!scene->arena)
+        return SHEEN_ERR_MEMORY;
+    return sheen_init(&scene->frame, scene->arena, &size, config);
+}
+
+int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *options, const struct sheen_target *target,
+                     struct sheen_problem *problem)
+{
+    memset(scene, 0, sizeof *scene);
+    scene->options = options;
+    scene->target = target;
+    int error = load(scene, problem);
+    if (error)
+        return error;
+    set_view(scene);
+    error = make_frame(scene, 0);
+    return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
+}
+
+void sheen_scene_close(struct sheen_scene *scene)
+{
+    for (size_t i = 0; i < scene->count; i++)
+        sheen_quantised_free(&scene->meshes[i]);
+    free(scene->meshes);
+    free(scene->materials);
+    free(scene->arena);
+    memset(scene, 0, sizeof *scene);
+}
+
+/* ---- a frame ---- */
+
+static int draw_all(struct sheen_scene *scene, int number)
+{
+    const struct sheen_options *options = scene->options;
+    struct sheen_draw draw = {.lights = scene->lights,
+                              .light_count = (uint8_t)options->lights.count,
+                              .shading = (uint8_t)options->shade,
+                              .two_sided = (uint8_t)options->two_sided};
+
+    sheen_pose_orbit(&draw.pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),
+                     to_angle(options->roll), to_q24(options->distance));
+    int error = sheen_begin(scene->frame, &scene->view);
+    for (size_t i = 0; !error && i < scene->count; i++) {
+        draw.mesh = &scene->meshes[i].mesh;
+        draw.material = &scene->materials[i];
+        error = sheen_draw(scene->frame, &draw);
+    }
+    return error;
+}
+
+/* Close to the eye more triangles are cut than the frame has room for: it is made anew with more. */
+int sheen_scene_draw(struct sheen_scene *scene, int number)
+{
+    int error = draw_all(scene, number);
+
+    for (unsigned pieces = 256; error == SHEEN_ERR_CAPACITY && pieces <= UINT16_MAX / 2 + 1; pieces *= 2) {
+        error = make_frame(scene, pieces);
+        if (!error)
+            error = draw_all(scene, number);
+    }
+    return error ? error : sheen_end(scene->frame);
+}

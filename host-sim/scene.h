@@ -1,0 +1,42 @@
+/*
+ * scene.h - a mesh that turns, on any target: what the command draws on a simulated panel
+ * and a board's program on a real one, so that both are the same bits.
+ *
+ *   mesh file -> quantised meshes -> core -> target
+ */
+#ifndef SHEEN_SCENE_H
+#define SHEEN_SCENE_H
+
+#include "options.h"
+#include "quantise.h"
+
+struct sheen_scene {
+    const struct sheen_options *options;
+    /* What is drawn: one mesh, or with --color file one for each material. */
+    struct sheen_quantised *meshes;
+    struct sheen_material *materials;
+    size_t count;
+    struct sheen_light lights[SHEEN_MAX_LIGHTS];
+    struct sheen_view view;
+    /* Where, and the frame's memory. */
+    const struct sheen_target *target;
+    struct sheen_config config;
+    void *arena;
+    struct sheen_frame *frame;
+};
+
+/*
+ * Loads and allocates; nothing is drawn. options and target are borrowed.
+ * 0, or a negative code and *problem; close in either case.
+ */
+int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *options, const struct sheen_target *target,
+                     struct sheen_problem *problem);
+void sheen_scene_close(struct sheen_scene *scene);
+
+/*
+ * Draws frame `number` (yaw + number * yaw_step) and sends it; its last push may
+ * still be under way (sheen_wait(scene->frame), or the next draw, collects it).
+ */
+int sheen_scene_draw(struct sheen_scene *scene, int number);
+
+#endif
