@@ -49,9 +49,9 @@ static size_t chunk_size(void)
 static int transfer_fail(struct sheen_linux_bus *bus, int error)
 {
     if (error == EMSGSIZE)
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: a transfer of %zu bytes is too long; see " BUFSIZ_PATH,
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a transfer of %zu bytes is too long; see " BUFSIZ_PATH,
                           bus->path, bus->chunk);
-    return sheen_fail(bus->why, error == ETIMEDOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS, "%s: %s", bus->path,
+    return sheen_failed(bus->why, error == ETIMEDOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS, "%s: %s", bus->path,
                       strerror(error));
 }
 
@@ -70,7 +70,7 @@ static int send(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
             return transfer_fail(bus, errno);
         idle = sent > 0 ? 0 : idle + 1;
         if (idle == SHEEN_TRIES || (size_t)sent > chunk)
-            return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: sent %d of %zu bytes", bus->path, sent, chunk);
+            return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: sent %d of %zu bytes", bus->path, sent, chunk);
         bytes += sent;
         count -= (size_t)sent;
     }
@@ -82,18 +82,18 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
     switch (error) {
     case EACCES:
     case EPERM:
-        return sheen_fail(bus->why, SHEEN_ERR_BUS,
+        return sheen_failed(bus->why, SHEEN_ERR_BUS,
                           "%s: no permission; become a member of the group that owns it (usually spi) and log in again",
                           bus->path);
     case ENOENT:
-        return sheen_fail(bus->why, SHEEN_ERR_ARGUMENT,
+        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT,
                           "%s: no such device; switch SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or "
                           "name lines for SCLK and MOSI instead",
                           bus->path);
     case EBUSY:
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", bus->path);
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", bus->path);
     default:
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
     }
 }
 
@@ -109,13 +109,13 @@ static int set_up(struct sheen_linux_bus *bus, int own_cs)
     if (result < 0)
         result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
     if (result < 0 && (errno == ENOTTY || errno == ENODEV))
-        return sheen_fail(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an SPI device (/dev/spidev0.0 is one)", bus->path);
+        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an SPI device (/dev/spidev0.0 is one)", bus->path);
     if (result < 0)
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: SPI mode %u: %s", bus->path, mode, strerror(errno));
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: SPI mode %u: %s", bus->path, mode, strerror(errno));
     if (ioctl_again(bus->fd, SPI_IOC_WR_BITS_PER_WORD, &bits) < 0)
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: words of 8 bits: %s", bus->path, strerror(errno));
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: words of 8 bits: %s", bus->path, strerror(errno));
     if (ioctl_again(bus->fd, SPI_IOC_WR_MAX_SPEED_HZ, &bus->clock_hz) < 0)
-        return sheen_fail(bus->why, SHEEN_ERR_BUS, "%s: a clock of %u Hz: %s", bus->path, bus->clock_hz,
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a clock of %u Hz: %s", bus->path, bus->clock_hz,
                           strerror(errno));
     return 0;
 }

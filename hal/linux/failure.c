@@ -7,7 +7,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-int sheen_fail(struct sheen_failure *why, int code, const char *format, ...)
+int sheen_failed(struct sheen_failure *why, int code, const char *format, ...)
 {
     if (why) {
         va_list values;

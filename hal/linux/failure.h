@@ -17,7 +17,7 @@ struct sheen_failure {
 };
 
 /* Writes the text, unless `why` is NULL; returns code. */
-int sheen_fail(struct sheen_failure *why, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
+int sheen_failed(struct sheen_failure *why, int code, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /*
  * Whether a system call that failed with errno `error` is to be made again:

@@ -55,7 +55,7 @@ static int delay(void *ctx, uint32_t us)
     do
         error = clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL);
     while (error == EINTR);
-    return error ? sheen_fail(bus->why, SHEEN_ERR_BUS, "clock_nanosleep: %s", strerror(error)) : 0;
+    return error ? sheen_failed(bus->why, SHEEN_ERR_BUS, "clock_nanosleep: %s", strerror(error)) : 0;
 }
 
 static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
@@ -78,9 +78,9 @@ int sheen_linux_bus_open(struct sheen_linux_bus *bus, const struct sheen_wiring 
 
     *bus = (struct sheen_linux_bus){.why = why, .fd = -1, .clock_hz = wiring->clock_hz, .spi_mode = wiring->spi_mode};
     if (!wiring->dc)
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "the D/C line is not named");
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "the D/C line is not named");
     if (wiring->spi_mode > 3)
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "SPI mode %u: there are 0 to 3", wiring->spi_mode);
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "SPI mode %u: there are 0 to 3", wiring->spi_mode);
     bus->bus = (struct sheen_bus){.ctx = bus, .write = write_bytes, .delay = delay};
     bus->bus.reset = wiring->reset ? reset : NULL;
 

@@ -19,10 +19,10 @@ static int request_fail(struct sheen_pin *pin, unsigned offset, int error, struc
     struct sheen_pin_info info = {.consumer = ""};
 
     if (error != EBUSY)
-        return sheen_fail(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(error));
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(error));
     if (sheen_gpiod_info(pin->chip, offset, &info) || !info.consumer[0])
         snprintf(info.consumer, sizeof info.consumer, "another program or driver");
-    return sheen_fail(why, SHEEN_ERR_BUS,
+    return sheen_failed(why, SHEEN_ERR_BUS,
                       "line %s is in use by %s; end that or take another line (" SHEEN_LIST_THEM ")", pin->name,
                       info.consumer);
 }
@@ -44,7 +44,7 @@ static int take(struct sheen_pin *pin, const char *line, int (*request)(struct s
     if (sheen_gpiod_describe(pin->chip, label, sizeof label, &lines))
         return sheen_chip_fail(why, place.path, errno);
     if (place.offset >= lines)
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "no line %s: the chip has %u, from 0", pin->name, lines);
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "no line %s: the chip has %u, from 0", pin->name, lines);
     return request(pin, place.offset) ? request_fail(pin, place.offset, errno, why) : 0;
 }
 
@@ -77,7 +77,7 @@ int sheen_pin_set(struct sheen_pin *pin, int level, struct sheen_failure *why)
         return 0;
     if (sheen_gpiod_set(pin, level)) {
         pin->level = -1; /* unknown: the next call drives it whatever it asks for */
-        return sheen_fail(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
     }
     pin->level = level;
     return 0;
@@ -92,9 +92,9 @@ int sheen_pin_await(struct sheen_pin *pin, uint32_t timeout_us, struct sheen_fai
     if (found >= 0)
         found = sheen_gpiod_edge(pin, timeout_us);
     if (found < 0)
-        return sheen_fail(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
     if (found == 0)
-        return sheen_fail(why, SHEEN_ERR_TIMEOUT, "line %s: no rising edge within %u ms", pin->name, timeout_us / 1000);
+        return sheen_failed(why, SHEEN_ERR_TIMEOUT, "line %s: no rising edge within %u ms", pin->name, timeout_us / 1000);
     return 0;
 }
 

@@ -19,17 +19,17 @@ int sheen_chip_fail(struct sheen_failure *why, const char *path, int error)
     switch (error) {
     case EACCES:
     case EPERM:
-        return sheen_fail(
+        return sheen_failed(
             why, SHEEN_ERR_BUS,
             "%s: no permission; become a member of the group that owns it (usually gpio) and log in again", path);
     case ENOENT:
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "%s: no such chip; " SHEEN_LIST_THEM, path);
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "%s: no such chip; " SHEEN_LIST_THEM, path);
     case ENODEV:
     case ENOTTY:
     case EINVAL:
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "%s is not a GPIO chip; " SHEEN_LIST_THEM, path);
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "%s is not a GPIO chip; " SHEEN_LIST_THEM, path);
     default:
-        return sheen_fail(why, SHEEN_ERR_BUS, "%s: %s", path, strerror(error));
+        return sheen_failed(why, SHEEN_ERR_BUS, "%s: %s", path, strerror(error));
     }
 }
 
@@ -61,7 +61,7 @@ static int chip_each(const char *path, int (*each)(void *ctx, const struct sheen
     for (unsigned i = 0; i < lines && result == 0; i++) {
         info.offset = i;
         if (sheen_gpiod_info(chip, i, &info))
-            result = sheen_fail(why, SHEEN_ERR_BUS, "%s:%u: %s", info.chip, i, strerror(errno));
+            result = sheen_failed(why, SHEEN_ERR_BUS, "%s:%u: %s", info.chip, i, strerror(errno));
         else
             result = each(ctx, &info);
     }
@@ -94,7 +94,7 @@ int sheen_pins_each(int (*each)(void *ctx, const struct sheen_pin_info *info), v
     }
     globfree(&paths);
     if (chips == 0)
-        return sheen_fail(why, SHEEN_ERR_BUS, "this machine has no GPIO chip (/dev/gpiochip*)");
+        return sheen_failed(why, SHEEN_ERR_BUS, "this machine has no GPIO chip (/dev/gpiochip*)");
     return result ? result : refused;
 }
 
@@ -157,11 +157,11 @@ int sheen_pin_find(struct sheen_pin_place *place, const char *line, struct sheen
     *place = search.place;
     place->by_name = search.hits == 1;
     if (search.hits > 1)
-        return sheen_fail(why, SHEEN_ERR_ARGUMENT, "several lines are called '%s': %s; name one of these", line,
+        return sheen_failed(why, SHEEN_ERR_ARGUMENT, "several lines are called '%s': %s; name one of these", line,
                           search.places);
     if (place->path[0])
         return 0;
     if (error < 0)
         return error;
-    return sheen_fail(why, SHEEN_ERR_ARGUMENT, "no line is called '%s'; " SHEEN_LIST_THEM, line);
+    return sheen_failed(why, SHEEN_ERR_ARGUMENT, "no line is called '%s'; " SHEEN_LIST_THEM, line);
 }
