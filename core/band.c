@@ -77,9 +77,12 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
         f->view.underlay(f->view.ctx, t->rect, t->pixels, t->pitch);
         return;
     }
-    uint16_t background = sheen_colour_bytes(f->view.background, t->swap);
-    for (size_t i = 0; i < count; i++)
-        t->pixels[i] = background;
+    uint16_t background = sheen_colour_bytes(t->format, f->view.background);
+    if (t->format->grey)
+        memset(t->pixels, background, count);
+    else
+        for (size_t i = 0; i < count; i++)
+            ((uint16_t *)t->pixels)[i] = background;
 }
 
 /* ---- drawing ---- */
@@ -210,7 +213,8 @@ static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_r
                      .pitch = (unsigned)(rect.x1 - rect.x0),
                      .pixels = w->pixels[w->buffer],
                      .depth = w->depth,
-                     .swap = sheen_swapped(f->target),
+                     .format = &f->format,
+                     .dither = f->view.dither,
                      .spans = w->spans};
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;
@@ -219,6 +223,8 @@ static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_r
     draw_pending(f, w, &t);
     if (f->view.overlay != NULL)
         f->view.overlay(f->view.ctx, rect, t.pixels, t.pitch);
+    if (f->format.grey)
+        sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(rect.y1 - rect.y0));
     return push(f, w, &t);
 }
 

@@ -53,65 +53,107 @@ int sheen_material_prepare(struct sheen_material *m)
     return SHEEN_OK;
 }
 
-/* levels * colour / 255 * intensity, UQ.25. Range: 63 * 255 * 2^20 * 2^9 < 2^44. */
-static uint64_t levels(int k, uint8_t colour, uint64_t intensity)
+/*
+ * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
+ * UQ0.16 and their sum exactly 1.0.
+ */
+void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target)
 {
-    return ((top_level(k) * colour * intensity << 9) + 127) / 255;
+    static const uint32_t weight[3] = {13933, 46871, 4732};
+    static const uint8_t level_bits[] = {6, 6, 1, 4, 8};
+    const uint16_t probe = 1;
+    unsigned little_endian = *(const uint8_t *)&probe;
+
+    format->grey = target->pixel > SHEEN_RGB565_LE;
+    format->level_bits = level_bits[target->pixel];
+    format->pixel_bits = (uint8_t)sheen_pixel_bits((enum sheen_pixel)target->pixel);
+    format->swap = little_endian == (target->pixel == SHEEN_RGB565_BE);
+    for (int k = 0; k < 3; k++)
+        format->scale[k] = format->grey ? ((1u << format->level_bits) - 1) * weight[k] : (k == 1 ? 63u : 31u) << 16;
+}
+
+/* scale * colour / 255 * intensity, UQ.32. Range: 2^24 * 2^8 * 2^22 = 2^54. */
+static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
+{
+    return ((uint64_t)format->scale[k] * colour * intensity + 127) / 255;
 }
 
 /*
- * The headroom h is the number of bits by which the brightest sum exceeds the
- * highest level; fraction = 25 - h keeps every sum below 2^31, and the factors
- * of UQ1.15 intensities, with 15 bits less, below 2^16.
- * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, so h <= 6 and fraction >= 19.
+ * The headroom h is the number of bits by which the brightest sum exceeds 1.0;
+ * fraction = 31 - level_bits - h keeps every sum below 2^31, and the factors of
+ * UQ1.15 intensities, with 15 bits less, below 2^16.
+ * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, so h <= 6 and fraction >= 17.
  */
-void sheen_colour_begin(struct colour_terms *t, const struct sheen_material *m, const struct lighting *l)
+void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                        const struct lighting *l)
 {
     uint64_t a[3], b[3], c[3];
     unsigned headroom = 0;
 
     t->clamp = 0;
     for (int k = 0; k < 3; k++) {
-        a[k] = levels(k, m->base[k], (uint64_t)m->ambient);
-        b[k] = levels(k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)l->diffuse_sum) >> 16);
-        c[k] = levels(k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)l->specular_sum) >> 16);
-        uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)top_level(k) << 25) + (1u << 17);
-        t->clamp |= most > top; /* 1/256 level above the highest still rounds to it */
+        a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
+        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)l->diffuse_sum) >> 16);
+        c[k] = channel_of(format, k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)l->specular_sum) >> 16);
+        /* 1/256 level above the highest still rounds to it */
+        uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)format->scale[k] << 16) + (1u << 24);
+        t->clamp |= most > top;
         while (most > top << headroom)
             headroom++;
     }
-    t->fraction = (uint8_t)(25 - headroom);
+    t->fraction = (uint8_t)(31u - format->level_bits - headroom);
+    unsigned drop = 32u - t->fraction, drop_factor = drop + 15;
     for (int k = 0; k < 3; k++) {
-        t->a[k] = (uint32_t)(a[k] >> headroom);
-        t->b[k] = (uint16_t)((b[k] + (1u << (14 + headroom))) >> (15 + headroom));
-        t->c[k] = (uint16_t)((c[k] + (1u << (14 + headroom))) >> (15 + headroom));
+        t->a[k] = (uint32_t)(a[k] >> drop);
+        t->b[k] = (uint16_t)((b[k] + (1ull << (drop_factor - 1))) >> drop_factor);
+        t->c[k] = (uint16_t)((c[k] + (1ull << (drop_factor - 1))) >> drop_factor);
+        t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
     }
 }
 
-unsigned sheen_swapped(const struct sheen_target *target)
+uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])
 {
-    const uint16_t probe = 1;
-    unsigned little = *(const uint8_t *)&probe;
-
-    return little == (target->pixel == SHEEN_RGB565_BE);
-}
-
-/* One rounding: floor(level + 1/2), held at the highest level. */
-uint16_t sheen_colour_pixel(const uint32_t channel[3], unsigned fraction, unsigned swap)
-{
-    uint32_t level[3];
+    uint32_t channel[3], sum = 0; /* UQ8.16 */
 
     for (int k = 0; k < 3; k++) {
-        level[k] = (channel[k] + (1u << (fraction - 1))) >> fraction;
-        if (level[k] > top_level(k))
-            level[k] = top_level(k);
+        channel[k] = (uint32_t)(((uint64_t)format->scale[k] * rgb[k] + 127) / 255);
+        sum += channel[k];
     }
-    return pixel_order(level[0] << 11 | level[1] << 5 | level[2], swap);
+    if (format->grey)
+        return (uint16_t)((sum + 0x8000u) >> 16);
+    return pixel_order(((channel[0] + 0x8000u) >> 16) << 11 | ((channel[1] + 0x8000u) >> 16) << 5 |
+                           (channel[2] + 0x8000u) >> 16,
+                       format->swap);
 }
 
-uint16_t sheen_colour_bytes(const uint8_t rgb[3], unsigned swap)
-{
-    const uint32_t channel[3] = {(rgb[0] * 31u << 16) / 255, (rgb[1] * 63u << 16) / 255, (rgb[2] * 31u << 16) / 255};
+/* The thresholds 2 B + 1, B = B8 of PICTURE.md built up from [[0, 2], [3, 1]]. */
+const uint8_t sheen_thresholds[9][8] = {
+    {1, 65, 17, 81, 5, 69, 21, 85},
+    {97, 33, 113, 49, 101, 37, 117, 53},
+    {25, 89, 9, 73, 29, 93, 13, 77},
+    {121, 57, 105, 41, 125, 61, 109, 45},
+    {7, 71, 23, 87, 3, 67, 19, 83},
+    {103, 39, 119, 55, 99, 35, 115, 51},
+    {31, 95, 15, 79, 27, 91, 11, 75},
+    {127, 63, 111, 47, 123, 59, 107, 43},
+    {64, 64, 64, 64, 64, 64, 64, 64},
+};
 
-    return sheen_colour_pixel(channel, 16, swap);
+/* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
+void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)
+{
+    unsigned bits = format->pixel_bits, per_byte = 8 / bits;
+    const uint8_t *in = pixels;
+    uint8_t *out = pixels;
+
+    if (per_byte == 1)
+        return;
+    for (unsigned y = 0; y < rows; y++) {
+        for (unsigned x = 0; x < width; x += per_byte) {
+            unsigned byte = 0;
+            for (unsigned i = 0; i < per_byte; i++)
+                byte = byte << bits | (x + i < width ? *in++ : 0u);
+            *out++ = (uint8_t)byte;
+        }
+    }
 }

@@ -6,12 +6,17 @@
 void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit)
 {
     const struct colour_terms *terms = &s->draw->colour;
-    uint32_t channel[3];
+    const uint32_t half = 1u << (terms->fraction - 1);
+    uint32_t level[3];
 
-    for (int k = 0; k < 3; k++)
-        channel[k] = colour_channel(terms, k, lit);
+    for (int k = 0; k < 3; k++) {
+        uint32_t channel = colour_channel(terms, k, lit);
+        s->shade.flat.channel[k] = channel < terms->top[k] ? channel : terms->top[k];
+        level[k] = (s->shade.flat.channel[k] + half) >> terms->fraction;
+    }
     s->way = SHEEN_WAY_FLAT;
-    s->shade.pixel = sheen_colour_pixel(channel, terms->fraction, sheen_swapped(f->target));
+    s->fast = sheen_rounds_early(f);
+    s->shade.flat.pixel = pixel_order(level[0] << 11 | level[1] << 5 | level[2], f->format.swap);
 }
 
 /* The normal of a triangle from its corners, for meshes that have none. Range: differences < 2^17. */

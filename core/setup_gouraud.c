@@ -60,13 +60,14 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
         sheen_setup_constant(f, s, &mean);
         return;
     }
-    s->clamp = 0;
+    uint8_t clamp = 0;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
             channel[i][k] = (int32_t)colour_channel(terms, i, &lit[k]);
-            s->clamp |= terms->clamp && (uint32_t)channel[i][k] > top_level(i) << terms->fraction;
+            clamp |= terms->clamp && (uint32_t)channel[i][k] > terms->top[i];
         }
     s->way = nearly_linear(c, channel, terms->fraction) ? SHEEN_WAY_GOURAUD_LINEAR : SHEEN_WAY_GOURAUD_QUOTIENT;
+    s->fast = sheen_rounds_early(f) && !clamp && s->way == SHEEN_WAY_GOURAUD_LINEAR;
     if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) {
         const int32_t half_weight[3] = {(int32_t)(c->weight[0] >> 1), (int32_t)(c->weight[1] >> 1),
                                         (int32_t)(c->weight[2] >> 1)};
@@ -77,7 +78,7 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
     }
     for (int i = 0; i < 3; i++) {
         s->shade.gouraud.channel[i] = sheen_gradient_plane(g, channel[i], 0);
-        if (s->way == SHEEN_WAY_GOURAUD_LINEAR) /* rounding: + 1/2 once for all pixels */
+        if (s->fast) /* + 1/2 once for all pixels */
             s->shade.gouraud.channel[i].base += 1u << (terms->fraction - 1);
     }
 }

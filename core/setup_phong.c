@@ -114,7 +114,7 @@ void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struc
         return;
     }
     s->way = SHEEN_WAY_PHONG_ROOT;
-    s->clamp = s->draw->colour.clamp;
+    s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
     s->shade.phong.light = dot_plane(g, l->to[0], slope);
     s->shade.phong.view = dot_plane(g, l->view, slope);
     s->shade.phong.square = square_quadric(g, slope);

@@ -9,6 +9,13 @@
 /* Loops are written once and specialised by constant arguments. */
 #define SPECIALISED static inline __attribute__((always_inline))
 
+/* Pixels that pass the depth test, in builds that count them. */
+#if SHEEN_STATS
+#define COUNT_SHADED(t) (++*(t)->shaded)
+#else
+#define COUNT_SHADED(t) ((void)0)
+#endif
+
 /* Where a span's first pixel stands in the tile. */
 SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
 {
@@ -16,29 +23,72 @@ SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
 }
 
 /* Nearer than what is there? Then it is there. z: UQ16.16 of z16; on a tie the first drawn stays. */
-SPECIALISED int depth_test(uint16_t *depth, uint32_t z)
+SPECIALISED int depth_test(const struct tile *t, uint32_t at, uint32_t z)
 {
     uint32_t z16 = z >> 16;
 
-    if (z16 <= *depth)
+    if (z16 <= t->depth[at])
         return 0;
-    *depth = (uint16_t)z16;
+    t->depth[at] = (uint16_t)z16;
+    COUNT_SHADED(t);
     return 1;
 }
 
-/* floor of a channel in levels, at most `top` where some corner may exceed it. */
-SPECIALISED uint32_t level_of(uint32_t channel, unsigned fraction, uint32_t top, int clamp)
-{
-    uint32_t level = channel >> fraction;
+/* How a loop writes its pixels; a constant argument. */
+enum put {
+    PUT_FAST,      /* 565 in this machine's order, rounding in the channels, no clamp */
+    PUT_FAST_SWAP, /* the same, bytes change places */
+    PUT_GENERAL    /* any format: clamp, threshold, order */
+};
 
-    return clamp && level > top ? top : level;
+/* A row's thresholds, and what they are shifted by to the draw's fraction. */
+struct rounding {
+    const uint8_t *threshold;
+    unsigned shift;
+};
+
+SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colour_terms *terms, int32_t y)
+{
+    struct rounding r = {threshold_row(t->dither, y), terms->fraction - 7u};
+
+    return r;
 }
 
-SPECIALISED uint16_t pixel_of(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, int clamp, unsigned swap)
+/* Test builds look at the unrounded colours here. */
+#ifndef SHEEN_TEST_TAP
+#define SHEEN_TEST_TAP(x, y, r, g, b, fraction) ((void)0)
+#endif
+
+SPECIALISED uint32_t clamped(uint32_t x, uint32_t top)
 {
-    return pixel_order(level_of(r, fraction, 31, clamp) << 11 | level_of(g, fraction, 63, clamp) << 5 |
-                           level_of(b, fraction, 31, clamp),
-                       swap);
+    return x > top ? top : x;
+}
+
+/* The one rounding: floor(channel + threshold), each channel at most 1.0. */
+SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
+                             uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)
+{
+    uint32_t threshold = (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift;
+    unsigned fraction = terms->fraction;
+
+    SHEEN_TEST_TAP(t, at, r, g, b, fraction);
+    r = clamped(r, terms->top[0]) + threshold;
+    g = clamped(g, terms->top[1]);
+    b = clamped(b, terms->top[2]);
+    if (t->format->grey) {
+        ((uint8_t *)t->pixels)[at] = (uint8_t)((r + g + b) >> fraction);
+        return;
+    }
+    uint32_t value = (r >> fraction) << 11 | ((g + threshold) >> fraction) << 5 | (b + threshold) >> fraction;
+    ((uint16_t *)t->pixels)[at] = pixel_order(value, t->format->swap);
+}
+
+/* floor of channels that rounding was added to and that no corner takes above the highest level. */
+SPECIALISED void put_fast(const struct tile *t, uint32_t at, uint32_t r, uint32_t g, uint32_t b, unsigned fraction,
+                          unsigned swap)
+{
+    ((uint16_t *)t->pixels)[at] =
+        pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
 }
 
 /* max(0, x) for a sum that rounding may have taken below 0. */
@@ -46,11 +96,5 @@ SPECIALISED uint32_t not_negative(uint32_t x)
 {
     return (int32_t)x < 0 ? 0 : x;
 }
-
-#if SHEEN_STATS
-#define COUNT_SHADED(t) (++*(t)->shaded)
-#else
-#define COUNT_SHADED(t) ((void)0)
-#endif
 
 #endif

@@ -3,24 +3,32 @@
  */
 #include "shade.h"
 
-void sheen_shade_flat(const struct tile *t, const struct setup *s)
+SPECIALISED void flat_rows(const struct tile *t, const struct setup *s, enum put put)
 {
-    uint16_t pixel = (uint16_t)s->shade.pixel;
+    const uint32_t *channel = s->shade.flat.channel;
+    const uint16_t pixel = s->shade.flat.pixel;
 
     for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x0 = t->spans[row].x0, y = t->first_row + (int32_t)row, count = t->spans[row].x1 - x0;
-        if (count <= 0)
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
             continue;
-        uint32_t at = tile_offset(t, x0, y), z = plane_at(&s->depth, x0, y);
-        uint16_t *pixels = t->pixels + at, *depth = t->depth + at;
-        do {
-            if (depth_test(depth, z)) {
-                *pixels = pixel;
-                COUNT_SHADED(t);
-            }
-            pixels++;
-            depth++;
-            z += s->depth.dx;
-        } while (--count > 0);
+        struct rounding rounding = rounding_of(t, &s->draw->colour, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+        for (; x < x1; x++, at++, z += s->depth.dx) {
+            if (!depth_test(t, at, z))
+                continue;
+            if (put == PUT_GENERAL)
+                put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);
+            else
+                ((uint16_t *)t->pixels)[at] = pixel;
+        }
     }
+}
+
+void sheen_shade_flat(const struct tile *t, const struct setup *s)
+{
+    if (s->fast)
+        flat_rows(t, s, PUT_FAST);
+    else
+        flat_rows(t, s, PUT_GENERAL);
 }

@@ -8,94 +8,83 @@
 #include "newton.h"
 #include "shade.h"
 
-SPECIALISED void linear_rows(const struct tile *t, const struct setup *s, int clamp, unsigned swap)
+SPECIALISED void linear_rows(const struct tile *t, const struct setup *s, enum put put)
 {
     const struct plane *c = s->shade.gouraud.channel;
     const uint32_t dr = c[0].dx, dg = c[1].dx, db = c[2].dx, dz = s->depth.dx;
     const unsigned fraction = s->draw->colour.fraction;
 
     for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x0 = t->spans[row].x0, y = t->first_row + (int32_t)row, count = t->spans[row].x1 - x0;
-        if (count <= 0)
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
             continue;
-        uint32_t at = tile_offset(t, x0, y), z = plane_at(&s->depth, x0, y);
-        uint32_t r = plane_at(&c[0], x0, y), g = plane_at(&c[1], x0, y), b = plane_at(&c[2], x0, y);
-        uint16_t *pixels = t->pixels + at, *depth = t->depth + at;
-        do {
-            if (depth_test(depth, z)) {
-                *pixels = pixel_of(r, g, b, fraction, clamp, swap);
-                COUNT_SHADED(t);
-            }
-            pixels++;
-            depth++;
-            z += dz;
-            r += dr;
-            g += dg;
-            b += db;
-        } while (--count > 0);
+        struct rounding rounding = rounding_of(t, &s->draw->colour, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+        uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
+        for (; x < x1; x++, at++, z += dz, r += dr, g += dg, b += db) {
+            if (!depth_test(t, at, z))
+                continue;
+            if (put == PUT_GENERAL)
+                put_general(t, &s->draw->colour, rounding, at, x, not_negative(r), not_negative(g), not_negative(b));
+            else
+                put_fast(t, at, r, g, b, fraction, put == PUT_FAST_SWAP);
+        }
     }
 }
 
 void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s)
 {
-    if (s->clamp)
-        linear_rows(t, s, 1, t->swap);
-    else if (t->swap)
-        linear_rows(t, s, 0, 1);
+    if (!s->fast)
+        linear_rows(t, s, PUT_GENERAL);
+    else if (t->format->swap)
+        linear_rows(t, s, PUT_FAST_SWAP);
     else
-        linear_rows(t, s, 0, 0);
+        linear_rows(t, s, PUT_FAST);
+}
+
+/* The weight brought up to [1/2, 1) by a power of two: once at the most where the ratio over the triangle is <= 2. */
+SPECIALISED unsigned weight_up(uint32_t *weight)
+{
+    uint32_t w = *weight | 1u;
+    unsigned up = 0;
+
+    while ((w & 0x80000000u) == 0) {
+        w <<= 1;
+        up++;
+    }
+    *weight = w;
+    return up;
 }
 
 /*
- * A channel times weight, over the weight. x: 16 top bits, r: UQ1.15 of 1/weight.
+ * A channel times weight, over the weight: 16 top bits times UQ1.15 of 1/weight.
  * Range: the quotient is below 2^31 at the corners; rounding adds less than 2^17.
  */
-SPECIALISED uint32_t quotient(uint32_t x, uint32_t r, uint32_t half)
+SPECIALISED uint32_t quotient(uint32_t channel, unsigned up, uint32_t one_over)
 {
-    return ((not_negative(x) + (1u << 14)) >> 15) * r + half;
-}
-
-SPECIALISED void quotient_rows(const struct tile *t, const struct setup *s, unsigned swap)
-{
-    const struct plane *c = s->shade.gouraud.channel, *weight = &s->shade.gouraud.weight;
-    const uint32_t dr = c[0].dx, dg = c[1].dx, db = c[2].dx, dw = weight->dx, dz = s->depth.dx;
-    const unsigned fraction = s->draw->colour.fraction;
-    const uint32_t half = 1u << (fraction - 1);
-
-    for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x0 = t->spans[row].x0, y = t->first_row + (int32_t)row, count = t->spans[row].x1 - x0;
-        if (count <= 0)
-            continue;
-        uint32_t at = tile_offset(t, x0, y), z = plane_at(&s->depth, x0, y), w = plane_at(weight, x0, y);
-        uint32_t r = plane_at(&c[0], x0, y), g = plane_at(&c[1], x0, y), b = plane_at(&c[2], x0, y);
-        uint16_t *pixels = t->pixels + at, *depth = t->depth + at;
-        do {
-            if (depth_test(depth, z)) {
-                uint32_t up = 0, v = w | 1u; /* the weight brought up to [1/2, 1): once at the most where q <= 2 */
-                while ((v & 0x80000000u) == 0) {
-                    v <<= 1;
-                    up++;
-                }
-                uint32_t one_over = reciprocal_seed(v);
-                *pixels = pixel_of(quotient(r << up, one_over, half), quotient(g << up, one_over, half),
-                                   quotient(b << up, one_over, half), fraction, 1, swap);
-                COUNT_SHADED(t);
-            }
-            pixels++;
-            depth++;
-            z += dz;
-            w += dw;
-            r += dr;
-            g += dg;
-            b += db;
-        } while (--count > 0);
-    }
+    return (((not_negative(channel) << up) + (1u << 14)) >> 15) * one_over;
 }
 
 void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s)
 {
-    if (t->swap)
-        quotient_rows(t, s, 1);
-    else
-        quotient_rows(t, s, 0);
+    const struct plane *c = s->shade.gouraud.channel, *weight = &s->shade.gouraud.weight;
+    const uint32_t dr = c[0].dx, dg = c[1].dx, db = c[2].dx, dw = weight->dx, dz = s->depth.dx;
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
+            continue;
+        struct rounding rounding = rounding_of(t, &s->draw->colour, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y), w = plane_at(weight, x, y);
+        uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
+        for (; x < x1; x++, at++, z += dz, w += dw, r += dr, g += dg, b += db) {
+            if (!depth_test(t, at, z))
+                continue;
+            uint32_t v = w;
+            unsigned up = weight_up(&v);
+            uint32_t one_over = reciprocal_seed(v);
+            put_general(t, &s->draw->colour, rounding, at, x, quotient(r, up, one_over), quotient(g, up, one_over),
+                        quotient(b, up, one_over));
+        }
+    }
 }

@@ -57,48 +57,46 @@ SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_
     lit->specular = (power_at(m, (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)facing)) + 1) >> 1;
 }
 
-SPECIALISED void root_rows(const struct tile *t, const struct setup *s, int clamp, unsigned swap)
+SPECIALISED void root_rows(const struct tile *t, const struct setup *s, enum put put)
 {
-    const struct colour_terms *terms = &s->draw->colour;
     const struct sheen_material *material = s->draw->material;
     const struct quadric *q = &s->shade.phong.square;
     const uint32_t dln = s->shade.phong.light.dx, dnv = s->shade.phong.view.dx, dz = s->depth.dx;
     const int32_t lv1 = s->draw->light.lv1[0];
-    const uint32_t half = 1u << (terms->fraction - 1);
+    struct colour_terms terms = s->draw->colour;
 
+    if (put != PUT_GENERAL) /* + 1/2 once for all pixels */
+        for (int k = 0; k < 3; k++)
+            terms.a[k] += 1u << (terms.fraction - 1);
     for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x0 = t->spans[row].x0, y = t->first_row + (int32_t)row, count = t->spans[row].x1 - x0;
-        if (count <= 0)
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
             continue;
-        uint32_t at = tile_offset(t, x0, y), z = plane_at(&s->depth, x0, y);
-        uint32_t ln = plane_at(&s->shade.phong.light, x0, y), nv = plane_at(&s->shade.phong.view, x0, y);
-        uint32_t d = quadric_at(q, x0, y), dd = q->dx + (uint32_t)x0 * q->dxx + (uint32_t)y * q->dxy;
-        uint16_t *pixels = t->pixels + at, *depth = t->depth + at;
-        do {
-            if (depth_test(depth, z)) {
-                struct lit lit;
-                light_pixel(material, lv1, (int32_t)ln, (int32_t)nv, d, &lit);
-                *pixels = pixel_of(colour_channel(terms, 0, &lit) + half, colour_channel(terms, 1, &lit) + half,
-                                   colour_channel(terms, 2, &lit) + half, terms->fraction, clamp, swap);
-                COUNT_SHADED(t);
-            }
-            pixels++;
-            depth++;
-            z += dz;
-            ln += dln;
-            nv += dnv;
-            d += dd;
-            dd += q->dxx;
-        } while (--count > 0);
+        struct rounding rounding = rounding_of(t, &terms, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+        uint32_t ln = plane_at(&s->shade.phong.light, x, y), nv = plane_at(&s->shade.phong.view, x, y);
+        uint32_t d = quadric_at(q, x, y), dd = q->dx + (uint32_t)x * q->dxx + (uint32_t)y * q->dxy;
+        for (; x < x1; x++, at++, z += dz, ln += dln, nv += dnv, d += dd, dd += q->dxx) {
+            if (!depth_test(t, at, z))
+                continue;
+            struct lit lit;
+            light_pixel(material, lv1, (int32_t)ln, (int32_t)nv, d, &lit);
+            uint32_t r = colour_channel(&terms, 0, &lit), g = colour_channel(&terms, 1, &lit);
+            uint32_t b = colour_channel(&terms, 2, &lit);
+            if (put == PUT_GENERAL)
+                put_general(t, &terms, rounding, at, x, r, g, b);
+            else
+                put_fast(t, at, r, g, b, terms.fraction, put == PUT_FAST_SWAP);
+        }
     }
 }
 
 void sheen_shade_phong_root(const struct tile *t, const struct setup *s)
 {
-    if (s->clamp)
-        root_rows(t, s, 1, t->swap);
-    else if (t->swap)
-        root_rows(t, s, 0, 1);
+    if (!s->fast)
+        root_rows(t, s, PUT_GENERAL);
+    else if (t->format->swap)
+        root_rows(t, s, PUT_FAST_SWAP);
     else
-        root_rows(t, s, 0, 0);
+        root_rows(t, s, PUT_FAST);
 }

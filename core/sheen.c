@@ -17,7 +17,7 @@ static int target_valid(const struct sheen_target *t)
     unsigned x = or_default(t->align_x, 1), y = or_default(t->align_y, 1);
 
     return t->push != NULL && t->width >= 1 && t->width <= 640 && t->height >= 1 && t->height <= 480 &&
-           t->pixel <= SHEEN_RGB565_LE && x <= 16 && (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
+           t->pixel <= SHEEN_GREY256 && x * sheen_pixel_bits((enum sheen_pixel)t->pixel) % 8 == 0 && x <= 16 && (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
 }
 
 /* Defaults filled in and the band's height aligned; SHEEN_ERR_ARGUMENT where a value is out of range. */
@@ -74,7 +74,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
         w->spans = take(base, &used, c->band_rows, sizeof(struct span));
         w->depth = take(base, &used, tile, sizeof(uint16_t));
         for (unsigned k = 0; k < c->buffers; k++)
-            w->pixels[k] = take(base, &used, tile, sizeof(uint16_t));
+            w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);
     }
     return used;
 }
@@ -104,6 +104,7 @@ int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const stru
     f->config = *config;
     (void)config_complete(&f->config);
     f->target = config->target;
+    sheen_format_begin(&f->format, f->target);
     f->arena_bytes = lay_out(f, arena);
     f->failed = 1;
     *frame = f;
@@ -270,7 +271,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
         error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
     if (error < 0)
         return error;
-    sheen_colour_begin(&d->colour, draw->material, &d->light);
+    sheen_colour_begin(&d->colour, &f->format, draw->material, &d->light);
     transform_mesh(f, draw->mesh, &t, f->vertex + d->first_vertex);
     for (uint32_t i = 0; i < draw->mesh->triangles && error == 0; i++)
         error = draw_triangle(f, d, &t, i);

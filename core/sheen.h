@@ -118,7 +118,8 @@ struct sheen_view {
     sheen_angle_t fov;          /* vertical, 1..150 degrees */
     sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
-    uint8_t background[3];      /* r, g, b */
+    uint8_t dither;             /* 1: ordered 8x8 dithering, for panels of few levels */
+    uint8_t background[3];      /* r, g, b; never dithered */
     /*
      * A user's own 2D; each may be NULL, all get ctx. Called for each rectangle
      * of the target that this frame sends: underlay in place of clearing to the

@@ -121,30 +121,35 @@ static inline uint32_t power_at(const struct sheen_material *m, int32_t u)
     return m->power[index] - ((drop * fraction) >> 16);
 }
 
-/* ---- colour: intensities -> channels in levels of the target ---- */
+/* ---- colour: intensities -> channels of the target ---- */
 
 /*
- * A channel in levels, before rounding: a + b * diffuse + c * specular, unsigned
- * with `fraction` fraction bits, below 2^31 whatever the lights (see ramp.c).
+ * What a target's pixels are made of. On 565 the channels are red, green, blue
+ * in levels; on grey they are the shares of red, green and blue in the level.
+ */
+struct pixel_format {
+    uint32_t scale[3];   /* levels that 1.0 of red, green, blue gives, UQ8.16 */
+    uint8_t level_bits;  /* of the highest level: 6, 8, 4 or 1 */
+    uint8_t grey;        /* a byte a pixel while drawing, packed before the push */
+    uint8_t pixel_bits;  /* in the target's memory */
+    uint8_t swap;        /* 565 bytes change places between this machine and the target */
+};
+
+/*
+ * A channel before rounding: a + b * diffuse + c * specular, unsigned with
+ * `fraction` fraction bits, below 2^31 whatever the lights (see ramp.c).
  */
 struct colour_terms {
     uint32_t a[3];
     uint16_t b[3], c[3];
+    uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
     uint8_t fraction;
-    uint8_t clamp; /* some normal may give more than the highest level */
+    uint8_t clamp; /* some normal may give more */
 };
 
 static inline uint32_t colour_channel(const struct colour_terms *t, int k, const struct lit *lit)
 {
     return t->a[k] + t->b[k] * lit->diffuse + t->c[k] * lit->specular;
-}
-
-void sheen_colour_begin(struct colour_terms *t, const struct sheen_material *m, const struct lighting *l);
-
-/* Highest level of channel k of 565. */
-static inline uint32_t top_level(int k)
-{
-    return k == 1 ? 63u : 31u;
 }
 
 /* A 565 value in the target's byte order. */
@@ -153,10 +158,25 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
     return (uint16_t)(swap ? (value << 8 | value >> 8) : value);
 }
 
-/* 1 where a 565 value's bytes change places between this machine and the target. */
-unsigned sheen_swapped(const struct sheen_target *target);
-uint16_t sheen_colour_pixel(const uint32_t channel[3], unsigned fraction, unsigned swap);
-uint16_t sheen_colour_bytes(const uint8_t rgb[3], unsigned swap);
+/*
+ * What is added before the one rounding: thresholds (B + 1/2) / 64 of PICTURE.md's
+ * Bayer matrix, in 1/128, row y mod 8; the ninth row is 1/2 throughout, no dither.
+ */
+#define NO_DITHER 8
+extern const uint8_t sheen_thresholds[9][8];
+
+static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
+{
+    return sheen_thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
+}
+
+void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
+void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                        const struct lighting *l);
+/* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */
+uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
+/* Grey levels of a tile, a byte each, to the target's packing, in place. */
+void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows);
 
 /* ---- draws and lists ---- */
 
@@ -219,15 +239,18 @@ struct setup {
     uint8_t way;  /* enum sheen_way */
     int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
     uint8_t long_right;               /* the long edge is the right one */
-    uint8_t clamp;
+    uint8_t fast; /* 565, no dither, no clamp: rounding is in the planes */
     struct edge left, right;
     int16_t middle_x, middle_y, bottom_x, bottom_y; /* the lower short edge, as in struct vertex */
     const struct draw_record *draw;
     struct plane depth; /* UQ16.16 of z16 */
     union {
-        uint32_t pixel; /* flat: in the target's order */
         struct {
-            struct plane channel[3]; /* levels with the draw's fraction; under quotient times weight */
+            uint32_t channel[3];
+            uint16_t pixel; /* fast: in the target's order */
+        } flat;
+        struct {
+            struct plane channel[3]; /* with the draw's fraction; under quotient times weight */
             struct plane weight;     /* UQ0.32, quotient */
         } gouraud;
         struct {
@@ -246,8 +269,10 @@ struct span {
 struct tile {
     struct sheen_rect rect; /* px on the target */
     unsigned pitch;         /* px */
-    uint16_t *pixels, *depth;
-    unsigned swap; /* 565 low byte and high byte change places on this machine */
+    void *pixels; /* uint16_t, or uint8_t on grey */
+    uint16_t *depth;
+    const struct pixel_format *format;
+    unsigned dither;
     const struct span *spans;
     int16_t first_row; /* of the spans */
     unsigned rows;
@@ -261,7 +286,7 @@ struct tile {
 #define MAX_WORKERS 4
 
 struct worker {
-    uint16_t *pixels[2];
+    void *pixels[2];
     uint16_t *depth;
     struct span *spans;    /* band_rows */
     uint32_t *pending;     /* a bit an entry: begun, not done */
@@ -281,6 +306,7 @@ struct sheen_frame {
     const struct sheen_target *target;
     struct sheen_view view;
     struct sheen_rect viewport;
+    struct pixel_format format;
     struct projection projection;
     uint8_t state;    /* enum frame_state */
     uint8_t send_all; /* this frame sends every band whole */
@@ -300,6 +326,12 @@ struct sheen_frame {
     struct sheen_stats stats;
     size_t arena_bytes;
 };
+
+/* 1 where pixels are 565 without dither: the half of the one rounding can be added in advance. */
+static inline uint8_t sheen_rounds_early(const struct sheen_frame *f)
+{
+    return !f->format.grey && !f->view.dither;
+}
 
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {

@@ -6,7 +6,7 @@
 void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
 {
     const struct sheen_config *c = &f->config;
-    size_t tile = (size_t)c->target->width * c->band_rows * sizeof(uint16_t);
+    size_t tile = (size_t)c->target->width * c->band_rows, pixel = f->format.grey ? 1 : 2;
 
     *stats = f->stats;
     for (unsigned i = 0; i < c->workers; i++) {
@@ -23,7 +23,7 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     stats->ram_arena = (uint32_t)f->arena_bytes;
     stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof(struct vertex));
     stats->ram_lists = (uint32_t)(c->max_triangles * sizeof(struct entry));
-    stats->ram_bands = (uint32_t)(c->workers * (c->buffers + 1u) * tile);
+    stats->ram_bands = (uint32_t)(c->workers * tile * (c->buffers * pixel + sizeof(uint16_t)));
 }
 
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
