@@ -78,6 +78,36 @@ int sheen_panel_steps(struct sheen_panel *panel, enum sheen_dc dc)
     return SHEEN_OK;
 }
 
+int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, unsigned first, unsigned last)
+{
+    uint16_t *held = &panel->window[2 * axis];
+    uint8_t known = (uint8_t)(1u << axis);
+
+    if ((panel->window_known & known) && held[0] == first && held[1] == last)
+        return 0;
+    held[0] = (uint16_t)first;
+    held[1] = (uint16_t)last;
+    panel->window_known |= known; /* an error on the way makes all unknown again */
+    return 1;
+}
+
+int sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t command, unsigned first, unsigned last)
+{
+    const uint8_t bytes[3] = {command, (uint8_t)first, (uint8_t)last};
+
+    if (!sheen_panel_window_moves(panel, axis, first, last))
+        return SHEEN_OK;
+    return sheen_panel_write(panel, SHEEN_COMMAND, bytes, sizeof bytes);
+}
+
+int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
+{
+    const uint8_t bytes[8] = {harmless, harmless, harmless, harmless, harmless, harmless, harmless, harmless};
+
+    /* 8 parameters is the most of any command we send (B8, the SSD1325's grey table). */
+    return panel->bus->reset ? SHEEN_OK : sheen_panel_write(panel, SHEEN_COMMAND, bytes, sizeof bytes);
+}
+
 int sheen_panel_init(struct sheen_panel *panel)
 {
     int error = sheen_panel_landed(panel);

@@ -109,7 +109,15 @@ const struct sheen_panel_record *sheen_panel_find(const char *name);
 const struct sheen_panel_record *sheen_panel_at(size_t index);
 
 /* The records by themselves: a firmware that names one links no other and only its driver. */
-extern const struct sheen_panel_record sheen_panel_ili9341;
+extern const struct sheen_panel_record sheen_panel_ili9341, sheen_panel_st7789_240x320, sheen_panel_st7789_240x240,
+    sheen_panel_st7789_240x240_round, sheen_panel_st7789_240x280, sheen_panel_st7789_135x240,
+    sheen_panel_st7789_170x320, sheen_panel_st7789_172x320, sheen_panel_st7789_76x284, sheen_panel_st7735_128x160,
+    sheen_panel_st7735_128x160_red, sheen_panel_st7735_128x160_green, sheen_panel_st7735_128x128,
+    sheen_panel_st7735_128x128_green, sheen_panel_st7735_80x160_green, sheen_panel_st7735_80x160_red,
+    sheen_panel_st7796, sheen_panel_gc9a01, sheen_panel_ssd1351_128x128, sheen_panel_ssd1351_128x96,
+    sheen_panel_ssd0323, sheen_panel_ssd1325, sheen_panel_ssd1327_128x128, sheen_panel_ssd1327_96x96,
+    sheen_panel_ssd1306_128x64, sheen_panel_ssd1306_128x32, sheen_panel_ssd1306_72x40, sheen_panel_ssd1306_64x48,
+    sheen_panel_sh1106;
 
 #ifdef __cplusplus
 }

@@ -58,20 +58,12 @@ static int init(struct sheen_panel *panel)
 /* An axis (0 x, 1 y) of the window, first..last in the picture's own coordinates. */
 static int set_axis(struct sheen_panel *panel, unsigned axis, unsigned offset, int first, int last)
 {
-    uint16_t *held = &panel->window[2 * axis];
-    uint16_t start = (uint16_t)((unsigned)first + offset), end = (uint16_t)((unsigned)last + offset);
-    uint8_t known = (uint8_t)(1u << axis);
-
-    if ((panel->window_known & known) && held[0] == start && held[1] == end)
-        return SHEEN_OK;
-
+    unsigned start = (unsigned)first + offset, end = (unsigned)last + offset;
     uint8_t data[4] = {(uint8_t)(start >> 8), (uint8_t)start, (uint8_t)(end >> 8), (uint8_t)end};
-    int error = sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
 
-    held[0] = start;
-    held[1] = end;
-    panel->window_known |= known;
-    return error;
+    if (!sheen_panel_window_moves(panel, axis, start, end))
+        return SHEEN_OK;
+    return sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
 }
 
 static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)

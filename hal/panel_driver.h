@@ -19,7 +19,20 @@ struct sheen_panel_driver {
     uint8_t align_x, align_y; /* px, of the target; of both axes the larger where the driver turns pixels */
 };
 
-extern const struct sheen_panel_driver sheen_driver_dcs;
+extern const struct sheen_panel_driver sheen_driver_dcs, sheen_driver_ssd1351, sheen_driver_grey, sheen_driver_ssd1306,
+    sheen_driver_sh1106;
+
+/*
+ * A rectangle on the glass at rotation 0, and where its pixels stand in the
+ * rectangle that the core handed over: pixel (i, j) of the glass's rectangle is
+ * number start + i * right + j * down of the core's, counted along its rows.
+ */
+struct sheen_turn {
+    int32_t start, right, down;
+    int16_t x, y, w, h; /* px, on the glass */
+};
+
+void sheen_panel_turn(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn);
 
 /* Sends bytes and waits until they have left. */
 int sheen_panel_write(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count);
@@ -38,6 +51,18 @@ int sheen_panel_reset(struct sheen_panel *panel);
 
 /* The record's init table; parameters leave with D/C = dc. */
 int sheen_panel_steps(struct sheen_panel *panel, enum sheen_dc dc);
+
+/* 1, and remembers it, where axis 0 (x) or 1 (y) of the window is not first..last already. */
+int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, unsigned first, unsigned last);
+
+/* For controllers whose parameters are commands: command, first, last, where they differ from the last. */
+int sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t command, unsigned first, unsigned last);
+
+/*
+ * For the same, without a reset line: whatever parameters the controller still
+ * waits for from before, a harmless command sent often enough fills them in.
+ */
+int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless);
 
 /*
  * RAM pixels before the glass on an axis: gap where the axis counts upwards,

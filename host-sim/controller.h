@@ -37,7 +37,7 @@ struct sheen_sim_chip {
     uint32_t reset_low_us, reset_us;
 };
 
-/* A module: a chip behind a glass. Positions are RAM columns and rows. */
+/* A module: a chip behind a glass. Positions are RAM columns and rows (DCS) or segments and COM lines (OLED). */
 struct sheen_sim_module {
     const char *name;
     const struct sheen_sim_chip *chip;
@@ -64,6 +64,7 @@ struct sheen_sim_controller {
     uint8_t wrapped;               /* the counter has been through the whole window */
     uint8_t half, half_set;        /* first byte of a pixel of two */
     uint8_t awake, on, inverted, scan, format;
+    uint8_t com_remap, all_on; /* OLED: COM lines count downwards; every pixel lit */
     uint8_t unlocked, mode, multiplex, start_line, row_offset, pump; /* the SSD13xx and SH1106 families */
     unsigned rectangles;                                             /* RAM writes begun */
     unsigned complaints;
@@ -88,7 +89,16 @@ void sheen_sim_complain(struct sheen_sim_controller *controller, const char *for
 void sheen_sim_window_start(struct sheen_sim_controller *controller);
 void sheen_sim_store(struct sheen_sim_controller *controller, unsigned column, unsigned row, uint16_t value);
 
-extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341;
+/* controller_oled.c: shared by the OLED chips. */
+int sheen_sim_com_row(const struct sheen_sim_controller *controller, unsigned com, unsigned top);
+void sheen_sim_next_address(struct sheen_sim_controller *controller, int vertical);
+void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned width, unsigned height);
+void sheen_sim_set_columns(struct sheen_sim_controller *controller);
+void sheen_sim_set_rows(struct sheen_sim_controller *controller);
+
+extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341, sheen_sim_chip_st7789,
+    sheen_sim_chip_st7735, sheen_sim_chip_st7796, sheen_sim_chip_gc9a01, sheen_sim_chip_ssd1351, sheen_sim_chip_ssd0323,
+    sheen_sim_chip_ssd1325, sheen_sim_chip_ssd1327, sheen_sim_chip_ssd1306, sheen_sim_chip_sh1106;
 
 /* The module of that whole name; NULL where there is none. */
 const struct sheen_sim_module *sheen_sim_module_find(const char *name);

@@ -176,12 +176,33 @@ static const struct sheen_sim_command commands[] = {
     {0x3A, 0x3A, 1, colmod},         {0x3C, 0x3C, 0, memory_continue},
 };
 
-#define DCS(label, extra, extra_count)                                                                                 \
-    .name = label, .commands = commands, .command_count = sizeof commands / sizeof commands[0], .vendor = extra,       \
-    .vendor_count = extra_count, .defaults = defaults, .pixels = pixels, .stream_end = stream_end, .shown = shown,     \
-    .reset_command = 0x01, .reset_low_us = 10, .reset_us = AFTER_COMMAND_US
+/* Registers of their own that drivers set; tabled in the data sheets under "System function command list 2". */
+static const struct sheen_sim_command vendor_st7789[] = {{0xB0, 0xB0, 2, NULL}};
+static const struct sheen_sim_command vendor_st7735[] = {
+    {0xB1, 0xB2, 3, NULL}, {0xB3, 0xB3, 6, NULL}, {0xB4, 0xB4, 1, NULL}, {0xC0, 0xC0, 3, NULL},
+    {0xC1, 0xC1, 1, NULL}, {0xC2, 0xC4, 2, NULL}, {0xC5, 0xC5, 1, NULL}, {0xE0, 0xE1, 16, NULL},
+};
 
-const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341", NULL, 0)};
+/* Undocumented but for the register's length. NOP (00) is not among them: the chip must not get it. */
+static const struct sheen_sim_command vendor_gc9a01[] = {
+    {0xFE, 0xFE, 0, NULL},  {0xEF, 0xEF, 0, NULL}, {0xEB, 0xEB, 1, NULL}, {0x84, 0x8F, 1, NULL},  {0xB6, 0xB6, 2, NULL},
+    {0x90, 0x90, 4, NULL},  {0xBC, 0xBE, 1, NULL}, {0xFF, 0xFF, 3, NULL}, {0xC3, 0xC4, 1, NULL},  {0xC9, 0xC9, 1, NULL},
+    {0xE1, 0xE1, 2, NULL},  {0xDF, 0xDF, 3, NULL}, {0xF0, 0xF3, 6, NULL}, {0xED, 0xED, 2, NULL},  {0xAE, 0xAE, 1, NULL},
+    {0xCD, 0xCD, 1, NULL},  {0x70, 0x70, 9, NULL}, {0xE8, 0xE8, 1, NULL}, {0x62, 0x63, 12, NULL}, {0x64, 0x64, 7, NULL},
+    {0x66, 0x67, 10, NULL}, {0x74, 0x74, 7, NULL}, {0x98, 0x98, 2, NULL},
+};
+
+#define DCS(label)                                                                                                     \
+    .name = label, .commands = commands, .command_count = sizeof commands / sizeof commands[0], .defaults = defaults,  \
+    .pixels = pixels, .stream_end = stream_end, .shown = shown, .reset_command = 0x01, .reset_low_us = 10,             \
+    .reset_us = AFTER_COMMAND_US
+#define VENDOR(list) .vendor = list, .vendor_count = sizeof list / sizeof list[0]
+
+const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341")};
+const struct sheen_sim_chip sheen_sim_chip_st7789 = {DCS("ST7789"), VENDOR(vendor_st7789)};
+const struct sheen_sim_chip sheen_sim_chip_st7735 = {DCS("ST7735"), VENDOR(vendor_st7735)};
+const struct sheen_sim_chip sheen_sim_chip_st7796 = {DCS("ST7796")};
+const struct sheen_sim_chip sheen_sim_chip_gc9a01 = {DCS("GC9A01"), VENDOR(vendor_gc9a01)};
 
 /* The ideal panel is awake, lit and in 16 bits from the start, and never turned. */
 static void ideal_defaults(struct sheen_sim_controller *controller)

@@ -2,6 +2,10 @@
 target_sources(sheen_sim PRIVATE
   controller.c
   controller_dcs.c
+  controller_grey.c
+  controller_mono.c
+  controller_oled.c
+  controller_ssd1351.c
   glass.c
   sim_bus.c
   sim_panel.c

@@ -1,0 +1,87 @@
+/*
+ * panel_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327.
+ *
+ * On the wire, commands and their parameters with D/C low, pixels with D/C high:
+ *
+ *   15 c0 c1         columns, in bytes (2 px), ends inclusive
+ *   75 r0 r1         rows
+ *   high|low ...     pixels from the window's top left, left pixel in the high nibble
+ *
+ * Setting either end of the window sets the address back to its start, and a
+ * window that was filled leaves it there (SSD1325 data sheet, "Set Column
+ * Address" and "Set Row Address"): a repeated window needs no command at all.
+ *
+ * The remap byte stays as the module needs it upright; the packer turns.
+ */
+#include "panel_driver.h"
+
+#define SET_COLUMN 0x15
+#define SET_ROW 0x75
+#define SET_REMAP 0xA0
+#define DISPLAY_OFF 0xAE
+#define DISPLAY_ON 0xAF
+
+static int init(struct sheen_panel *panel)
+{
+    const uint8_t remap[2] = {SET_REMAP, panel->record->scan[0]}, on = DISPLAY_ON;
+    int error = sheen_panel_reset(panel);
+
+    if (error == SHEEN_OK)
+        error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
+    if (error == SHEEN_OK)
+        error = sheen_panel_steps(panel, SHEEN_COMMAND);
+    if (error == SHEEN_OK)
+        error = sheen_panel_write(panel, SHEEN_COMMAND, remap, sizeof remap);
+    return error < 0 ? error : sheen_panel_write(panel, SHEEN_COMMAND, &on, 1);
+}
+
+/* The nibble of pixel `index` of the rectangle. */
+static unsigned nibble(const uint8_t *pixels, int32_t index)
+{
+    unsigned byte = pixels[index / 2];
+
+    return index & 1 ? byte & 15u : byte >> 4;
+}
+
+/* Sends the rectangle byte by byte of the glass, a pack buffer at a time; the last one flies. */
+static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels)
+{
+    unsigned used = 0;
+
+    for (int16_t row = 0; row < turn->h; row++) {
+        int32_t index = turn->start + row * turn->down;
+
+        for (int16_t column = 0; column < turn->w; column += 2, index += 2 * turn->right) {
+            if (used == sizeof panel->pack) {
+                int error = sheen_panel_write(panel, SHEEN_DATA, panel->pack, used);
+
+                if (error < 0)
+                    return error;
+                used = 0;
+            }
+            panel->pack[used++] = (uint8_t)(nibble(pixels, index) << 4 | nibble(pixels, index + turn->right));
+        }
+    }
+    return sheen_panel_launch(panel, SHEEN_DATA, panel->pack, used);
+}
+
+static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+{
+    const struct sheen_panel_record *record = panel->record;
+    struct sheen_turn turn;
+    int error;
+
+    sheen_panel_turn(panel, rect, &turn);
+    unsigned column = (record->gap_x + (unsigned)turn.x) / 2, row = record->gap_y + (unsigned)turn.y;
+    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w / 2 - 1);
+    if (error == SHEEN_OK)
+        error = sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
+    if (error < 0)
+        return error;
+    if (panel->orientation == 0) /* as the core packs it */
+        return sheen_panel_launch(panel, SHEEN_DATA, pixels, (size_t)turn.w * (size_t)turn.h / 2);
+    return send_turned(panel, &turn, pixels);
+}
+
+const struct sheen_panel_driver sheen_driver_grey = {
+    .init = init, .push = push, .reset_command = -1, .align_x = 2, .align_y = 2};

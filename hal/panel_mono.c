@@ -1,0 +1,109 @@
+/*
+ * panel_mono.c - black and white in pages: SSD1306 and SH1106.
+ *
+ * A byte is a column of 8 pixels, the top one in bit 0; a page is a row of bytes.
+ * Commands and their parameters leave with D/C low, pixels with D/C high:
+ *
+ *   SSD1306   21 c0 c1   columns, 22 p0 p1   pages (ends inclusive), then bytes
+ *   SH1106    B0+page, 00+low nibble, 10+high nibble of the column: once a page
+ *
+ * Both are kept as their modules need it upright (A1, C8 of the init table); the
+ * packer turns. The SSD1306 goes back to the window's start once it was filled
+ * (data sheet, "Horizontal addressing mode"): a repeated window needs no command.
+ */
+#include "panel_driver.h"
+
+#define SET_COLUMN 0x21
+#define SET_PAGE 0x22
+#define COLUMN_LOW 0x00
+#define COLUMN_HIGH 0x10
+#define DISPLAY_OFF 0xAE
+#define DISPLAY_ON 0xAF
+#define PAGE_START 0xB0
+
+static int init(struct sheen_panel *panel)
+{
+    const uint8_t on = DISPLAY_ON;
+    int error = sheen_panel_reset(panel);
+
+    if (error == SHEEN_OK)
+        error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
+    if (error == SHEEN_OK)
+        error = sheen_panel_steps(panel, SHEEN_COMMAND);
+    return error < 0 ? error : sheen_panel_write(panel, SHEEN_COMMAND, &on, 1);
+}
+
+/* The byte of 8 pixels downwards from pixel `index` of the rectangle. */
+static uint8_t column_of_8(const uint8_t *pixels, int32_t index, int32_t down)
+{
+    unsigned byte = 0;
+
+    for (unsigned bit = 0; bit < 8; bit++, index += down)
+        byte |= (unsigned)(pixels[index / 8] >> (7 - index % 8) & 1) << bit;
+    return (uint8_t)byte;
+}
+
+/* Bytes of one page, a pack buffer at a time; the last one flies. */
+static int send_page(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels, int16_t row)
+{
+    int32_t index = turn->start + row * turn->down;
+    unsigned used = 0;
+
+    for (int16_t column = 0; column < turn->w; column++, index += turn->right) {
+        if (used == sizeof panel->pack) {
+            int error = sheen_panel_write(panel, SHEEN_DATA, panel->pack, used);
+
+            if (error < 0)
+                return error;
+            used = 0;
+        }
+        panel->pack[used++] = column_of_8(pixels, index, turn->down);
+    }
+    return sheen_panel_launch(panel, SHEEN_DATA, panel->pack, used);
+}
+
+static int push_ssd1306(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+{
+    const struct sheen_panel_record *record = panel->record;
+    struct sheen_turn turn;
+    int error;
+
+    sheen_panel_turn(panel, rect, &turn);
+    unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
+    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w - 1);
+    if (error == SHEEN_OK)
+        error = sheen_panel_set_window(panel, 1, SET_PAGE, page, page + (unsigned)turn.h / 8 - 1);
+    for (int16_t row = 0; row < turn.h && error == SHEEN_OK; row = (int16_t)(row + 8)) {
+        error = sheen_panel_landed(panel);
+        if (error == SHEEN_OK)
+            error = send_page(panel, &turn, pixels, row);
+    }
+    return error;
+}
+
+static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+{
+    const struct sheen_panel_record *record = panel->record;
+    struct sheen_turn turn;
+    int error = SHEEN_OK;
+
+    sheen_panel_turn(panel, rect, &turn);
+    unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
+    for (int16_t row = 0; row < turn.h && error == SHEEN_OK; row = (int16_t)(row + 8), page++) {
+        const uint8_t place[3] = {(uint8_t)(PAGE_START | page), (uint8_t)(COLUMN_LOW | (column & 15)),
+                                  (uint8_t)(COLUMN_HIGH | column >> 4)};
+
+        error = sheen_panel_landed(panel);
+        if (error == SHEEN_OK)
+            error = sheen_panel_write(panel, SHEEN_COMMAND, place, sizeof place);
+        if (error == SHEEN_OK)
+            error = send_page(panel, &turn, pixels, row);
+    }
+    return error;
+}
+
+const struct sheen_panel_driver sheen_driver_ssd1306 = {
+    .init = init, .push = push_ssd1306, .reset_command = -1, .align_x = 8, .align_y = 8};
+
+const struct sheen_panel_driver sheen_driver_sh1106 = {
+    .init = init, .push = push_sh1106, .reset_command = -1, .align_x = 8, .align_y = 8};

@@ -1,0 +1,83 @@
+/*
+ * panel_ssd1351.c - the colour OLED SSD1351: RGB565, not DCS.
+ *
+ * On the wire, D/C low for the first byte of each line only:
+ *
+ *   15  x0 x1        columns, ends inclusive
+ *   75  y0 y1        rows
+ *   5C  hi lo ...    pixels, high byte first
+ *
+ * Columns and rows are the RAM's in every orientation; remap bit 0 makes the
+ * address run down the rows first, so for a quarter turn the picture's x is the
+ * row. 5C does not set the address back, but a filled window leaves it at its
+ * start (data sheet, 8.4 "Address increment"), and so do 15 and 75.
+ */
+#include "panel_driver.h"
+
+#define SET_COLUMN 0x15
+#define WRITE_RAM 0x5C
+#define SET_ROW 0x75
+#define SET_REMAP 0xA0
+#define SET_START_LINE 0xA1
+#define DISPLAY_ON 0xAF
+
+#define REMAP_VERTICAL 0x01 /* the address runs along rows */
+#define REMAP_COLUMN 0x02   /* columns from the last */
+#define REMAP_CBA 0x04      /* sub-pixels are blue, green, red */
+#define REMAP_COM 0x10      /* rows from the last */
+
+/* The remap byte of the orientation, without the colour order. */
+static uint8_t scan_of(const struct sheen_panel *panel)
+{
+    uint8_t scan = panel->record->scan[panel->orientation & 3];
+
+    if (panel->orientation & 4)
+        scan ^= scan & REMAP_VERTICAL ? REMAP_COM : REMAP_COLUMN;
+    return scan;
+}
+
+static int init(struct sheen_panel *panel)
+{
+    const struct sheen_panel_record *record = panel->record;
+    uint8_t scan = scan_of(panel), remap = (uint8_t)(scan | (record->bgr ? REMAP_CBA : 0));
+    /*
+     * Of the rows only the first glass_h are behind the glass. Scanned from the
+     * last, the RAM's row 0 must meet the glass's top: start at glass_h, mod 128.
+     */
+    uint8_t start_line = scan & REMAP_COM ? (uint8_t)(record->glass_h % record->ram_h) : 0;
+    int error = sheen_panel_reset(panel);
+
+    if (error == SHEEN_OK)
+        error = sheen_panel_steps(panel, SHEEN_DATA);
+    if (error == SHEEN_OK)
+        error = sheen_panel_command(panel, SET_REMAP, &remap, 1);
+    if (error == SHEEN_OK)
+        error = sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
+    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
+}
+
+/* Columns (axis 0) or rows (axis 1) first..last, where they differ from the last. */
+static int set_axis(struct sheen_panel *panel, unsigned axis, int first, int last)
+{
+    uint8_t data[2] = {(uint8_t)first, (uint8_t)last};
+
+    if (!sheen_panel_window_moves(panel, axis, (unsigned)first, (unsigned)last))
+        return SHEEN_OK;
+    return sheen_panel_command(panel, axis ? SET_ROW : SET_COLUMN, data, sizeof data);
+}
+
+static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+{
+    unsigned x_axis = scan_of(panel) & REMAP_VERTICAL;
+    size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2;
+    int error = set_axis(panel, x_axis, rect.x0, rect.x1 - 1);
+
+    if (error == SHEEN_OK)
+        error = set_axis(panel, !x_axis, rect.y0, rect.y1 - 1);
+    if (error == SHEEN_OK)
+        error = sheen_panel_command(panel, WRITE_RAM, NULL, 0);
+    return error < 0 ? error : sheen_panel_launch(panel, SHEEN_DATA, pixels, count);
+}
+
+const struct sheen_panel_driver sheen_driver_ssd1351 = {
+    .init = init, .push = push, .reset_command = -1, .align_x = 1, .align_y = 1};

@@ -1,0 +1,61 @@
+/*
+ * controller_oled.c - what the simulated OLED controllers share: COM lines, address counters.
+ *
+ * Their glass is wired to outputs (segments and COM lines), so the module's gap
+ * and mirror speak of those; which RAM row a COM line shows is up to registers.
+ */
+#include "controller.h"
+
+/*
+ * The RAM row that COM line `com` shows; -1 where it is not driven. Lines are
+ * counted from `top` downwards where the COM remap is on. That the display offset
+ * comes in before the multiplex ratio, the start line after it, agrees with the
+ * published settings of glasses that use a part of the lines, upright and turned.
+ */
+int sheen_sim_com_row(const struct sheen_sim_controller *controller, unsigned com, unsigned top)
+{
+    unsigned height = controller->module->ram_h;
+    unsigned line = ((controller->com_remap ? top + height - com : com) + controller->row_offset) % height;
+
+    return line > controller->multiplex ? -1 : (int)((line + controller->start_line) % height);
+}
+
+/* The next address in the window: along x first, or along y where `vertical`. */
+void sheen_sim_next_address(struct sheen_sim_controller *controller, int vertical)
+{
+    uint16_t *fast = vertical ? &controller->y : &controller->x, *slow = vertical ? &controller->x : &controller->y;
+    uint16_t fast_start = vertical ? controller->y0 : controller->x0,
+             fast_end = vertical ? controller->y1 : controller->x1;
+    uint16_t slow_start = vertical ? controller->x0 : controller->y0,
+             slow_end = vertical ? controller->x1 : controller->y1;
+
+    if ((*fast)++ < fast_end)
+        return;
+    *fast = fast_start;
+    if ((*slow)++ >= slow_end)
+        *slow = slow_start;
+}
+
+/* To be called with each picture byte: counts rectangles, and reports a window that cannot be, in units of its axes. */
+void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned width, unsigned height)
+{
+    if (controller->x == controller->x0 && controller->y == controller->y0)
+        controller->rectangles++;
+    if (controller->x0 > controller->x1 || controller->x1 >= width || controller->y0 > controller->y1 ||
+        controller->y1 >= height)
+        sheen_sim_complain(controller, "window %u..%u, %u..%u of %ux%u", controller->x0, controller->x1, controller->y0,
+                           controller->y1, width, height);
+}
+
+/* Setting a range sets its address counter back to the range's start. */
+void sheen_sim_set_columns(struct sheen_sim_controller *controller)
+{
+    controller->x = controller->x0 = controller->params[0];
+    controller->x1 = controller->params[1];
+}
+
+void sheen_sim_set_rows(struct sheen_sim_controller *controller)
+{
+    controller->y = controller->y0 = controller->params[0];
+    controller->y1 = controller->params[1];
+}
