@@ -13,7 +13,6 @@ const struct accuracy_limit accuracy_limits[4] = {
     [REF_SLERP] = {0.96, 0.999, 2},
 };
 
-/* A ball of patches: the sphere of few polygons, where neighbouring normals stand far apart. */
 static int make_shape(struct shape *shape, int index, bool coarse, const char **name)
 {
     switch (index) {
@@ -30,7 +29,7 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
         *name = "cube";
         return shape_cube(shape);
     default:
-        *name = "ball 12x16";
+        *name = coarse ? "octahedron" : "ball 12x16";
         return coarse ? shape_octahedron(shape) : shape_sphere(shape, 12, 16);
     }
 }
@@ -45,7 +44,8 @@ int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
     if (status == 0)
         status = ref_mesh_build(&mesh->reference, &shape.polygons, &options);
     if (status == 0)
-        status = core_mesh_make(&mesh->core, &mesh->reference);
+        status = core_mesh_make(&mesh->own, &mesh->reference);
+    mesh->mesh = &mesh->own.mesh;
     shape_free(&shape);
     return status;
 }
@@ -53,7 +53,7 @@ int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
 void accuracy_mesh_free(struct accuracy_mesh *mesh)
 {
     ref_mesh_free(&mesh->reference);
-    core_mesh_free(&mesh->core);
+    core_mesh_free(&mesh->own);
 }
 
 void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index)
@@ -75,7 +75,7 @@ void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int ind
         scene->base[k] = base[index][k] / 255.0;
 }
 
-int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct core_mesh *mesh,
+int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                    uint16_t *values)
 {
     struct memory_target target;
@@ -84,7 +84,7 @@ int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const
 
     if (memory_target_init(&target, scene->width, scene->height, SHEEN_RGB565_BE) != 0)
         return SHEEN_ERR_MEMORY;
-    status = core_draw_scene(&target, scene, mesh, 16);
+    status = core_draw_scene(&target.target, scene, mesh, 16);
     if (status == SHEEN_OK && ref_render(&picture, scene) != 0)
         status = SHEEN_ERR_MEMORY;
     if (status == SHEEN_OK) {

@@ -7,7 +7,7 @@
 #include "core_picture.h"
 #include "shapes.h"
 
-#define ACCURACY_MESHES 5
+#define ACCURACY_SHAPES 5
 #define ACCURACY_VIEWS 3
 
 /* The limits of README, "How close the integers come". Shares are of the compared pixels. */
@@ -22,10 +22,11 @@ extern const struct accuracy_limit accuracy_limits[4]; /* by enum ref_shading */
 struct accuracy_mesh {
     const char *name;
     struct ref_mesh reference;
-    struct core_mesh core;
+    const struct sheen_mesh *mesh; /* the same for the core */
+    struct core_mesh own;          /* of a shape: what mesh points to */
 };
 
-/* Mesh number `index`; coarse: with polygons large enough to judge flat shading by. 0 or -1. */
+/* Shape number `index`; coarse: with polygons large enough to judge flat shading by. 0 or -1. */
 int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse);
 void accuracy_mesh_free(struct accuracy_mesh *mesh);
 
@@ -33,7 +34,7 @@ void accuracy_mesh_free(struct accuracy_mesh *mesh);
 void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index);
 
 /* Draw the scene with both and compare. values: width * height of 565, for further use. 0 or a negative code. */
-int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct core_mesh *mesh,
+int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                    uint16_t *values);
 
 /* True where the score keeps the limit for its shading. */

@@ -180,18 +180,18 @@ void core_frame_free(struct core_frame *f)
     memset(f, 0, sizeof *f);
 }
 
-int core_draw_scene(struct memory_target *target, const struct ref_scene *scene, const struct core_mesh *mesh,
+int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows)
 {
-    struct sheen_config config = {.target = &target->target,
+    struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)band_rows,
-                                  .max_vertices = mesh->mesh.vertices,
-                                  .max_triangles = mesh->mesh.triangles,
+                                  .max_vertices = mesh->vertices,
+                                  .max_triangles = mesh->triangles,
                                   .max_clipped = 2000};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
     struct sheen_view view;
-    struct sheen_draw draw = {.mesh = &mesh->mesh,
+    struct sheen_draw draw = {.mesh = mesh,
                               .material = &material,
                               .lights = lights,
                               .light_count = (uint8_t)scene->light_count,

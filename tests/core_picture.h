@@ -35,11 +35,8 @@ struct core_frame {
 int core_frame_make(struct core_frame *f, const struct sheen_config *config);
 void core_frame_free(struct core_frame *f);
 
-/*
- * Draw the scene with `mesh` to the target, in bands of band_rows. 0, or the
- * code of what failed.
- */
-int core_draw_scene(struct memory_target *target, const struct ref_scene *scene, const struct core_mesh *mesh,
+/* Draw the scene with `mesh` to the target, in bands of band_rows. 0, or the code of what failed. */
+int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows);
 
 #endif

@@ -12,10 +12,11 @@ target_include_directories(core_picture PUBLIC ${PROJECT_SOURCE_DIR}/core)
 target_link_libraries(core_picture PUBLIC reference)
 
 sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
-sheen_test(test_accuracy accuracy SOURCES test_accuracy.c LIBRARIES core_picture sheen::core TIMEOUT 300)
+sheen_test(test_accuracy accuracy SOURCES test_accuracy.c loaded_mesh.c LIBRARIES core_picture sheen_host TIMEOUT 300)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture sheen::core)
+sheen_test(test_panel_picture accuracy SOURCES test_panel_picture.c LIBRARIES core_picture sheen_sim sheen::core)
 
 # The test of test_accuracy: the same core, but its root table is the program's own, to be spoilt.
 get_target_property(core_sources sheen_core SOURCES)

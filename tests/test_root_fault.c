@@ -53,7 +53,7 @@ static bool kept(int view)
     struct ref_score score;
 
     accuracy_view(&scene, &sphere.reference, view);
-    assert_int_equal(accuracy_score(&score, &scene, &sphere.core, values), SHEEN_OK);
+    assert_int_equal(accuracy_score(&score, &scene, sphere.mesh, values), SHEEN_OK);
     print_message("  view %d: %.2f %% equal, %.3f %% within one step, worst %d\n", view,
                   100.0 * (double)score.equal / (double)score.compared,
                   100.0 * (double)score.within_one / (double)score.compared, score.worst);
@@ -69,14 +69,14 @@ static int most_used_entry(int view, long *changed)
 
     accuracy_view(&scene, &sphere.reference, view);
     mend();
-    assert_int_equal(accuracy_score(&score, &scene, &sphere.core, good), SHEEN_OK);
+    assert_int_equal(accuracy_score(&score, &scene, sphere.mesh, good), SHEEN_OK);
     *changed = 0;
     for (int entry = 0; entry < ENTRIES; entry++) {
         long differing = 0;
         spoil(entry);
         struct memory_target target;
         assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
-        assert_int_equal(core_draw_scene(&target, &scene, &sphere.core, 240), SHEEN_OK);
+        assert_int_equal(core_draw_scene(&target.target, &scene, sphere.mesh, 240), SHEEN_OK);
         for (int i = 0; i < scene.width * scene.height; i++)
             differing += memory_target_pixel(&target, i % scene.width, i / scene.width) != good[i];
         memory_target_free(&target);

@@ -79,7 +79,7 @@ static void whole_meshes(void **state)
     long differing = 0, covered = 0;
 
     (void)state;
-    for (int index = 0; index < ACCURACY_MESHES; index++) {
+    for (int index = 0; index < ACCURACY_SHAPES; index++) {
         struct accuracy_mesh mesh;
         assert_int_equal(accuracy_mesh_make(&mesh, index, true), 0);
         for (int k = 0; k < 2 * ACCURACY_VIEWS; k++) {
@@ -89,7 +89,7 @@ static void whole_meshes(void **state)
             plain_scene(&scene, &mesh.reference, k / 2);
             scene.width = k % 2 ? 240 : 320;
             assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
-            assert_int_equal(core_draw_scene(&target, &scene, &mesh.core, 16), SHEEN_OK);
+            assert_int_equal(core_draw_scene(&target.target, &scene, mesh.mesh, 16), SHEEN_OK);
             assert_int_equal(ref_render(&picture, &scene), 0);
             differing += check(&target, &scene, picture.pieces, picture.piece_count, mesh.name);
             for (int i = 0; i < scene.width * scene.height; i++)
@@ -137,20 +137,20 @@ static long triangles_of(const struct accuracy_mesh *mesh, int view, long *diffe
     assert_int_equal(ref_project(&picture, &scene), 0);
     assert_int_equal(core_material(&material, &scene), SHEEN_OK);
     struct sheen_config config = {
-        .target = &target.target, .max_vertices = mesh->core.mesh.vertices, .max_triangles = 8, .max_clipped = 8};
+        .target = &target.target, .max_vertices = mesh->mesh->vertices, .max_triangles = 8, .max_clipped = 8};
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
-    for (uint32_t t = 0; t < mesh->core.mesh.triangles; t++) {
+    for (uint32_t t = 0; t < mesh->mesh->triangles; t++) {
         size_t first = piece; /* its pieces, none for a back face */
         while (piece < picture.piece_count && picture.pieces[piece].triangle == t)
             piece++;
-        draw_triangle(&f, &scene, &mesh->core.mesh, &material, t);
+        draw_triangle(&f, &scene, mesh->mesh, &material, t);
         *differing += check(&target, &scene, picture.pieces + first, piece - first, mesh->name);
     }
     assert_int_equal(piece, picture.piece_count);
     core_frame_free(&f);
     ref_picture_free(&picture);
     memory_target_free(&target);
-    return mesh->core.mesh.triangles;
+    return mesh->mesh->triangles;
 }
 
 static void each_triangle_alone(void **state)
@@ -158,7 +158,7 @@ static void each_triangle_alone(void **state)
     long triangles = 0, differing = 0;
 
     (void)state;
-    for (int index = 0; index < ACCURACY_MESHES; index++) {
+    for (int index = 0; index < ACCURACY_SHAPES; index++) {
         struct accuracy_mesh mesh;
         assert_int_equal(accuracy_mesh_make(&mesh, index, index == 0), 0);
         for (int view = 0; view < ACCURACY_VIEWS; view++)
