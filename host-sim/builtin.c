@@ -56,7 +56,10 @@ static void set_point(double point[3], double x, double y, double z)
 /* Unit sphere, 32 rings of 64 quads, y = cos(pi ring / 32); triangles at the poles. */
 static int make_sphere(struct sheen_polygons *polygons)
 {
-    enum { RINGS = 32, COLUMNS = 64 };
+    enum {
+        RINGS = 32,
+        COLUMNS = 64
+    };
     int error = grid_alloc(polygons, RINGS, COLUMNS);
 
     for (unsigned i = 0; !error && i < (RINGS + 1) * (COLUMNS + 1); i++) {
@@ -73,7 +76,10 @@ static int make_sphere(struct sheen_polygons *polygons)
 /* Torus around y, radii 0.75 and 0.33, 40 x 25 quads. */
 static int make_torus(struct sheen_polygons *polygons)
 {
-    enum { AROUND = 40, TUBE = 25 };
+    enum {
+        AROUND = 40,
+        TUBE = 25
+    };
     int error = grid_alloc(polygons, TUBE, AROUND);
 
     for (unsigned i = 0; !error && i < (TUBE + 1) * (AROUND + 1); i++) {
@@ -93,7 +99,9 @@ static const struct {
     int (*make)(struct sheen_polygons *polygons);
 } builtins[] = {{"teapot", sheen_builtin_teapot}, {"sphere", make_sphere}, {"torus", make_torus}};
 
-enum { BUILTINS = sizeof builtins / sizeof builtins[0] };
+enum {
+    BUILTINS = sizeof builtins / sizeof builtins[0]
+};
 
 /* The number of the mesh, or BUILTINS. */
 static int find(const char *name)

@@ -11,7 +11,11 @@
 
 #include "builtin.h"
 
-enum { STEPS = 4, POINTS = (STEPS + 1) * (STEPS + 1), PATCHES = 32 };
+enum {
+    STEPS = 4,
+    POINTS = (STEPS + 1) * (STEPS + 1),
+    PATCHES = 32
+};
 
 /* Control point of a patch: row along the profile or tube, column across. */
 typedef double patch_t[4][4][3];
@@ -21,9 +25,9 @@ static const double profiles[6][4][2] = {
     {{1.4, 2.4}, {1.3375, 2.53125}, {1.4375, 2.53125}, {1.5, 2.4}}, /* rim */
     {{1.5, 2.4}, {1.75, 1.875}, {2.0, 1.35}, {2.0, 0.9}},           /* body */
     {{2.0, 0.9}, {2.0, 0.45}, {1.5, 0.225}, {1.5, 0.15}},
-    {{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}},          /* bottom */
-    {{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}},            /* knob */
-    {{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}},             /* lid */
+    {{1.5, 0.15}, {1.5, 0.075}, {1.425, 0.0}, {0.0, 0.0}}, /* bottom */
+    {{0.0, 3.15}, {0.8, 3.15}, {0.0, 2.85}, {0.2, 2.7}},   /* knob */
+    {{0.2, 2.7}, {0.4, 2.55}, {1.3, 2.55}, {1.3, 2.4}},    /* lid */
 };
 
 /* Half a tube's cross-section is a box from (x, y) to (x, y) in the plane z = 0, bulging to z = width. */
@@ -119,7 +123,8 @@ static void add_patch(struct sheen_polygons *polygons, const patch_t patch, int 
 
 int sheen_builtin_teapot(struct sheen_polygons *polygons)
 {
-    int error = sheen_polygons_alloc(polygons, PATCHES * POINTS, PATCHES * STEPS * STEPS, PATCHES * STEPS * STEPS * 4, 1, 0);
+    int error =
+        sheen_polygons_alloc(polygons, PATCHES * POINTS, PATCHES * STEPS * STEPS, PATCHES * STEPS * STEPS * 4, 1, 0);
     if (error)
         return error;
     polygons->point_count = polygons->polygon_count = polygons->corner_count = 0;

@@ -11,10 +11,10 @@ struct sheen_host_build {
     const struct sheen_polygons *from;
     const struct sheen_host_options *options;
     struct sheen_host_mesh *mesh;
-    uint32_t *weld;            /* of each point */
+    uint32_t *weld; /* of each point */
     size_t weld_count;
-    uint32_t *source;          /* of each corner: its number in the file */
-    double (*normals)[3];      /* of each corner: unit */
+    uint32_t *source;     /* of each corner: its number in the file */
+    double (*normals)[3]; /* of each corner: unit */
 };
 
 /* The vertex, by place, of a corner. */

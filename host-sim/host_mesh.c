@@ -130,8 +130,10 @@ static int make_vertices(struct sheen_host_build *build, const char *name, struc
     }
     int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
     if (!error && mesh->vertex_count > SHEEN_HOST_MESH_MAX)
-        error = sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %zu vertices (by position and normal), at most %u "
-                              "can be drawn", name, mesh->vertex_count, SHEEN_HOST_MESH_MAX);
+        error = sheen_problem(problem, SHEEN_ERR_CAPACITY,
+                              "%s: %zu vertices (by position and normal), at most %u "
+                              "can be drawn",
+                              name, mesh->vertex_count, SHEEN_HOST_MESH_MAX);
     if (!error) {
         mesh->vertices = calloc(mesh->vertex_count, sizeof *mesh->vertices);
         error = mesh->vertices ? SHEEN_OK : SHEEN_ERR_MEMORY;

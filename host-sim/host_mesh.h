@@ -20,10 +20,10 @@
 #define SHEEN_HOST_MESH_MAX 65535u /* vertices, and triangles: what 16-bit indices hold */
 
 struct sheen_host_options {
-    int average;   /* 1: the file's normals are not used */
-    int by_group;  /* 1: groups share no vertices, each becomes a mesh of its own */
+    int average;    /* 1: the file's normals are not used */
+    int by_group;   /* 1: groups share no vertices, each becomes a mesh of its own */
     int use_crease; /* 1: average only over polygons within `crease` of the corner's own */
-    double crease; /* degrees, 0..180 */
+    double crease;  /* degrees, 0..180 */
 };
 
 struct sheen_host_vertex {
@@ -34,9 +34,9 @@ struct sheen_host_vertex {
 };
 
 struct sheen_host_polygon {
-    double normal[3]; /* Newell's, unit */
+    double normal[3];      /* Newell's, unit */
     uint32_t first, count; /* its corners */
-    uint32_t group;   /* of the file, also without by_group */
+    uint32_t group;        /* of the file, also without by_group */
 };
 
 struct sheen_host_triangle {

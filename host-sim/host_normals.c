@@ -73,7 +73,7 @@ static int gather(const struct sheen_host_build *build, struct around *around)
     return SHEEN_OK;
 }
 
-/* The sum over the polygons around vertex w; where own is not NULL only those with a cosine of `least` or more to it. */
+/* The sum over the polygons around vertex w; own not NULL: only those with a cosine of `least` or more to it. */
 static void sum_around(const struct sheen_host_build *build, const struct around *around, uint32_t w,
                        const double own[3], double least, double sum[3])
 {

@@ -179,8 +179,10 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
 
     walk_scene(&walk, scene, NULL);
     if (walk.broken)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: a face names a vertex or material that is not there, "
-                             "or there are too many", path);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                             "%s: a face names a vertex or material that is not there, "
+                             "or there are too many",
+                             path);
     if (walk.polygons == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
     int error = sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,

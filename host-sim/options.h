@@ -43,9 +43,9 @@ struct sheen_light_list {
 
 struct sheen_options {
     const char *mesh, *out, *panel;
-    unsigned size[2]; /* px; 0: not given */
-    int orientation;  /* -1: not given */
-    int shade;        /* enum sheen_shading */
+    unsigned size[2];                  /* px; 0: not given */
+    int orientation;                   /* -1: not given */
+    int shade;                         /* enum sheen_shading */
     double yaw, pitch, roll, yaw_step; /* degrees */
     double distance, fov;
     struct sheen_light_list lights;

@@ -4,7 +4,7 @@
  *
  * Positions: round(32767 p), the mesh's scale being 32768/32767, offset 0; off by at most
  * 1/65534 of the fitted radius an axis. Normals: of the eight lattice points around 32767 n
- * the one nearest in direction; off by at most 2.3e-5 rad, 1.1e-5 in the mean.
+ * the one nearest in direction: at most 2.1e-5 rad off, 0.8e-5 in the mean, over 10^5 directions.
  */
 #ifndef SHEEN_QUANTISE_H
 #define SHEEN_QUANTISE_H
