@@ -27,7 +27,7 @@ static inline uint32_t reciprocal_seed(uint32_t x)
     const uint16_t *entry = &sheen_reciprocal_table[(x >> 24) - 128u];
     uint32_t drop = (uint32_t)(entry[0] - entry[1]);
 
-    return entry[0] - ((drop * ((x >> 8) & 0xffffu)) >> 16);
+    return entry[0] - ((drop * ((x >> 8) & 0xffffu) + 0x8000u) >> 16);
 }
 
 /*
@@ -39,7 +39,7 @@ static inline uint32_t root_seed(uint32_t d)
     const uint16_t *entry = &sheen_root_table[(d >> 22) - ROOT_FIRST];
     uint32_t drop = (uint32_t)(entry[0] - entry[1]);
 
-    return entry[0] - ((drop * ((d >> 6) & 0xffffu)) >> 16);
+    return entry[0] - ((drop * ((d >> 6) & 0xffffu) + 0x8000u) >> 16);
 }
 
 /* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-27 relative; 2.0 comes as 0xffffffff. */

@@ -33,6 +33,8 @@ static int rescale(uint32_t *d, int32_t *ln, int32_t *nv)
     return 1;
 }
 
+#define HALF (1u << 14) /* rounding: floors would darken highlights of n = 128 by a tenth of a level */
+
 /* Intensities at a pixel from L.N, V.N (Q1.30) and D = N.N (UQ1.31). */
 SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_t ln, int32_t nv, uint32_t d,
                              struct lit *lit)
@@ -48,8 +50,8 @@ SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_
      * unsigned, so that nothing overflows where a sliver's rounding has parted the two.
      */
     uint32_t root = root_seed(d);                                     /* UQ1.15 */
-    uint32_t diffuse = (((uint32_t)ln + (1u << 14)) >> 15) * root >> 15; /* Q0.15 */
-    int32_t facing = asr32((int32_t)((uint32_t)asr32(nv, 15) * root), 15); /* Q0.15 */
+    uint32_t diffuse = ((((uint32_t)ln + HALF) >> 15) * root + HALF) >> 15; /* Q0.15 */
+    int32_t facing = asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)nv + HALF), 15) * root + HALF), 15); /* Q0.15 */
     if (diffuse > 32768)
         diffuse = 32768;
     lit->diffuse = diffuse;
