@@ -110,14 +110,37 @@ int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
 
 int sheen_panel_init(struct sheen_panel *panel)
 {
+    static const uint8_t vertical_only = 0; /* a pulse a refresh, none a line */
     int error = sheen_panel_landed(panel);
 
     panel->ready = 0;
     panel->window_known = 0;
     if (error == SHEEN_OK)
         error = panel->record->driver->init(panel);
+    if (error == SHEEN_OK && panel->tearing)
+        error = sheen_panel_command(panel, panel->record->driver->tearing_command, &vertical_only, 1);
     panel->ready = error == SHEEN_OK;
     return error;
+}
+
+int sheen_panel_off(struct sheen_panel *panel)
+{
+    const struct sheen_panel_driver *driver = panel->record->driver;
+    int error = sheen_panel_landed(panel);
+
+    for (unsigned i = 0; panel->ready && error == SHEEN_OK && i < driver->off_count; i++)
+        error = sheen_panel_command(panel, driver->off[i], NULL, 0);
+    panel->ready = 0;
+    return error;
+}
+
+int sheen_panel_tearing(struct sheen_panel *panel)
+{
+    if (!panel->record->driver->tearing_command)
+        return SHEEN_ERR_UNSUPPORTED;
+    panel->tearing = 1;
+    panel->ready = 0;
+    return SHEEN_OK;
 }
 
 /* Edges on multiples of align, or on the target's own edge. */

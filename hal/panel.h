@@ -70,6 +70,7 @@ struct sheen_panel {
     uint16_t window[4];                   /* x0, x1, y0, y1 last sent, in the controller's own units */
     uint8_t orientation;                  /* 0..7 */
     uint8_t ready;                        /* initialised, and no error since */
+    uint8_t tearing;                      /* init switches the TE output on */
     uint8_t flying;                       /* a write may still be under way */
     uint8_t window_known;                 /* bits 0, 1: the x, y half of window is what the controller holds */
     uint8_t pack[SHEEN_PANEL_PACK_BYTES]; /* bytes that the packer turned; in flight until wait */
@@ -92,6 +93,15 @@ int sheen_panel_target(struct sheen_panel *panel, struct sheen_target *target);
  * first push does not do it again.
  */
 int sheen_panel_init(struct sheen_panel *panel);
+
+/* Darkens the glass and lets the controller sleep; the next push initialises it again. An unlit panel is left alone. */
+int sheen_panel_off(struct sheen_panel *panel);
+
+/*
+ * From the next initialisation on the controller pulses its TE output once a
+ * refresh, while the glass is not being read. SHEEN_ERR_UNSUPPORTED: it has none.
+ */
+int sheen_panel_tearing(struct sheen_panel *panel);
 
 /* Width and height of the picture, px, in orientation 0..7. */
 void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientation, uint16_t *width, uint16_t *height);

@@ -14,13 +14,16 @@
 #include "panel_driver.h"
 
 #define SWRESET 0x01
+#define SLPIN 0x10
 #define NORON 0x13
 #define INVOFF 0x20
 #define INVON 0x21
+#define DISPOFF 0x28
 #define DISPON 0x29
 #define CASET 0x2A
 #define RASET 0x2B
 #define RAMWR 0x2C
+#define TEON 0x35
 #define MADCTL 0x36
 
 #define MADCTL_MY 0x80  /* rows downwards from the last */
@@ -83,5 +86,11 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     return error < 0 ? error : sheen_panel_launch(panel, SHEEN_DATA, pixels, count);
 }
 
-const struct sheen_panel_driver sheen_driver_dcs = {
-    .init = init, .push = push, .reset_command = SWRESET, .align_x = 1, .align_y = 1};
+const struct sheen_panel_driver sheen_driver_dcs = {.init = init,
+                                                    .push = push,
+                                                    .reset_command = SWRESET,
+                                                    .off = {DISPOFF, SLPIN},
+                                                    .off_count = 2,
+                                                    .tearing_command = TEON,
+                                                    .align_x = 1,
+                                                    .align_y = 1};

@@ -11,11 +11,15 @@
  * push: a rectangle that lies inside the target, aligned; may leave its last
  *   write under way (panel->flying). Pixels as in sheen_target.h.
  * reset_command: a reset by command for boards without a reset line, < 0: none.
+ * off: the commands that darken the glass and put the controller to sleep.
+ * tearing_command: takes a parameter 0 and switches the TE output on, 0: none.
  */
 struct sheen_panel_driver {
     int (*init)(struct sheen_panel *panel);
     int (*push)(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels);
     int16_t reset_command;
+    uint8_t off[2], off_count;
+    uint8_t tearing_command;
     uint8_t align_x, align_y; /* px, of the target; of both axes the larger where the driver turns pixels */
 };
 

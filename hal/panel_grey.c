@@ -84,4 +84,4 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
 }
 
 const struct sheen_panel_driver sheen_driver_grey = {
-    .init = init, .push = push, .reset_command = -1, .align_x = 2, .align_y = 2};
+    .init = init, .push = push, .reset_command = -1, .off = {DISPLAY_OFF}, .off_count = 1, .align_x = 2, .align_y = 2};

@@ -102,8 +102,18 @@ static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const 
     return error;
 }
 
-const struct sheen_panel_driver sheen_driver_ssd1306 = {
-    .init = init, .push = push_ssd1306, .reset_command = -1, .align_x = 8, .align_y = 8};
+const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = init,
+                                                        .push = push_ssd1306,
+                                                        .reset_command = -1,
+                                                        .off = {DISPLAY_OFF},
+                                                        .off_count = 1,
+                                                        .align_x = 8,
+                                                        .align_y = 8};
 
-const struct sheen_panel_driver sheen_driver_sh1106 = {
-    .init = init, .push = push_sh1106, .reset_command = -1, .align_x = 8, .align_y = 8};
+const struct sheen_panel_driver sheen_driver_sh1106 = {.init = init,
+                                                       .push = push_sh1106,
+                                                       .reset_command = -1,
+                                                       .off = {DISPLAY_OFF},
+                                                       .off_count = 1,
+                                                       .align_x = 8,
+                                                       .align_y = 8};

@@ -19,6 +19,7 @@
 #define SET_ROW 0x75
 #define SET_REMAP 0xA0
 #define SET_START_LINE 0xA1
+#define DISPLAY_OFF 0xAE
 #define DISPLAY_ON 0xAF
 
 #define REMAP_VERTICAL 0x01 /* the address runs along rows */
@@ -80,4 +81,4 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
 }
 
 const struct sheen_panel_driver sheen_driver_ssd1351 = {
-    .init = init, .push = push, .reset_command = -1, .align_x = 1, .align_y = 1};
+    .init = init, .push = push, .reset_command = -1, .off = {DISPLAY_OFF}, .off_count = 1, .align_x = 1, .align_y = 1};

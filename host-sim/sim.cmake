@@ -12,4 +12,5 @@ target_sources(sheen_sim PRIVATE
   sim_panel_choose.c
   sim_panel_ideal.c
   sim_panel_modules.c
+  pin_watcher.c
 )
