@@ -20,10 +20,10 @@ static int32_t table_sine(uint32_t i)
 
 sheen_q30_t sheen_sin(sheen_angle_t angle)
 {
-    uint32_t nearest = (angle + 0x00800000u) >> 24; /* 0..256; 256 is 0 again */
+    uint32_t nearest = (angle + 0x00800000u) >> 24;    /* 0..256; 256 is 0 again */
     int32_t rest = (int32_t)(angle - (nearest << 24)); /* turns, Q0.32, |rest| <= 2^23 */
-    int32_t d = mul_round(rest, 1686629713, 30); /* 2 pi in Q2.28: d in Q1.30, radians, |d| < 2^24 */
-    int32_t square = mul_round(d, d, 30);        /* Q1.30 */
+    int32_t d = mul_round(rest, 1686629713, 30);       /* 2 pi in Q2.28: d in Q1.30, radians, |d| < 2^24 */
+    int32_t square = mul_round(d, d, 30);              /* Q1.30 */
     int32_t sine = d - mul_round(mul_round(square, d, 30), 178956971, 30); /* 1/6 */
     int32_t versine = square / 2 - mul_round(square, square, 30) / 24;     /* 1 - cos d */
     int32_t table_cos = table_sine(nearest + 64u), table_sin = table_sine(nearest);

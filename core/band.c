@@ -63,8 +63,8 @@ static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
     strip.y1 = (int16_t)min32(strip.y0 + f->config.band_rows, f->viewport.y1);
     if (f->send_all)
         return strip;
-    struct sheen_rect r = sheen_rect_union(sheen_rect_intersection(band->cover, strip),
-                                           sheen_rect_intersection(band->stale, strip));
+    struct sheen_rect r =
+        sheen_rect_union(sheen_rect_intersection(band->cover, strip), sheen_rect_intersection(band->stale, strip));
     return rect_empty(r) ? r : sheen_rect_intersection(align_rect(f, r), strip);
 }
 

@@ -124,10 +124,10 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
         return;
     for (int i = 0; i < 3; i++)
         out[i] = (int16_t)shared(from->share, normal[0][i], normal[1][i], normal[2][i]);
-    v->diffuse = (uint16_t)max32(0, shared(from->share, (int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse,
-                                           (int32_t)lit[2].diffuse));
-    v->specular = (uint16_t)max32(0, shared(from->share, (int32_t)lit[0].specular, (int32_t)lit[1].specular,
-                                            (int32_t)lit[2].specular));
+    v->diffuse = (uint16_t)max32(
+        0, shared(from->share, (int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse));
+    v->specular = (uint16_t)max32(
+        0, shared(from->share, (int32_t)lit[0].specular, (int32_t)lit[1].specular, (int32_t)lit[2].specular));
 }
 
 /* List the fan of what is left. Returns 0 or SHEEN_ERR_CAPACITY. */

@@ -45,8 +45,8 @@ void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up,
 
     s->dx = round_shift64(d1 * g->b1[0] + d2 * g->b2[0], shift);
     s->dy = round_shift64(d1 * g->b1[1] + d2 * g->b2[1], shift);
-    s->value = value[0] * ((int64_t)1 << up) +
-               round_shift64(s->dx * g->centre[0] + s->dy * g->centre[1], SUBPIXEL_BITS);
+    s->value =
+        value[0] * ((int64_t)1 << up) + round_shift64(s->dx * g->centre[0] + s->dy * g->centre[1], SUBPIXEL_BITS);
 }
 
 /* Modulo 2^32, moved from the origin pixel to pixel (0, 0) of the target. */

@@ -10,9 +10,9 @@
 
 uint32_t sheen_reciprocal(uint32_t x)
 {
-    uint32_t seed = reciprocal_seed(x) << 16;       /* UQ1.31 */
-    uint32_t product = mul_high(x, seed);           /* UQ1.31, near 1.0 */
-    uint32_t correction = 0u - product;             /* UQ1.31: 2 - x r, near 1.0 */
+    uint32_t seed = reciprocal_seed(x) << 16; /* UQ1.31 */
+    uint32_t product = mul_high(x, seed);     /* UQ1.31, near 1.0 */
+    uint32_t correction = 0u - product;       /* UQ1.31: 2 - x r, near 1.0 */
     uint64_t result = ((uint64_t)seed * correction) >> 31;
 
     return result > UINT32_MAX ? UINT32_MAX : (uint32_t)result;
@@ -20,10 +20,10 @@ uint32_t sheen_reciprocal(uint32_t x)
 
 uint32_t sheen_reciprocal_root(uint32_t x)
 {
-    uint32_t seed = root_seed(x >> 1) << 16;        /* UQ1.31 */
-    uint32_t square = mul_high(seed, seed);         /* UQ2.30, in [1, 4] */
-    uint32_t product = mul_high(x, square);         /* UQ2.30, near 1.0 */
-    uint32_t correction = (3u << 30) - product;     /* UQ2.30: 3 - x r^2, near 2.0 */
+    uint32_t seed = root_seed(x >> 1) << 16;    /* UQ1.31 */
+    uint32_t square = mul_high(seed, seed);     /* UQ2.30, in [1, 4] */
+    uint32_t product = mul_high(x, square);     /* UQ2.30, near 1.0 */
+    uint32_t correction = (3u << 30) - product; /* UQ2.30: 3 - x r^2, near 2.0 */
     uint64_t result = ((uint64_t)seed * correction) >> 31;
 
     return result > UINT32_MAX ? UINT32_MAX : (uint32_t)result;

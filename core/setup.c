@@ -27,8 +27,8 @@ static void edge_begin(struct edge *e, int32_t xa, int32_t ya, int32_t xb, int32
     e->carry = (uint32_t)carry << SUBPIXEL_BITS;
 
     int32_t start = xa - SUBPIXEL_HALF + rest * step; /* 1/64 px, without the remainder's part */
-    uint32_t part = (uint32_t)(start & 63) * (uint32_t)height + (uint32_t)rest * (uint32_t)carry +
-                    (uint32_t)skipped * e->carry;
+    uint32_t part =
+        (uint32_t)(start & 63) * (uint32_t)height + (uint32_t)rest * (uint32_t)carry + (uint32_t)skipped * e->carry;
     e->column = asr32(start, SUBPIXEL_BITS) + skipped * step;
     if (part >= e->size) {
         uint32_t whole = part / e->size;
@@ -142,8 +142,7 @@ static uint32_t orient(struct corners *c, uint8_t *back)
     return (uint32_t)area; /* <= (2 * 511 * 64)^2 < 2^32 */
 }
 
-int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, int32_t from,
-                struct setup *s)
+int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, int32_t from, struct setup *s)
 {
     struct surface_corners c;
     struct gradients gradients, *g = &gradients;

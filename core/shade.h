@@ -87,8 +87,7 @@ SPECIALISED void put_general(const struct tile *t, const struct colour_terms *te
 SPECIALISED void put_fast(const struct tile *t, uint32_t at, uint32_t r, uint32_t g, uint32_t b, unsigned fraction,
                           unsigned swap)
 {
-    ((uint16_t *)t->pixels)[at] =
-        pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
+    ((uint16_t *)t->pixels)[at] = pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
 }
 
 /* max(0, x) for a sum that rounding may have taken below 0. */

@@ -49,9 +49,10 @@ SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_
      * Range: L.N <= sqrt(D), so the first product is below 2^31 and its quotient at most 1.0 but for rounding;
      * unsigned, so that nothing overflows where a sliver's rounding has parted the two.
      */
-    uint32_t root = root_seed(d);                                     /* UQ1.15 */
+    uint32_t root = root_seed(d);                                           /* UQ1.15 */
     uint32_t diffuse = ((((uint32_t)ln + HALF) >> 15) * root + HALF) >> 15; /* Q0.15 */
-    int32_t facing = asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)nv + HALF), 15) * root + HALF), 15); /* Q0.15 */
+    int32_t facing =
+        asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)nv + HALF), 15) * root + HALF), 15); /* Q0.15 */
     if (diffuse > 32768)
         diffuse = 32768;
     lit->diffuse = diffuse;

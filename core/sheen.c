@@ -17,7 +17,8 @@ static int target_valid(const struct sheen_target *t)
     unsigned x = or_default(t->align_x, 1), y = or_default(t->align_y, 1);
 
     return t->push != NULL && t->width >= 1 && t->width <= 640 && t->height >= 1 && t->height <= 480 &&
-           t->pixel <= SHEEN_GREY256 && x * sheen_pixel_bits((enum sheen_pixel)t->pixel) % 8 == 0 && x <= 16 && (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
+           t->pixel <= SHEEN_GREY256 && x * sheen_pixel_bits((enum sheen_pixel)t->pixel) % 8 == 0 && x <= 16 &&
+           (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
 }
 
 /* Defaults filled in and the band's height aligned; SHEEN_ERR_ARGUMENT where a value is out of range. */
@@ -118,6 +119,11 @@ static int same_rect(struct sheen_rect a, struct sheen_rect b)
     return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
 }
 
+static int same_colour(const uint8_t a[3], const uint8_t b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 /* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
 static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
 {
@@ -170,8 +176,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     if (error < 0)
         return error;
 
-    int changed = !f->begun || !same_rect(viewport, f->viewport) ||
-                  memcmp(view->background, f->view.background, sizeof view->background) != 0;
+    int changed = !f->begun || !same_rect(viewport, f->viewport) || !same_colour(view->background, f->view.background);
     f->send_all = (uint8_t)(changed || f->failed);
     f->failed = 1; /* until sheen_finish has seen every band through */
     f->view = *view;

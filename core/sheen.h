@@ -42,9 +42,9 @@ typedef int32_t sheen_q24_t;    /* Q7.24: lengths, +-128 units in steps of 6e-8 
 typedef int32_t sheen_q30_t;    /* Q1.30: unit vectors, rotation matrices, sines */
 typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
 
-#define SHEEN_Q16(x) ((sheen_q16_t)((x) * 65536.0 + ((x) < 0 ? -0.5 : 0.5)))      /* for constants: */
-#define SHEEN_Q24(x) ((sheen_q24_t)((x) * 16777216.0 + ((x) < 0 ? -0.5 : 0.5)))   /* the compiler   */
-#define SHEEN_Q30(x) ((sheen_q30_t)((x) * 1073741824.0 + ((x) < 0 ? -0.5 : 0.5))) /* folds them     */
+#define SHEEN_Q16(x) ((sheen_q16_t)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))      /* for constants: */
+#define SHEEN_Q24(x) ((sheen_q24_t)((x)*16777216.0 + ((x) < 0 ? -0.5 : 0.5)))   /* the compiler   */
+#define SHEEN_Q30(x) ((sheen_q30_t)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5))) /* folds them     */
 #define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0))
 
 /* ---- what is drawn ---- */
@@ -74,13 +74,13 @@ struct sheen_mesh {
  * after any change call it again.
  */
 struct sheen_material {
-    uint8_t base[3];      /* r, g, b, 255 = 1.0 */
-    uint8_t highlight[3]; /* r, g, b of the specular part, usually white */
-    sheen_q16_t ambient;  /* Ia ka, 0..4 */
-    sheen_q16_t diffuse;  /* Ip kd, 0..4 */
-    sheen_q16_t specular; /* Ip ks, 0..4 */
-    uint8_t shininess;    /* n, 1..128 */
-    uint8_t power_shift;                      /* made by sheen_material_prepare: */
+    uint8_t base[3];                         /* r, g, b, 255 = 1.0 */
+    uint8_t highlight[3];                    /* r, g, b of the specular part, usually white */
+    sheen_q16_t ambient;                     /* Ia ka, 0..4 */
+    sheen_q16_t diffuse;                     /* Ip kd, 0..4 */
+    sheen_q16_t specular;                    /* Ip ks, 0..4 */
+    uint8_t shininess;                       /* n, 1..128 */
+    uint8_t power_shift;                     /* made by sheen_material_prepare: */
     uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ0.16 s^n over u = 1 - s in [0, 2^-shift] */
 };
 
@@ -100,7 +100,11 @@ struct sheen_pose {
     sheen_q24_t translation[3]; /* units */
 };
 
-enum sheen_shading { SHEEN_FLAT = 0, SHEEN_GOURAUD, SHEEN_PHONG };
+enum sheen_shading {
+    SHEEN_FLAT = 0,
+    SHEEN_GOURAUD,
+    SHEEN_PHONG
+};
 
 struct sheen_draw {
     const struct sheen_mesh *mesh;
@@ -143,8 +147,8 @@ struct sheen_config {
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
-    uint16_t max_clipped;              /* pieces of triangles cut by near plane, far plane or guard band; 0: none may be */
-    uint16_t max_carried;              /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
+    uint16_t max_clipped; /* pieces of triangles cut by near plane, far plane or guard band; 0: none may be */
+    uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
 };
 
 struct sheen_frame; /* lives in the arena */
@@ -190,8 +194,8 @@ struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
     uint32_t by_way[8];                        /* set-ups by enum sheen_way */
     uint32_t setups, spans;
-    uint32_t covered, shaded;                  /* px inside triangles; px that passed the depth test (*) */
-    uint32_t rectangles, pixels;               /* pushes and their area */
+    uint32_t covered, shaded;                               /* px inside triangles; px that passed the depth test (*) */
+    uint32_t rectangles, pixels;                            /* pushes and their area */
     uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
 };
 enum sheen_way {

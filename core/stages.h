@@ -16,7 +16,7 @@
 #define SHEEN_STATS 0
 #endif
 
-#define SUBPIXEL_BITS 6                   /* vertices are snapped to 1/64 px */
+#define SUBPIXEL_BITS 6 /* vertices are snapped to 1/64 px */
 #define SUBPIXEL_ONE 64
 #define SUBPIXEL_HALF 32                  /* a pixel's centre */
 #define GUARD_BAND (511 << SUBPIXEL_BITS) /* 1/64 px from the viewport's centre */
@@ -128,11 +128,11 @@ static inline uint32_t power_at(const struct sheen_material *m, int32_t u)
  * in levels; on grey they are the shares of red, green and blue in the level.
  */
 struct pixel_format {
-    uint32_t scale[3];   /* levels that 1.0 of red, green, blue gives, UQ8.16 */
-    uint8_t level_bits;  /* of the highest level: 6, 8, 4 or 1 */
-    uint8_t grey;        /* a byte a pixel while drawing, packed before the push */
-    uint8_t pixel_bits;  /* in the target's memory */
-    uint8_t swap;        /* 565 bytes change places between this machine and the target */
+    uint32_t scale[3];  /* levels that 1.0 of red, green, blue gives, UQ8.16 */
+    uint8_t level_bits; /* of the highest level: 6, 8, 4 or 1 */
+    uint8_t grey;       /* a byte a pixel while drawing, packed before the push */
+    uint8_t pixel_bits; /* in the target's memory */
+    uint8_t swap;       /* 565 bytes change places between this machine and the target */
 };
 
 /*
@@ -215,11 +215,11 @@ struct band {
 
 /* Where an edge crosses pixel rows: the first column whose centre is at or right of it. */
 struct edge {
-    int32_t column;  /* px */
-    int32_t step;    /* px a row, rounded down */
-    uint32_t carry;  /* what is left of a row's step, in 1/size px */
-    int32_t error;   /* in (-size, 0]: the crossing lies -error / size px before the column */
-    uint32_t size;   /* 64 * the edge's height in 1/64 px; < 2^23 */
+    int32_t column; /* px */
+    int32_t step;   /* px a row, rounded down */
+    uint32_t carry; /* what is left of a row's step, in 1/size px */
+    int32_t error;  /* in (-size, 0]: the crossing lies -error / size px before the column */
+    uint32_t size;  /* 64 * the edge's height in 1/64 px; < 2^23 */
 };
 
 /* base + x * dx + y * dy modulo 2^32, x and y target pixels. */
@@ -235,11 +235,11 @@ struct quadric {
 /* A triangle ready to be stepped; kept across bands' edges when it goes on below. */
 struct setup {
     uint16_t entry;
-    uint8_t next; /* slot in the worker's list */
-    uint8_t way;  /* enum sheen_way */
+    uint8_t next;                     /* slot in the worker's list */
+    uint8_t way;                      /* enum sheen_way */
     int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
     uint8_t long_right;               /* the long edge is the right one */
-    uint8_t fast; /* 565, no dither, no clamp: rounding is in the planes */
+    uint8_t fast;                     /* 565, no dither, no clamp: rounding is in the planes */
     struct edge left, right;
     int16_t middle_x, middle_y, bottom_x, bottom_y; /* the lower short edge, as in struct vertex */
     const struct draw_record *draw;
@@ -269,7 +269,7 @@ struct span {
 struct tile {
     struct sheen_rect rect; /* px on the target */
     unsigned pitch;         /* px */
-    void *pixels; /* uint16_t, or uint8_t on grey */
+    void *pixels;           /* uint16_t, or uint8_t on grey */
     uint16_t *depth;
     const struct pixel_format *format;
     unsigned dither;
@@ -299,7 +299,10 @@ struct worker {
     struct sheen_stats stats;
 };
 
-enum frame_state { IDLE, OPEN };
+enum frame_state {
+    IDLE,
+    OPEN
+};
 
 struct sheen_frame {
     struct sheen_config config;
@@ -350,7 +353,8 @@ static inline int64_t twice_area(const struct vertex *a, const struct vertex *b,
 {
     int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
 
-    if ((((uint32_t)(x1 + 32768) | (uint32_t)(y1 + 32768) | (uint32_t)(x2 + 32768) | (uint32_t)(y2 + 32768)) >> 16) == 0)
+    if ((((uint32_t)(x1 + 32768) | (uint32_t)(y1 + 32768) | (uint32_t)(x2 + 32768) | (uint32_t)(y2 + 32768)) >> 16) ==
+        0)
         return x1 * y2 - y1 * x2; /* spans under 512 px: products < 2^30 */
     return (int64_t)x1 * y2 - (int64_t)y1 * x2;
 }
@@ -419,10 +423,10 @@ void sheen_setup_lower_edge(const struct sheen_frame *f, struct setup *s);
  * coordinates b1, b2 of corners 1 and 2, f = f0 + b1 (f1 - f0) + b2 (f2 - f0).
  */
 struct gradients {
-    int32_t b1[2], b2[2];   /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^31 */
-    unsigned exponent;      /* MIN_EXPONENT..39 */
-    int32_t centre[2];      /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
-    int32_t origin[2];      /* the origin pixel: the one that holds corner 0 */
+    int32_t b1[2], b2[2]; /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^31 */
+    unsigned exponent;    /* MIN_EXPONENT..39 */
+    int32_t centre[2];    /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
+    int32_t origin[2];    /* the origin pixel: the one that holds corner 0 */
 };
 
 /* Gradients reach 2^11 a px (a triangle 1/2048 px high); what is flatter is shaded with one colour. */
@@ -451,8 +455,8 @@ int sheen_worker_wait(struct sheen_frame *f, struct worker *w);
  */
 struct surface_corners {
     struct corners at;
-    uint32_t weight[3]; /* UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
-    uint8_t back;       /* a back face: normals are negated */
+    uint32_t weight[3];  /* UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
+    uint8_t back;        /* a back face: normals are negated */
     uint8_t flat_weight; /* all weights are equal */
 };
 void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);

@@ -6,6 +6,7 @@
 #include "angle.h"
 #include "newton.h"
 
+/* clang-format off */
 const uint16_t sheen_reciprocal_table[RECIPROCAL_ENTRIES] = {
     65535, 65028, 64528, 64035, 63550, 63072, 62602, 62138, 61681, 61231, 60787, 60350,
     59919, 59494, 59075, 58662, 58254, 57852, 57456, 57065, 56680, 56299, 55924, 55554,

@@ -45,7 +45,7 @@ static int64_t depth_at(const struct projection *p, struct scaled one_over_m)
  */
 static void weight_begin(struct projection *p)
 {
-    int64_t offset = p->depth_far - (DEPTH_FAR << 8);        /* Q.8 */
+    int64_t offset = p->depth_far - (DEPTH_FAR << 8);          /* Q.8 */
     unsigned zeros = clz64((uint64_t)(offset + (65536 << 8))); /* 23..39 */
 
     p->weight_shift = zeros - 32 + 8;
@@ -99,7 +99,8 @@ int sheen_transform_begin(struct transform *t, const struct sheen_mesh *mesh, co
     t->shift = (int)zeros - 2; /* raw / 2^15, rotation / 2^30, m = rotation * scale * 2^(zeros - 31) */
 
     for (int k = 0; k < 3; k++) {
-        int64_t moved = asr64(rotate_row(pose->rotation + 3 * k, mesh->offset) * pose->scale, 16) + pose->translation[k];
+        int64_t moved =
+            asr64(rotate_row(pose->rotation + 3 * k, mesh->offset) * pose->scale, 16) + pose->translation[k];
         /* raw positions reach sqrt(3) * scale from the mesh's origin: nothing may wrap later */
         if (moved + 2 * scale > INT32_MAX || moved - 2 * scale < -INT32_MAX)
             return SHEEN_ERR_ARGUMENT;

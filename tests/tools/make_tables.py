@@ -27,6 +27,7 @@ def text():
 #include "angle.h"
 #include "newton.h"
 
+/* clang-format off */
 const uint16_t sheen_reciprocal_table[RECIPROCAL_ENTRIES] = {{
 {rows(reciprocal)}
 }};
