@@ -121,7 +121,7 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
 static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
                            const struct draw_record *d, uint8_t *link, int *going_on)
 {
-    struct setup local, *s = &local;
+    struct setup *s = &w->carried[f->config.max_carried]; /* the spare one, where no slot is free */
     uint8_t slot = *link;
     int carried = slot != NO_SLOT && w->carried[slot].entry == e;
 

@@ -290,7 +290,7 @@ struct worker {
     uint16_t *depth;
     struct span *spans;    /* band_rows */
     uint32_t *pending;     /* a bit an entry: begun, not done */
-    struct setup *carried; /* max_carried slots */
+    struct setup *carried; /* max_carried slots and a spare one */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
     uint8_t in_flight; /* a push of this worker awaits its wait */
