@@ -4,3 +4,4 @@ foreach(name equal changed limits)
 endforeach()
 sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
   LIBRARIES core_picture sheen::core Threads::Threads)
+sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)

@@ -1,0 +1,144 @@
+/*
+ * frame_sum.c - one checksum a picture: the same on every compiler and machine.
+ *
+ * Integers only, no file, no libm: what differs between two machines comes from
+ * the core. tests/golden/frame_sums.txt holds what it must print.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "frame_sum_mesh.h"
+#include "sheen.h"
+
+#define WIDTH 96
+#define HEIGHT 80
+
+static uint8_t picture[WIDTH * HEIGHT * 2];
+static uint64_t arena[24 * 1024];
+
+static const char *const mesh_name[] = {"ball", "torus", "box"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong"};
+static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
+
+static int push(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    const struct sheen_target *target = ctx;
+    size_t bits = sheen_pixel_bits((enum sheen_pixel)target->pixel), bytes = (size_t)(rect.x1 - rect.x0) * bits / 8;
+    const uint8_t *from = pixels;
+
+    for (int y = rect.y0; y < rect.y1; y++, from += bytes)
+        memcpy(picture + ((size_t)y * WIDTH + (size_t)rect.x0) * bits / 8, from, bytes);
+    return SHEEN_OK;
+}
+
+/* FNV-1a, 32 bits. */
+static uint32_t checksum(const uint8_t *bytes, size_t count)
+{
+    uint32_t sum = 0x811c9dc5u;
+
+    for (size_t i = 0; i < count; i++)
+        sum = (sum ^ bytes[i]) * 0x01000193u;
+    return sum;
+}
+
+/* Views: 0 a light and a highlight; 1 affine, three lights, over 1; 2 cut by the near plane, both sides, a window. */
+static void set_view(int number, struct sheen_view *view, struct sheen_draw *draw)
+{
+    static const struct sheen_light lights[3] = {
+        {{-0x20000000, 0x2ccccccd, 0x20000000}, 65536, 1},
+        {{0x30000000, 0x08000000, 0x10000000}, 40000, 1},
+        {{0, -0x40000000, 0x00100000}, 65536, 0},
+    };
+
+    *view = (struct sheen_view){.fov = 0x1c71c71c, .near = 1 << 24, .far = 5 << 24, .background = {8, 16, 40}};
+    view->affine = number == 1;
+    if (number == 2)
+        view->viewport = (struct sheen_rect){8, 5, 88, 71};
+    draw->lights = lights;
+    draw->light_count = number == 1 ? 3 : 1;
+    draw->two_sided = number == 2;
+    sheen_pose_orbit(&draw->pose, 0x1555a5a5u * (uint32_t)(number + 1), 0x0e3f1234u, 0x02468aceu * (uint32_t)number,
+                     number == 2 ? 0x01a00000 : 0x02d00000);
+}
+
+static int set_material(struct sheen_material *material, int view)
+{
+    *material = (struct sheen_material){.base = {200, 160, 80},
+                                        .highlight = {255, 255, 240},
+                                        .ambient = 6554,
+                                        .diffuse = view == 1 ? 60000 : 40000,
+                                        .specular = view == 1 ? 50000 : 20000,
+                                        .shininess = view == 0   ? 32
+                                                     : view == 1 ? 7
+                                                                 : 128};
+    return sheen_material_prepare(material);
+}
+
+/* Two frames, the second turned on, so that what is sent is what changed. */
+static int draw_picture(const struct sheen_target *target, struct sheen_draw *draw, int view_number, int rows,
+                        int dither)
+{
+    struct sheen_config config = {.target = target,
+                                  .band_rows = (uint16_t)rows,
+                                  .max_vertices = draw->mesh->vertices,
+                                  .max_triangles = 1400,
+                                  .max_clipped = 600};
+    struct sheen_frame *frame;
+    struct sheen_material material;
+    struct sheen_view view;
+    size_t size = sizeof arena;
+    int status = sheen_init(&frame, arena, &size, &config);
+
+    if (status == SHEEN_OK)
+        status = set_material(&material, view_number);
+    draw->material = &material;
+    for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
+        set_view(view_number, &view, draw);
+        view.dither = (uint8_t)dither;
+        if (i == 0)
+            sheen_pose_orbit(&draw->pose, 0, 0, 0, 0x03000000);
+        status = sheen_begin(frame, &view);
+        if (status == SHEEN_OK)
+            status = sheen_draw(frame, draw);
+        if (status == SHEEN_OK)
+            status = sheen_end(frame);
+    }
+    return status;
+}
+
+static int print_sums(int mesh, int shading, int view, int format)
+{
+    static const int rows[3] = {1, 16, HEIGHT};
+    struct sheen_target target = {.push = push,
+                                  .width = WIDTH,
+                                  .height = HEIGHT,
+                                  .pixel = (uint8_t)format,
+                                  .align_x = format == SHEEN_GREY2    ? 8
+                                             : format == SHEEN_GREY16 ? 2
+                                                                      : 1};
+    struct sheen_draw draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shading = (uint8_t)shading};
+
+    target.ctx = &target;
+    for (int i = 0; i < 6; i++) {
+        memset(picture, 0, sizeof picture);
+        int status = draw_picture(&target, &draw, view, rows[i % 3], i / 3);
+        if (status < 0) {
+            fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[mesh], shading_name[shading],
+                    view, format_name[format], rows[i % 3], sheen_strerror(status));
+            return status;
+        }
+        printf("%-5s %-7s view %d %-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading], view,
+               format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
+               (unsigned)checksum(picture, sizeof picture));
+    }
+    return SHEEN_OK;
+}
+
+int main(void)
+{
+    for (int i = 0; i < SUM_MESHES * 3 * 3 * 5; i++) {
+        if (print_sums(i / 45, i / 15 % 3, i / 5 % 3, i % 5) < 0)
+            return 1;
+    }
+    return ferror(stdout) || fflush(stdout) != 0;
+}
