@@ -32,7 +32,10 @@ int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int ori
 
 struct sheen_sim_panel;
 
-/* Allocates and powers the panel; nothing is sent. record MUST be of hal's table. 0, or SHEEN_ERR_MEMORY or _ARGUMENT. */
+/*
+ * Allocates and powers the panel; nothing is sent. A record of one's own is
+ * simulated on the hardware of its name. 0, or SHEEN_ERR_MEMORY or _ARGUMENT.
+ */
 int sheen_sim_panel_open(struct sheen_sim_panel **panel, const struct sheen_sim_choice *choice);
 void sheen_sim_panel_close(struct sheen_sim_panel *panel);
 

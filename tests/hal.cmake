@@ -1,7 +1,8 @@
 # Simulated controllers and bus first, then the drivers on top of them.
 sheen_test(test_bus sim SOURCES test_bus.c LIBRARIES sheen_sim)
 sheen_test(test_controller_dcs sim SOURCES test_controller_dcs.c LIBRARIES sheen_sim)
+sheen_test(test_controller_oled sim SOURCES test_controller_oled.c LIBRARIES sheen_sim)
 
-foreach(name test_panel test_panel_faults)
+foreach(name test_panel test_panel_corners test_panel_faults)
   sheen_test(${name} panel SOURCES ${name}.c test_panel_canvas.c LIBRARIES sheen_sim sheen_hal)
 endforeach()

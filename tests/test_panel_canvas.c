@@ -11,22 +11,28 @@
 
 #include <cmocka.h>
 
+void canvas_open_choice(struct canvas *canvas, const struct sheen_sim_choice *choice)
+{
+    size_t pixels = (size_t)choice->width * choice->height;
+
+    *canvas = (struct canvas){.noise = 0x1234567u + choice->orientation};
+    if (sheen_sim_panel_open(&canvas->panel, choice) < 0)
+        fail_msg("%s cannot be simulated", choice->record ? choice->record->name : "ideal");
+    canvas->target = sheen_sim_panel_target(canvas->panel);
+    canvas->ideal = calloc(pixels, sizeof *canvas->ideal);
+    canvas->seen = calloc(pixels, sizeof *canvas->seen);
+    canvas->buffer = calloc(pixels, 2);
+    assert_true(canvas->ideal && canvas->seen && canvas->buffer);
+}
+
 void canvas_open(struct canvas *canvas, const char *name, int orientation, unsigned width, unsigned height)
 {
     struct sheen_sim_choice choice;
     char why[160];
 
-    *canvas = (struct canvas){.noise = 0x1234567u + (unsigned)orientation};
     if (sheen_sim_choose(&choice, name, orientation, width, height, why, sizeof why) < 0)
         fail_msg("%s", why);
-    if (sheen_sim_panel_open(&canvas->panel, &choice) < 0)
-        fail_msg("%s cannot be simulated", name);
-    canvas->target = sheen_sim_panel_target(canvas->panel);
-    size_t pixels = (size_t)choice.width * choice.height;
-    canvas->ideal = calloc(pixels, sizeof *canvas->ideal);
-    canvas->seen = calloc(pixels, sizeof *canvas->seen);
-    canvas->buffer = calloc(pixels, 2);
-    assert_true(canvas->ideal && canvas->seen && canvas->buffer);
+    canvas_open_choice(canvas, &choice);
 }
 
 void canvas_close(struct canvas *canvas)

@@ -17,6 +17,10 @@ struct canvas {
 
 /* The simulated panel, chosen as by sheen_sim_choose(); fails the test where it cannot be had. */
 void canvas_open(struct canvas *canvas, const char *name, int orientation, unsigned width, unsigned height);
+
+/* A panel of a record of one's own, named as one that can be simulated. */
+void canvas_open_choice(struct canvas *canvas, const struct sheen_sim_choice *choice);
+
 void canvas_close(struct canvas *canvas);
 
 /* Pushes noise to a rectangle and waits. The bus's error, if any. */

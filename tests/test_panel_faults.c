@@ -12,7 +12,7 @@
 #include "test_panel_canvas.h"
 
 /* One panel of each driver. */
-static const char *const panels[] = {"ili9341"};
+static const char *const panels[] = {"st7735-80x160", "ssd1351-128x96", "ssd1325", "ssd1306-72x40", "sh1106"};
 #define BAND 96 /* rows: few bands, since each operation of each is failed many times */
 #define PANELS (sizeof panels / sizeof panels[0])
 
@@ -150,7 +150,8 @@ static void own_code_and_no_reset_line(void **state)
             assert_int_equal(canvas_push_all(&canvas, BAND), -77);
             assert_int_equal(canvas_push_all(&canvas, BAND), 0);
             assert_int_equal(canvas_differences(&canvas), 0);
-            canvas_quiet(&canvas);
+            /* Without a reset line nothing hides a command that was cut off from the controller. */
+            assert_true(sheen_sim_panel_complaints(canvas.panel) <= 1);
             canvas_close(&canvas);
         }
     }
