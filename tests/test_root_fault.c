@@ -3,7 +3,7 @@
  *
  * Linked with a core whose root table is this program's own copy (reference.cmake),
  * so that an entry can be spoilt by 1/64 of its value: each in turn, to find the
- * one that the sphere uses most in a view; that one must fail the view.
+ * one that the sphere uses most in a view; with that one the sphere must fail.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -47,17 +47,29 @@ static int free_sphere(void **state)
     return 0;
 }
 
-static bool kept(int view)
+/* How many of the sphere's pictures in the table (3 views, shininess 8, 32, 128) miss it; prints the worst shares. */
+static int missed(void)
 {
-    struct ref_scene scene;
-    struct ref_score score;
+    static const double shininess[3] = {8, 32, 128};
+    double equal = 1, within_one = 1;
+    int count = 0, worst = 0;
 
-    accuracy_view(&scene, &sphere.reference, view);
-    assert_int_equal(accuracy_score(&score, &scene, sphere.mesh, values), SHEEN_OK);
-    print_message("  view %d: %.2f %% equal, %.3f %% within one step, worst %d\n", view,
-                  100.0 * (double)score.equal / (double)score.compared,
-                  100.0 * (double)score.within_one / (double)score.compared, score.worst);
-    return accuracy_kept(&score, REF_PHONG);
+    for (int i = 0; i < 3 * ACCURACY_VIEWS; i++) {
+        struct ref_scene scene;
+        struct ref_score score;
+        accuracy_view(&scene, &sphere.reference, i / 3);
+        scene.shininess = shininess[i % 3];
+        assert_int_equal(accuracy_score(&score, &scene, sphere.mesh, values), SHEEN_OK);
+        count += !accuracy_kept(&score, REF_PHONG);
+        double share = (double)score.equal / (double)score.compared;
+        equal = share < equal ? share : equal;
+        share = (double)score.within_one / (double)score.compared;
+        within_one = share < within_one ? share : within_one;
+        worst = score.worst > worst ? score.worst : worst;
+    }
+    print_message("    %d of 9 pictures miss the table: down to %.2f %% equal, %.3f %% within one step, worst %d\n",
+                  count, 100 * equal, 100 * within_one, worst);
+    return count;
 }
 
 /* The entry whose fault changes most pixels of a view. */
@@ -91,15 +103,16 @@ static int most_used_entry(int view, long *changed)
 static void one_wrong_entry_fails(void **state)
 {
     (void)state;
+    print_message("  as shipped:\n");
+    mend();
+    assert_int_equal(missed(), 0);
     for (int view = 0; view < ACCURACY_VIEWS; view++) {
         long changed;
         int entry = most_used_entry(view, &changed);
         assert_true(entry >= 0);
-        mend();
-        assert_true(kept(view));
-        print_message("  entry %d off by 1/64 changes %ld pixels:\n", entry, changed);
+        print_message("  entry %d off by 1/64 changes %ld pixels of view %d:\n", entry, changed, view);
         spoil(entry);
-        assert_false(kept(view));
+        assert_true(missed() > 0);
     }
 }
 
