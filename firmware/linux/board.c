@@ -1,0 +1,121 @@
+/*
+ * board.c - see board.h.
+ */
+#include "board.h"
+
+#include "stop.h"
+
+#include <errno.h>
+#include <string.h>
+#include <time.h>
+
+#define TE_TIMEOUT_US 200000 /* panels refresh 40 to 120 times a second */
+
+static const char *given(const char *text)
+{
+    return text[0] ? text : NULL;
+}
+
+static int open_bus(struct board *board, const struct options *options, const struct sheen_panel_record *record,
+                    struct sheen_failure *why)
+{
+    const struct sheen_wiring wiring = {
+        .spi = given(options->spi),
+        .sclk = given(options->sclk),
+        .mosi = given(options->mosi),
+        .cs = given(options->cs),
+        .dc = given(options->dc),
+        .reset = given(options->reset),
+        .clock_hz = options->clock ? (uint32_t)options->clock : record->clock_hz,
+        .spi_mode = options->spi_mode >= 0 ? (uint8_t)options->spi_mode : record->spi_mode,
+    };
+    int error = sheen_linux_bus_open(&board->bus, &wiring, &board->sending);
+
+    if (error < 0)
+        return sheen_failed(why, error, "%s", board->sending.text);
+    error = sheen_sender_open(&board->sender, &board->bus.bus);
+    board->has_sender = error == 0;
+    return error < 0 ? sheen_failed(why, error, "no thread to send with") : 0;
+}
+
+int board_open(struct board *board, const struct options *options, struct sheen_failure *why)
+{
+    const struct sheen_panel_record *record = sheen_panel_find(options->panel);
+    int error;
+
+    *board = (struct board){.bus.fd = -1};
+    error = open_bus(board, options, record, why);
+    if (error == 0 && options->te[0])
+        error = sheen_pin_rising(&board->te, options->te, why);
+    if (error == 0 && options->backlight[0])
+        error = sheen_pin_output(&board->backlight, options->backlight, 1, why);
+    if (error == 0) {
+        error = sheen_panel_open(&board->panel, record, &board->sender.bus, options_orientation(options));
+        if (error == 0 && options->te[0])
+            error = sheen_panel_tearing(&board->panel);
+        if (error == 0)
+            error = sheen_panel_target(&board->panel, &board->target);
+        if (error < 0)
+            sheen_failed(why, error, "panel %s: %s", record->name, sheen_strerror(error));
+    }
+    if (error < 0)
+        board_close(board, 1, NULL);
+    return error;
+}
+
+int board_close(struct board *board, int dark, struct sheen_failure *why)
+{
+    int error = 0;
+
+    if (dark && board->panel.ready) {
+        error = sheen_panel_off(&board->panel);
+        if (error < 0)
+            sheen_failed(why, error, "%s", board->sending.text);
+    }
+    if (dark && sheen_pin_is_open(&board->backlight)) {
+        int off = sheen_pin_set(&board->backlight, 0, error ? NULL : why);
+
+        error = error ? error : off;
+    }
+    if (board->has_sender)
+        sheen_sender_close(&board->sender);
+    sheen_pin_close(&board->backlight);
+    sheen_pin_close(&board->te);
+    sheen_linux_bus_close(&board->bus);
+    *board = (struct board){.bus.fd = -1};
+    return error;
+}
+
+static uint64_t now_ns(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
+}
+
+int board_pace(struct board *board, double fps, uint64_t *due_ns, struct sheen_failure *why)
+{
+    if (fps > 0) {
+        uint64_t now = now_ns();
+        struct timespec until = {.tv_sec = (time_t)(*due_ns / 1000000000u), .tv_nsec = (long)(*due_ns % 1000000000u)};
+
+        /* A frame that came late moves the beat: no burst to catch up. */
+        if (*due_ns < now)
+            *due_ns = now;
+        else
+            while (!stop_asked() && clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, NULL) == EINTR)
+                continue;
+        *due_ns += (uint64_t)(1e9 / fps);
+    }
+    if (sheen_pin_is_open(&board->te) && !stop_asked()) {
+        int error = sheen_pin_await(&board->te, TE_TIMEOUT_US, why);
+
+        if (error == SHEEN_ERR_TIMEOUT)
+            return sheen_failed(why, error, "line %s: no pulse in %d ms; is the panel's TE wired? else leave out --te",
+                                board->te.name, TE_TIMEOUT_US / 1000);
+        if (error < 0)
+            return error;
+    }
+    return !stop_asked();
+}

@@ -1,0 +1,122 @@
+/*
+ * sheen-panel - a turning mesh on a small panel that is wired to a Linux board.
+ *
+ *   options -> board (bus, sending thread, panel, lines) -> scene -> frames
+ *
+ * Exit status 0: the frames are done, or a signal asked to stop; 2: a wrong
+ * command line; 1: anything else, with one line on standard error that says what.
+ */
+#include "board.h"
+#include "first_light.h"
+#include "list.h"
+#include "meter.h"
+#include "options.h"
+#include "stop.h"
+
+#include "../../host-sim/scene.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define BAND_ROWS 16 /* of the test picture */
+
+/* An error of the frame: what the bus said, if it was the bus. */
+static int frame_failed(struct board *board, int error, struct sheen_failure *why)
+{
+    if (board->sending.text[0])
+        return sheen_failed(why, error, "%s", board->sending.text);
+    return sheen_failed(why, error, "the frame: %s", sheen_strerror(error));
+}
+
+/* Frames until there are enough, a signal comes or one fails. */
+static int run_frames(struct board *board, struct sheen_scene *scene, const struct options *options,
+                      struct sheen_failure *why)
+{
+    struct meter meter;
+    uint64_t due_ns = 0;
+    int error = 0, more;
+
+    meter_start(&meter);
+    for (int number = 0; number < options->frames || options->frames == 0; number = (number + 1) % INT_MAX) {
+        more = board_pace(board, options->fps, &due_ns, why);
+        if (more <= 0)
+            return more;
+        error = sheen_scene_draw(scene, number);
+        if (error < 0)
+            return frame_failed(board, error, why);
+        if (!options->quiet)
+            meter_frame(&meter, &board->sender);
+    }
+    error = sheen_wait(scene->frame);
+    return error < 0 ? frame_failed(board, error, why) : 0;
+}
+
+static int show_mesh(struct board *board, const struct options *options, struct sheen_failure *why)
+{
+    struct sheen_scene scene;
+    struct sheen_problem problem;
+    int error;
+
+    error = sheen_scene_open(&scene, &options->view, &board->target, &problem);
+    if (error == 0)
+        error = run_frames(board, &scene, options, why);
+    else
+        sheen_failed(why, error, "%s", problem.text);
+    sheen_scene_close(&scene);
+    return error;
+}
+
+/* The test picture: once with --frames, and it stays; else until a signal comes. */
+static int show_first_light(struct board *board, const struct options *options, struct sheen_failure *why)
+{
+    size_t bytes = (size_t)board->target.width * BAND_ROWS * 2;
+    void *band = malloc(bytes);
+    int error = band ? sheen_first_light(&board->target, band, bytes) : SHEEN_ERR_MEMORY;
+
+    free(band);
+    if (error < 0)
+        return frame_failed(board, error, why);
+    if (options->frames == 0)
+        stop_wait();
+    return 0;
+}
+
+static int run(const struct options *options, struct sheen_failure *why)
+{
+    struct board board;
+    int error, closing;
+
+    stop_watch();
+    error = board_open(&board, options, why);
+    if (error < 0)
+        return error;
+    error = options->first_light ? show_first_light(&board, options, why) : show_mesh(&board, options, why);
+    /* What was asked for stays on the glass; a panel that nobody draws on any more goes dark. */
+    closing = board_close(&board, stop_asked(), error < 0 ? NULL : why);
+    return error < 0 ? error : closing;
+}
+
+int main(int argc, char **argv)
+{
+    struct options options;
+    struct sheen_failure why = {""};
+    int status = options_read(&options, argc, argv, &why);
+
+    if (status == 0 && options.help) {
+        options_help();
+    } else if (status == 0 && options.version) {
+        printf("sheen-panel %s, libgpiod %s\n", SHEEN_VERSION, sheen_pins_version());
+    } else if (status == 0 && options.panels) {
+        list_panels();
+    } else if (status == 0 && options.list) {
+        status = list_lines(&why) < 0;
+    } else if (status == 0) {
+        status = options_check(&options, &why);
+        if (status == 0)
+            status = run(&options, &why) < 0;
+    }
+    if (status)
+        fprintf(stderr, "sheen-panel: %s\n", why.text);
+    return status;
+}

@@ -1,0 +1,46 @@
+/*
+ * stop.c - see stop.h.
+ */
+#include "stop.h"
+
+#include <signal.h>
+#include <stddef.h>
+
+static volatile sig_atomic_t asked;
+
+static void ask(int signal)
+{
+    (void)signal;
+    asked = 1;
+}
+
+void stop_watch(void)
+{
+    /* SA_RESETHAND: the second signal has its default effect, for a bus that hangs. No SA_RESTART: sleeps end. */
+    struct sigaction action = {.sa_handler = ask, .sa_flags = SA_RESETHAND};
+
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGHUP, &action, NULL);
+}
+
+int stop_asked(void)
+{
+    return asked;
+}
+
+void stop_wait(void)
+{
+    sigset_t watched, before;
+
+    /* Blocked until sigsuspend lets them in: a signal between the question and the sleep is not lost. */
+    sigemptyset(&watched);
+    sigaddset(&watched, SIGINT);
+    sigaddset(&watched, SIGTERM);
+    sigaddset(&watched, SIGHUP);
+    sigprocmask(SIG_BLOCK, &watched, &before);
+    while (!asked)
+        sigsuspend(&before);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+}

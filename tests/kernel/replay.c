@@ -1,0 +1,223 @@
+/*
+ * replay.c - a trace of real GPIO lines, through the pin watcher and a simulated controller, to pictures.
+ *
+ *   replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE ...
+ *
+ * TRACE holds what the lines of the emulated board did during several runs of a
+ * program, each begun by a rise of the marker line; a run becomes DIR/NAME.png,
+ * the picture on the panel's glass as its viewer sees it, and a line of counts.
+ * Fails where a line breaks the rules of SPI, a controller complains, a run sent
+ * nothing, or the number of runs differs from the names.
+ *
+ * kernel: tracefs, event gpio_value ("1.412651: gpio_value: 511 set 1"); lines are
+ * numbered from the chip's base, BASE. qemu: its own log ("1@1.5:pl061_set_output ... setting output 7 to 1").
+ * Both have times, to which the controller's clock is set.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "glass.h"
+#include "pin_watcher.h"
+#include "png_file.h"
+#include "sim_panel.h"
+
+enum {
+    CLOCK = 0,
+    DATA,
+    SELECT,
+    TEARING,
+    COMMAND,
+    RESET,
+    BACKLIGHT,
+    MARKER,
+    LINES
+}; /* offsets on the chip */
+
+/* A change of a line. */
+struct event {
+    double seconds;
+    unsigned line; /* 0..LINES - 1 */
+    int level;
+};
+
+/* A run: its panel and what is at the far end of its wires. */
+struct run {
+    char name[64], panel_name[64];
+    unsigned orientation, mode;
+    struct sheen_sim_choice choice;
+    struct sheen_sim_panel *panel;
+    struct sheen_sim_controller *controller;
+    struct sheen_bus far_end;
+    struct sheen_pin_watcher watcher;
+    double seconds; /* of the last event */
+    double start;
+};
+
+static const char *trace_name;
+
+static void die(const char *name, const char *what)
+{
+    fprintf(stderr, "replay: %s: %s: %s\n", trace_name, name, what);
+    exit(1);
+}
+
+static int receive(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+{
+    sheen_sim_receive(ctx, dc, bytes, count);
+    return 0;
+}
+
+static int reset_line(void *ctx, int level)
+{
+    sheen_sim_reset_line(ctx, level);
+    return 0;
+}
+
+/* The panel is powered when the run begins; its lines are as the run before left them. */
+static void begin(struct run *run, const uint8_t level[LINES], double seconds)
+{
+    const uint8_t wires[SHEEN_WIRE_COUNT] = {level[CLOCK], level[DATA], level[SELECT], level[COMMAND], level[RESET]};
+    char why[256];
+
+    if (sheen_sim_choose(&run->choice, run->panel_name, (int)run->orientation, 0, 0, why, sizeof why) < 0)
+        die(run->name, why);
+    if (sheen_sim_panel_open(&run->panel, &run->choice) < 0)
+        die(run->name, "no simulated panel");
+    run->controller = sheen_sim_panel_bus(run->panel)->controller;
+    run->far_end = (struct sheen_bus){.ctx = run->controller, .write = receive, .reset = reset_line};
+    sheen_pin_watcher_init(&run->watcher, &run->far_end, run->mode, wires);
+    run->seconds = run->start = seconds;
+}
+
+static void play(struct run *run, const struct event *event)
+{
+    static const int wire_of[LINES] = {
+        SHEEN_WIRE_SCLK, SHEEN_WIRE_MOSI, SHEEN_WIRE_CS, -1, SHEEN_WIRE_DC, SHEEN_WIRE_RESET, -1, -1};
+
+    if (wire_of[event->line] < 0)
+        return;
+    sheen_sim_advance(run->controller, (uint32_t)((event->seconds - run->seconds) * 1e6 + 0.5));
+    run->seconds = event->seconds;
+    if (sheen_pin_watcher_edge(&run->watcher, (enum sheen_wire)wire_of[event->line], event->level) < 0)
+        die(run->name, run->watcher.complaint ? run->watcher.complaint : "the controller refused");
+}
+
+static void write_picture(struct run *run, const char *dir)
+{
+    size_t pixels = (size_t)run->choice.width * run->choice.height;
+    uint16_t *values = malloc(pixels * sizeof *values);
+    uint8_t *rgb = malloc(pixels * 3);
+    struct sheen_problem problem;
+    char path[4096];
+
+    if (!values || !rgb || sheen_sim_panel_picture(run->panel, values) < 0)
+        die(run->name, "no picture");
+    for (size_t i = 0; i < pixels; i++)
+        sheen_sim_expand(values[i], sheen_sim_panel_levels(run->panel), rgb + 3 * i);
+    snprintf(path, sizeof path, "%s/%s.png", dir, run->name);
+    if (sheen_png_write(path, rgb, run->choice.width, run->choice.height, &problem) < 0)
+        die(run->name, problem.text);
+    free(values);
+    free(rgb);
+}
+
+static void end(struct run *run, const char *dir)
+{
+    if (sheen_pin_watcher_finish(&run->watcher) < 0)
+        die(run->name, run->watcher.complaint);
+    if (sheen_sim_panel_complaints(run->panel))
+        die(run->name, sheen_sim_panel_complaint(run->panel));
+    write_picture(run, dir);
+    printf("%-14s %6zu commands %8zu data bytes %2zu resets in %6.3f s\n", run->name, run->watcher.bytes[SHEEN_COMMAND],
+           run->watcher.bytes[SHEEN_DATA], run->watcher.resets, run->seconds - run->start);
+    sheen_sim_panel_close(run->panel);
+}
+
+/* tracefs' head says whether any event was lost. */
+static void check_complete(const char *line)
+{
+    unsigned long kept, written;
+
+    if (sscanf(line, "# entries-in-buffer/entries-written: %lu/%lu", &kept, &written) == 2 &&
+        (kept != written || kept == 0))
+        die("events lost", line);
+}
+
+/* 1: the line of text is an event. base: of the chip's numbers. */
+static int parse(const char *line, int is_kernel, unsigned base, struct event *event)
+{
+    const char *text = strstr(line, is_kernel ? ": gpio_value: " : "pl061_set_output ");
+    unsigned number;
+
+    if (!text)
+        return 0;
+    if (is_kernel) {
+        const char *time = text;
+
+        while (time > line && time[-1] != ' ')
+            time--;
+        event->seconds = strtod(time, NULL);
+        if (sscanf(text, ": gpio_value: %u set %d", &number, &event->level) != 2)
+            return 0;
+    } else {
+        text = strstr(text, "setting output ");
+        if (!text || sscanf(text, "setting output %u to %d", &number, &event->level) != 2 ||
+            sscanf(line, "%*d@%lf:", &event->seconds) != 1)
+            die("a line that is not understood", line);
+    }
+    if (number < base || number - base >= LINES)
+        die("a line of another chip", line);
+    event->line = number - base;
+    return 1;
+}
+
+static void parse_run(struct run *run, const char *text)
+{
+    if (sscanf(text, "%63[^=]=%63[^:]:%u:%u", run->name, run->panel_name, &run->orientation, &run->mode) != 4)
+        die(text, "is not NAME=PANEL:ORIENTATION:MODE");
+}
+
+int main(int argc, char **argv)
+{
+    struct run run = {0};
+    uint8_t level[LINES] = {0};
+    char line[512];
+    int is_kernel, next = 5, running = 0;
+
+    if (argc < 6) {
+        fputs("usage: replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE ...\n", stderr);
+        return 2;
+    }
+    trace_name = argv[2];
+    is_kernel = strcmp(argv[1], "kernel") == 0;
+    FILE *file = fopen(argv[2], "r");
+    if (!file)
+        die(argv[2], "cannot be read");
+    while (fgets(line, sizeof line, file)) {
+        struct event event = {0};
+
+        check_complete(line);
+        if (!parse(line, is_kernel, (unsigned)strtoul(argv[3], NULL, 10), &event))
+            continue;
+        if (event.line == MARKER && event.level && !level[MARKER]) {
+            if (running)
+                end(&run, argv[4]);
+            if (next == argc)
+                die("more runs than names", argv[argc - 1]);
+            memset(&run, 0, sizeof run);
+            parse_run(&run, argv[next++]);
+            begin(&run, level, event.seconds);
+            running = 1;
+        } else if (running) {
+            play(&run, &event);
+        }
+        level[event.line] = event.level != 0;
+    }
+    if (running)
+        end(&run, argv[4]);
+    if (ferror(file) || next != argc)
+        die("fewer runs than names", argv[next < argc ? next : argc - 1]);
+    fclose(file);
+    return 0;
+}
