@@ -4,11 +4,8 @@ sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
 sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
 sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)
-set(libraries $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal>)
-if(TARGET sheen_sim)
-  list(APPEND libraries $<TARGET_FILE:sheen_sim>)
-endif()
-sheen_script(names format COMMAND tests/checks/names ${libraries})
+sheen_script(names format COMMAND tests/checks/names
+  $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
 sheen_script(same_bits cross COMMAND tests/checks/cross TIMEOUT 300)
 
 # What each check must refuse, named in the first line of the file.
