@@ -99,6 +99,9 @@ static void shade(const struct tile *t, const struct setup *s)
     case SHEEN_WAY_PHONG_ROOT:
         sheen_shade_phong_root(t, s);
         break;
+    case SHEEN_WAY_PHONG_LIGHTS:
+        sheen_shade_phong_lights(t, s);
+        break;
     default:
         sheen_shade_flat(t, s);
     }

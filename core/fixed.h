@@ -81,7 +81,7 @@ static inline int32_t max32(int32_t a, int32_t b)
 /*
  * A Q1.30 (or any 32-bit) factor times a 16-bit one without a 64-bit product:
  * floor-ish (n * v) / 2^16, at most 1 below the exact quotient.
- * Range: |n| <= 32767, so n * low half < 2^31.
+ * Range: |n| <= 2^15, so n * low half < 2^31.
  */
 static inline int32_t mul_16_32(int32_t n, int32_t v)
 {
@@ -93,6 +93,12 @@ static inline int32_t mul_16_32(int32_t n, int32_t v)
  * raw steps. Range: |v| <= 1.001, so every partial sum stays below 2^31.
  */
 static inline int32_t dot_q29(const int16_t n[3], const int32_t v[3])
+{
+    return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
+}
+
+/* The same for |n| <= 2^15 in 32 bits. */
+static inline int32_t dot32_q29(const int32_t n[3], const int32_t v[3])
 {
     return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
 }

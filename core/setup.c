@@ -87,9 +87,9 @@ static void weigh(const struct sheen_frame *f, struct surface_corners *c)
     const struct projection *p = &f->projection;
     uint32_t all = 0;
 
-    c->flat_weight = f->view.affine;
+    c->flat_weight = f->view.affine || p->orthographic != 0;
     for (int k = 0; k < 3; k++) {
-        c->weight[k] = f->view.affine ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << p->weight_shift) + p->weight_offset;
+        c->weight[k] = c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << p->weight_shift) + p->weight_offset;
         all |= c->weight[k];
     }
     for (int k = 0; k < 3; k++)

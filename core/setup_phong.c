@@ -55,6 +55,14 @@ static struct plane dot_plane(const struct gradients *g, const sheen_q30_t v[3],
     return sheen_slope_plane(g, &s);
 }
 
+/* A component of N as a plane, Q1.30. */
+static struct plane normal_plane(const struct gradients *g, const struct slope *n)
+{
+    const struct slope s = {n->value * 2, n->dx * 2, n->dy * 2};
+
+    return sheen_slope_plane(g, &s);
+}
+
 /*
  * D = N.N by second differences, UQ1.31: Q2.29 squared is Q.58. With a px as the
  * step, N(x, y) = N + x Nx + y Ny gives D_xx = 2 Nx.Nx, D_xy = 2 Nx.Ny and the
@@ -111,6 +119,13 @@ void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struc
     weighted_normals(c, n);
     if (g == NULL || l->count == 0 || !normal_slopes(g, n, slope)) {
         constant_normal(f, s, n);
+        return;
+    }
+    if (l->count > 1) {
+        s->way = SHEEN_WAY_PHONG_LIGHTS;
+        s->fast = 0;
+        for (int i = 0; i < 3; i++)
+            s->shade.normal[i] = normal_plane(g, &slope[i]);
         return;
     }
     s->way = SHEEN_WAY_PHONG_ROOT;

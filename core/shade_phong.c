@@ -11,6 +11,10 @@
 #include "newton.h"
 #include "shade.h"
 
+/* D inside the root table: UQ1.31 from 1/4 to 1 + 1/512. */
+#define ROOT_LOWEST (1u << 29)
+#define ROOT_RANGE ((3u << 29) + (1u << 22))
+
 /*
  * D outside the root table's [1/4, 1 + 1/512): normals far apart, or a triangle
  * scaled down. D is brought back by a power of four and L.N, V.N by its root.
@@ -20,12 +24,12 @@ static int rescale(uint32_t *d, int32_t *ln, int32_t *nv)
 {
     if (*d < 1u << 8)
         return 0;
-    while (*d < 1u << 29) {
+    while (*d < ROOT_LOWEST) {
         *d <<= 2;
         *ln = (int32_t)((uint32_t)*ln << 1);
         *nv = (int32_t)((uint32_t)*nv << 1);
     }
-    while (*d >= (1u << 31) + (1u << 22)) {
+    while (*d >= ROOT_LOWEST + ROOT_RANGE) {
         *d >>= 2;
         *ln = asr32(*ln, 1);
         *nv = asr32(*nv, 1);
@@ -35,6 +39,12 @@ static int rescale(uint32_t *d, int32_t *ln, int32_t *nv)
 
 #define HALF (1u << 14) /* rounding: floors would darken highlights of n = 128 by a tenth of a level */
 
+/* A dot product with N over |N|: Q1.30 times UQ1.15 to Q0.15; modulo 2^32, should a sliver's rounding part the two. */
+SPECIALISED int32_t normalised(int32_t dot, uint32_t root)
+{
+    return asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)dot + HALF), 15) * root + HALF), 15);
+}
+
 /* Intensities at a pixel from L.N, V.N (Q1.30) and D = N.N (UQ1.31). */
 SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_t ln, int32_t nv, uint32_t d,
                              struct lit *lit)
@@ -43,21 +53,16 @@ SPECIALISED void light_pixel(const struct sheen_material *m, int32_t lv1, int32_
     lit->specular = 0;
     if (ln <= 0)
         return;
-    if (d - (1u << 29) >= (3u << 29) + (1u << 22) && !rescale(&d, &ln, &nv))
+    if (d - ROOT_LOWEST >= ROOT_RANGE && !rescale(&d, &ln, &nv))
         return;
-    /*
-     * Range: L.N <= sqrt(D), so the first product is below 2^31 and its quotient at most 1.0 but for rounding;
-     * unsigned, so that nothing overflows where a sliver's rounding has parted the two.
-     */
+    /* Range: L.N <= sqrt(D), so the product is below 2^31 and its quotient at most 1.0 but for rounding. */
     uint32_t root = root_seed(d);                                           /* UQ1.15 */
     uint32_t diffuse = ((((uint32_t)ln + HALF) >> 15) * root + HALF) >> 15; /* Q0.15 */
-    int32_t facing =
-        asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)nv + HALF), 15) * root + HALF), 15); /* Q0.15 */
     if (diffuse > 32768)
         diffuse = 32768;
     lit->diffuse = diffuse;
     /* u = 1 - R.V = (1 + L.V) - 2 (L.N)(V.N), Q2.29: a product of two Q0.15 is half of itself there */
-    lit->specular = (power_at(m, (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)facing)) + 1) >> 1;
+    lit->specular = (power_at(m, (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)normalised(nv, root))) + 1) >> 1;
 }
 
 SPECIALISED void root_rows(const struct tile *t, const struct setup *s, enum put put)
@@ -102,4 +107,78 @@ void sheen_shade_phong_root(const struct tile *t, const struct setup *s)
         root_rows(t, s, PUT_FAST_SWAP);
     else
         root_rows(t, s, PUT_FAST);
+}
+
+/*
+ * The normal at a pixel, Q0.15 of a length in [1/2, 1]; *root becomes 1/|N|,
+ * UQ1.15. Returns 0 where there is no direction left.
+ */
+static int pixel_normal(const uint32_t plane[3], int32_t n[3], uint32_t *root)
+{
+    uint32_t square = 0; /* UQ2.30 */
+
+    for (int i = 0; i < 3; i++) {
+        n[i] = asr32((int32_t)(plane[i] + HALF), 15); /* |n| <= 2^16 whatever the planes */
+        n[i] = min32(max32(n[i], -32768), 32768);
+        square += (uint32_t)(n[i] * n[i]); /* three terms <= 2^30 */
+    }
+    if (square < 1u << 8)
+        return 0;
+    if (square >= 1u << 30) /* a unit normal, rounded outwards */
+        square = 1u << 30;
+    while (square < ROOT_LOWEST >> 1) {
+        square <<= 2;
+        for (int i = 0; i < 3; i++)
+            n[i] *= 2;
+    }
+    *root = root_seed(square << 1);
+    return 1;
+}
+
+/* Sum over the lights, each with its weight. */
+static void light_normal(const struct setup *s, const int32_t n[3], uint32_t root, struct lit *lit)
+{
+    const struct lighting *l = &s->draw->light;
+    int32_t facing = normalised(2 * dot32_q29(n, l->view), root);
+    uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
+
+    facing = min32(max32(facing, -32768), 32768);
+    for (unsigned i = 0; i < l->count; i++) {
+        int32_t ln = min32(normalised(2 * dot32_q29(n, l->to[i]), root), 32768);
+        if (ln <= 0)
+            continue;
+        diffuse += l->diffuse_weight[i] * (uint32_t)ln;
+        uint32_t power = power_at(s->draw->material, (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * facing)));
+        specular += l->specular_weight[i] * ((power + 1) >> 1);
+    }
+    lit->diffuse = (diffuse + HALF) >> 15;
+    lit->specular = (specular + HALF) >> 15;
+}
+
+void sheen_shade_phong_lights(const struct tile *t, const struct setup *s)
+{
+    const struct colour_terms *terms = &s->draw->colour;
+    const struct plane *p = s->shade.normal;
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
+            continue;
+        struct rounding rounding = rounding_of(t, terms, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+        uint32_t plane[3] = {plane_at(&p[0], x, y), plane_at(&p[1], x, y), plane_at(&p[2], x, y)};
+        for (; x < x1; x++, at++, z += s->depth.dx) {
+            if (depth_test(t, at, z)) {
+                struct lit lit = {0, 0};
+                uint32_t root;
+                int32_t n[3];
+                if (pixel_normal(plane, n, &root))
+                    light_normal(s, n, root, &lit);
+                put_general(t, terms, rounding, at, x, colour_channel(terms, 0, &lit), colour_channel(terms, 1, &lit),
+                            colour_channel(terms, 2, &lit));
+            }
+            for (int i = 0; i < 3; i++)
+                plane[i] += p[i].dx;
+        }
+    }
 }

@@ -121,6 +121,7 @@ struct sheen_view {
     struct sheen_rect viewport; /* px on the target; empty: all of it */
     sheen_angle_t fov;          /* vertical, 1..150 degrees */
     sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
+    sheen_q24_t orthographic;   /* 0: perspective; else the depth at which fov measures: x, y do not depend on m */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
     uint8_t dither;             /* 1: ordered 8x8 dithering, for panels of few levels */
     uint8_t background[3];      /* r, g, b; never dithered */
@@ -202,7 +203,8 @@ enum sheen_way {
     SHEEN_WAY_FLAT = 0,
     SHEEN_WAY_GOURAUD_LINEAR,   /* linear on the screen */
     SHEEN_WAY_GOURAUD_QUOTIENT, /* Blinn's I/m over 1/m, a reciprocal a pixel */
-    SHEEN_WAY_PHONG_ROOT        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
+    SHEEN_WAY_PHONG_ROOT,       /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
+    SHEEN_WAY_PHONG_LIGHTS      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
 };
 void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
 
@@ -220,6 +222,23 @@ sheen_q30_t sheen_cos(sheen_angle_t angle);
 /* rotation = Rz(roll) * Rx(pitch) * Ry(yaw), scale 1, the model's origin at depth `distance`. */
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
                       sheen_q24_t distance);
+
+/* An identity rotation, scale 1, no translation. */
+void sheen_pose_identity(struct sheen_pose *pose);
+
+/*
+ * out = outer * inner: the model is first moved by inner, then by outer. out may be either.
+ * SHEEN_ERR_ARGUMENT where scale or translation leave their range; out is untouched then.
+ */
+int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out);
+
+/*
+ * The pose of the world for an eye at `eye` that looks at `target` with `up` upwards: compose it with a
+ * model's own pose. SHEEN_ERR_DEGENERATE where up points along the view or target is the eye,
+ * SHEEN_ERR_ARGUMENT where the eye is more than 128 units from the origin.
+ */
+int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],
+                       const int32_t up[3]);
 
 /* v to unit length in Q1.30, each part within 4 raw steps of exact. SHEEN_ERR_DEGENERATE: v = 0, out untouched. */
 int sheen_normalize(const int32_t v[3], sheen_q30_t out[3]);

@@ -67,8 +67,10 @@ struct projection {
     struct scaled depth; /* z16 = DEPTH_FAR + depth / m - depth / far */
     int64_t depth_far;   /* depth / far, Q.8 */
     sheen_q24_t near, far;
-    unsigned weight_shift;  /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
-    uint32_t weight_offset; /* which lies in (0, 2^32) for every z16 from near to far */
+    sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
+    struct scaled fixed;      /* its reciprocal; `depth` then is a unit's steps of z16 */
+    unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
+    uint32_t weight_offset;   /* which lies in (0, 2^32) for every z16 from near to far */
 };
 
 /* Model to eye: e = (sum of raw position * m) / 2^(16 + shift) + t, Q7.24. |m| <= 2^30, shift -2..28. */
@@ -257,6 +259,7 @@ struct setup {
             struct plane light, view; /* L.N and V.N, Q1.30 */
             struct quadric square;    /* N.N, UQ1.31 */
         } phong;
+        struct plane normal[3]; /* Phong under several lights: N, Q1.30 */
     } shade;
 };
 
@@ -470,5 +473,6 @@ void sheen_shade_flat(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s);
 void sheen_shade_phong_root(const struct tile *t, const struct setup *s);
+void sheen_shade_phong_lights(const struct tile *t, const struct setup *s);
 
 #endif

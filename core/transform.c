@@ -31,12 +31,18 @@ static struct scaled reciprocal_of(sheen_q24_t m)
     return s;
 }
 
-/* depth / m, Q.8 steps of z16; below 2^41 for m >= near. */
-static int64_t depth_at(const struct projection *p, struct scaled one_over_m)
+/* a * b, Q.8. Below 2^41 for depth / m with m >= near. */
+static int64_t product_q8(struct scaled a, struct scaled b)
 {
-    uint64_t product = (uint64_t)p->depth.mantissa * one_over_m.mantissa;
+    return (int64_t)shift_right((uint64_t)a.mantissa * b.mantissa, 62 - 8 - a.exponent - b.exponent);
+}
 
-    return (int64_t)shift_right(product, 62 - 8 - p->depth.exponent - one_over_m.exponent);
+/* Steps of z16 above far's, Q.8: (1/m - 1/far) depth, or in an orthographic view (far - m) depth. */
+static int64_t depth_above_far(const struct projection *p, sheen_q24_t m, struct scaled one_over_m)
+{
+    if (p->orthographic == 0)
+        return product_q8(p->depth, one_over_m) - p->depth_far;
+    return m < p->far ? product_q8(p->depth, scaled_of((uint64_t)(p->far - m), 24)) : 0;
 }
 
 /*
@@ -59,18 +65,27 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
 
     if (view->fov < SHEEN_DEGREES(0.99) || view->fov > SHEEN_DEGREES(150.01))
         return SHEEN_ERR_ARGUMENT;
-    if (view->near <= 0 || span <= 0 || span < view->far >> 15)
+    if (view->near <= 0 || span <= 0 || span < view->far >> 15 || view->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;
 
     /* height / 2 / tan(half): cosine and sine in Q1.30, the quotient in Q.21. Range: 480 * 2^50 < 2^59. */
     p->focal = scaled_of(((uint64_t)height * (uint32_t)sheen_cos(half) << 20) / (uint32_t)sheen_sin(half), 21);
 
+    p->near = view->near;
+    p->far = view->far;
+    p->orthographic = view->orthographic;
+    if (p->orthographic != 0) { /* all weights are equal */
+        p->fixed = reciprocal_of(p->orthographic);
+        p->depth = scaled_of(((uint64_t)DEPTH_RANGE << 46) / (uint64_t)span, 22); /* DEPTH_RANGE / (far - near) */
+        p->depth_far = 0;
+        p->weight_shift = 0;
+        p->weight_offset = 0;
+        return SHEEN_OK;
+    }
     /* near * far / (far - near) in Q.24, at most near * 2^15 = 2^46; times DEPTH_RANGE below 2^62. */
     uint64_t depth = (uint64_t)view->near * (uint64_t)view->far / (uint64_t)span;
     p->depth = scaled_of((depth > 0 ? depth : 1) * DEPTH_RANGE, 24);
-    p->near = view->near;
-    p->far = view->far;
-    p->depth_far = depth_at(p, reciprocal_of(view->far));
+    p->depth_far = product_q8(p->depth, reciprocal_of(view->far));
     weight_begin(p);
     return SHEEN_OK;
 }
@@ -154,11 +169,11 @@ void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct 
         v->flags = OUTSIDE_FAR;
         return;
     }
-    struct scaled one_over_m = reciprocal_of(m);
+    struct scaled one_over_m = p->orthographic != 0 ? p->fixed : reciprocal_of(m);
     struct scaled scale = {mul_high(p->focal.mantissa, one_over_m.mantissa), /* in [2^30, 2^32) */
                            p->focal.exponent + one_over_m.exponent + 1};
     v->x = screen(eye[0], scale, OUTSIDE_LEFT, OUTSIDE_RIGHT, &flags);
     v->y = screen(-eye[1], scale, OUTSIDE_TOP, OUTSIDE_BOTTOM, &flags);
-    v->z = (uint16_t)(DEPTH_FAR + ((depth_at(p, one_over_m) - p->depth_far + 128) >> 8));
+    v->z = (uint16_t)(DEPTH_FAR + ((depth_above_far(p, m, one_over_m) + 128) >> 8));
     v->flags = (uint16_t)flags;
 }
