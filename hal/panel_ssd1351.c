@@ -45,7 +45,7 @@ static int init(struct sheen_panel *panel)
      * Of the rows only the first glass_h are behind the glass. Scanned from the
      * last, the RAM's row 0 must meet the glass's top: start at glass_h, mod 128.
      */
-    uint8_t start_line = scan & REMAP_COM ? (uint8_t)(record->glass_h % record->ram_h) : 0;
+    uint8_t start_line = (uint8_t)(scan & REMAP_COM ? record->glass_h % record->ram_h : 0);
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
