@@ -45,6 +45,8 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(average), 0, 0, 0},
     {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL, SHEEN_RENDER,
      AT(crease), 0, 180, 0},
+    {"dither", "off|on", NULL, "ordered 8x8 [on for 2 and 16 grey levels]", SHEEN_OPTION_CHOICE, SHEEN_RENDER,
+     AT(dither), 0, 0, 0},
     {"band", "ROWS", "16", "rows drawn and sent at a time", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(band), 1, 480, 0},
     {"buffers", "1|2", "1", "2: draw a band while the last one is sent", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(buffers),
      1, 2, 0},
@@ -111,6 +113,7 @@ static int set_defaults(struct sheen_options *options, struct sheen_problem *pro
     memset(options, 0, sizeof *options);
     options->orientation = -1;
     options->crease = -1;
+    options->dither = -1;
     for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
         int error = option->value ? sheen_option_set(options, option, option->value, problem) : SHEEN_OK;
         if (error)

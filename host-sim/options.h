@@ -55,6 +55,7 @@ struct sheen_options {
     uint8_t background[3];
     int two_sided, average, affine;
     double crease; /* degrees; < 0: off */
+    int dither;    /* -1: not given */
     int band, buffers;
     int frames;
     int stats;

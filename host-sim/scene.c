@@ -92,6 +92,8 @@ static void set_view(struct sheen_scene *scene)
     view->far = to_q24(options->distance + 1.05);
     view->fov = to_angle(options->fov);
     view->affine = (uint8_t)options->affine;
+    view->dither = options->dither < 0 ? scene->target->pixel == SHEEN_GREY2 || scene->target->pixel == SHEEN_GREY16
+                                       : (uint8_t)options->dither;
     memcpy(view->background, options->background, sizeof view->background);
     for (int i = 0; i < options->lights.count; i++) {
         const double *to = options->lights.to[i];

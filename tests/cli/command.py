@@ -1,0 +1,56 @@
+"""command.py - runs the command sheen in a folder of its own and judges what it says."""
+import os
+import subprocess
+import sys
+import tempfile
+
+
+class Command:
+    def __init__(self, program):
+        self.program = os.path.abspath(program)
+        self.folder = tempfile.TemporaryDirectory(prefix="sheen_cli_")
+        self.cases = self.refusals = 0
+        os.chdir(self.folder.name)
+
+    def run(self, *words, **more):
+        return subprocess.run([self.program, *words], capture_output=True, timeout=60, **more)
+
+    def refuse(self, *what):
+        self.refusals += 1
+        print(*what, file=sys.stderr)
+
+    def good(self, *words, **more):
+        """Must succeed without a word on standard error; returns standard output."""
+        self.cases += 1
+        run = self.run(*words, **more)
+        if run.returncode or run.stderr:
+            self.refuse("sheen", *words, "- status", run.returncode, run.stderr.decode(errors="replace"))
+        return run.stdout.decode()
+
+    def bad(self, status, parts, *words, **more):
+        """
+        Must fail with that status, nothing on standard output, no new file, and one
+        line on standard error that begins with "sheen: " and holds each of parts.
+        """
+        self.cases += 1
+        before = sorted(os.listdir("."))
+        run = self.run(*words, **more)
+        said = run.stderr.decode(errors="replace")
+        why = []
+        if run.returncode != status:
+            why.append(f"status {run.returncode}, not {status}")
+        if not said.startswith("sheen: ") or not said.endswith("\n") or said.count("\n") != 1:
+            why.append("not one line")
+        why += [f"does not say '{part}'" for part in parts if part not in said]
+        if run.stdout:
+            why.append("writes on standard output")
+        if sorted(os.listdir(".")) != before:
+            why.append("leaves files: " + " ".join(set(os.listdir(".")) ^ set(before)))
+        if why:
+            self.refuse("sheen", *words, "-", "; ".join(why) + ":", said)
+
+    def close(self):
+        print(f"{self.cases} command lines, {self.refusals} refusals")
+        os.chdir("/")
+        self.folder.cleanup()
+        return 1 if self.refusals or not self.cases else 0
