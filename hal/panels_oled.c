@@ -103,7 +103,10 @@ const struct sheen_panel_record sheen_panel_ssd1325 = {
 static const struct sheen_panel_step init_ssd1327[] = INIT_SSD1327(0x7F, 0x00);
 static const struct sheen_panel_step init_ssd1327_96[] = INIT_SSD1327(0x5F, 0x20);
 
-/* Clock: u8g2 drives it at 4 MHz. Remap 51: columns (left pixel in the high nibble) and COM lines from the last, split. */
+/*
+ * Clock: u8g2 drives it at 4 MHz. Remap 51: columns and COM lines from the last, so
+ * that the left pixel is the high nibble; COM split.
+ */
 #define SSD1327                                                                                                        \
     .controller = "SSD1327", .driver = &sheen_driver_grey, .pixel = SHEEN_GREY16, .clock_hz = 4000000, RAM(128, 128),  \
     RESET, .scan = {0x51}

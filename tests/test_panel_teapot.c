@@ -1,0 +1,140 @@
+/*
+ * test_panel_teapot.c - the whole way: the core draws a teapot on every panel in every orientation.
+ *
+ * What the glass shows must equal the same frame on plain memory of the same
+ * size and pixel format; two buffers, so that bands are drawn while others fly.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "memory_target.h"
+#include "quantise.h"
+#include "test_panel_canvas.h"
+
+static struct sheen_quantised teapot;
+static struct sheen_material material = {.base = {255, 220, 180},
+                                         .highlight = {255, 255, 255},
+                                         .ambient = SHEEN_Q16(0.1),
+                                         .diffuse = SHEEN_Q16(0.8),
+                                         .specular = SHEEN_Q16(0.3),
+                                         .shininess = 32};
+
+static int load(void **state)
+{
+    const struct sheen_host_options options = {0};
+    struct sheen_host_mesh mesh;
+    struct sheen_problem problem;
+
+    (void)state;
+    if (sheen_host_mesh_load(&mesh, "builtin:teapot", &options, &problem) < 0)
+        return -1;
+    int error = sheen_quantise(&teapot, &mesh, SHEEN_ALL_GROUPS);
+    sheen_host_mesh_free(&mesh);
+    return error < 0 ? error : sheen_material_prepare(&material);
+}
+
+static int release(void **state)
+{
+    (void)state;
+    sheen_quantised_free(&teapot);
+    return 0;
+}
+
+/* Two frames, the second of which sends only what changed. */
+static void draw(const struct sheen_target *target)
+{
+    const struct sheen_config config = {
+        .target = target, .buffers = 2, .max_vertices = teapot.mesh.vertices, .max_triangles = teapot.mesh.triangles};
+    const struct sheen_light light = {
+        .to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
+    const struct sheen_view view = {.fov = SHEEN_DEGREES(40),
+                                    .near = SHEEN_Q24(1.95),
+                                    .far = SHEEN_Q24(4.05),
+                                    .dither = sheen_pixel_bits((enum sheen_pixel)target->pixel) < 8,
+                                    .background = {0, 0, 32}};
+    struct sheen_draw what = {
+        .mesh = &teapot.mesh, .material = &material, .lights = &light, .light_count = 1, .shading = SHEEN_PHONG};
+    size_t size = sheen_arena_size(&config);
+    void *arena = malloc(size);
+    struct sheen_frame *frame;
+
+    assert_non_null(arena);
+    assert_int_equal(sheen_init(&frame, arena, &size, &config), 0);
+    for (unsigned n = 0; n < 2; n++) {
+        sheen_pose_orbit(&what.pose, SHEEN_DEGREES(30) + n * SHEEN_DEGREES(6), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
+        assert_int_equal(sheen_begin(frame, &view), 0);
+        assert_int_equal(sheen_draw(frame, &what), 0);
+        assert_int_equal(sheen_end(frame), 0);
+    }
+    assert_int_equal(sheen_wait(frame), 0);
+    free(arena);
+}
+
+/* The frame on plain memory, as values; at least a fiftieth of it must not be background. */
+static void draw_ideal(const struct sheen_target *like, uint16_t *values)
+{
+    struct memory_target memory;
+    unsigned lit = 0;
+
+    assert_int_equal(memory_target_init(&memory, like->width, like->height, (enum sheen_pixel)like->pixel), 0);
+    memory.target.align_x = like->align_x;
+    memory.target.align_y = like->align_y;
+    draw(&memory.target);
+    for (int y = 0; y < like->height; y++) {
+        for (int x = 0; x < like->width; x++) {
+            uint16_t value = (uint16_t)memory_target_pixel(&memory, x, y);
+
+            values[y * like->width + x] = value;
+            lit += value != values[0];
+        }
+    }
+    assert_int_equal(memory.breaches, 0);
+    if (lit * 50 <= (unsigned)like->width * like->height)
+        fail_msg("only %u of %u x %u pixels (format %u) are not background", lit, like->width, like->height,
+                 like->pixel);
+    memory_target_free(&memory);
+}
+
+static void draw_on(const char *name, uint16_t *ideal[2])
+{
+    for (unsigned k = 0; k < 8; k++) {
+        struct canvas canvas;
+        size_t bytes;
+
+        canvas_open(&canvas, name, (int)k, 0, 0);
+        bytes = (size_t)canvas.target->width * canvas.target->height * sizeof *canvas.ideal;
+        if (k < 2) /* the two sizes; further orientations have one of them */
+            draw_ideal(canvas.target, ideal[k]);
+        memcpy(canvas.ideal, ideal[k & 1], bytes);
+        draw(canvas.target);
+        if (canvas_differences(&canvas))
+            fail_msg("%s, orientation %u: %u pixels differ", name, k, canvas_differences(&canvas));
+        canvas_quiet(&canvas);
+        canvas_close(&canvas);
+    }
+}
+
+static void every_panel_and_orientation(void **state)
+{
+    static uint16_t upright[640 * 480], turned[640 * 480];
+    uint16_t *ideal[2] = {upright, turned};
+    size_t i;
+
+    (void)state;
+    for (i = 0; sheen_panel_at(i); i++)
+        draw_on(sheen_panel_at(i)->name, ideal);
+    assert_int_equal(i, 29);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_and_orientation)};
+
+    return cmocka_run_group_tests_name("panel_teapot", tests, load, release);
+}
