@@ -13,6 +13,12 @@ const struct sheen_command sheen_command_table[] = {
      "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
      "controller, and writes what the glass shows.",
      SHEEN_RENDER, sheen_cmd_render},
+    {"first-light", "[options] -o OUT.png",
+     "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the\n"
+     "same way, and writes what the glass shows.",
+     SHEEN_FIRST_LIGHT, sheen_cmd_first_light},
+    {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames a second.", SHEEN_PANELS,
+     sheen_cmd_panels},
     {NULL, NULL, NULL, 0, NULL},
 };
 

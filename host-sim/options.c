@@ -12,13 +12,13 @@
 
 const struct sheen_option sheen_option_table[] = {
     {"output", "FILE", NULL, "the picture; with several frames %d or %0Nd stands for the frame", SHEEN_OPTION_TEXT,
-     SHEEN_RENDER, AT(out), 0, 0, 'o'},
+     SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
     {"panel", "NAME", "ili9341", "the panel to draw on, by controller or full name; ideal takes any size",
-     SHEEN_OPTION_TEXT, SHEEN_RENDER, AT(panel), 0, 0, 0},
-    {"size", "WxH", NULL, "of the picture, px; the panel must have it [the panel's]", SHEEN_OPTION_SIZE, SHEEN_RENDER,
-     AT(size), 0, 0, 0},
+     SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(panel), 0, 0, 0},
+    {"size", "WxH", NULL, "of the picture, px; the panel must have it [the panel's]", SHEEN_OPTION_SIZE,
+     SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(size), 0, 0, 0},
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
-     SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(orientation), 0, 7, 0},
+     SHEEN_OPTION_WHOLE, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
     {"shade", "flat|gouraud|phong", "phong", "one normal a polygon, light at the corners, or normals at the pixels",
      SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(shade), 0, 0, 0},
     {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw), -ANY, ANY, 0},
@@ -123,9 +123,14 @@ static int set_defaults(struct sheen_options *options, struct sheen_problem *pro
     return SHEEN_OK;
 }
 
-/* The operand: one mesh. */
-static int take_operand(struct sheen_options *options, int argc, char **argv, struct sheen_problem *problem)
+/* The operand: one mesh, for the command that draws one. */
+static int take_operand(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
+                        struct sheen_problem *problem)
 {
+    if (command->bit != SHEEN_RENDER && optind < argc)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s takes no '%.100s'", command->name, argv[optind]);
+    if (command->bit != SHEEN_RENDER)
+        return 1;
     if (optind == argc)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no mesh given");
     if (optind + 1 < argc)
@@ -153,7 +158,7 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
             return refuse(answer, argv, problem);
         error = sheen_option_set(options, find_option(answer), optarg, problem);
     }
-    return error ? error : take_operand(options, argc, argv, problem);
+    return error ? error : take_operand(options, command, argc, argv, problem);
 }
 
 void sheen_options_help(const struct sheen_command *command)
@@ -171,6 +176,8 @@ void sheen_options_help(const struct sheen_command *command)
             printf("%s[%s]", *option->help ? " " : "", option->value);
         putchar('\n');
     }
+    if (command->bit != SHEEN_RENDER)
+        return;
     printf("\nMESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, builtin:torus.\n"
            "Angles in degrees, counter-clockwise; default values in brackets.\n");
 }

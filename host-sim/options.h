@@ -63,7 +63,9 @@ struct sheen_options {
 
 /* Bits of the commands that take an option. */
 enum sheen_command_bit {
-    SHEEN_RENDER = 1
+    SHEEN_RENDER = 1,
+    SHEEN_FIRST_LIGHT = 2,
+    SHEEN_PANELS = 4
 };
 
 struct sheen_option {
