@@ -31,7 +31,7 @@ static uint32_t mark(unsigned u, unsigned v, unsigned size, int right, int botto
     if (!bottom)
         return u == 0 || v == 0 || u == last || v == last ? GREEN : BLACK;
     if (!right)
-        return u + v <= last ? BLUE : BLACK;
+        return u + v >= last ? BLUE : BLACK; /* its point inwards, for round glass */
     return u == v || u + v == last ? WHITE : BLACK;
 }
 

@@ -5,7 +5,7 @@
  *   | ##                 [] |     corners: solid top left (red), hollow top right (green),
  *   |      R  R  G  G  B    |     triangle bottom left (blue), cross bottom right (white):
  *   |      . : + * # % @    |     which way the panel is turned or mirrored
- *   | |\                 >< |     bars red, green, blue: colour order and inversion
+ *   | \|                 >< |     bars red, green, blue: colour order and inversion
  *   +-----------------------+     8 steps of grey, dark to light: byte order, gamma
  */
 #ifndef SHEEN_FIRST_LIGHT_H

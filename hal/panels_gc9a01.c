@@ -68,7 +68,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
 const struct sheen_panel_record sheen_panel_gc9a01 = {
     .name = "gc9a01-240x240",
     .controller = "GC9A01",
-    .note = "round; clock rating unpublished, 40 to 80 MHz in use",
+    .note = "clock rating unpublished, 40 to 80 MHz in use",
     .driver = &sheen_driver_dcs,
     INIT(init_gc9a01),
     .clock_hz = 40000000,

@@ -27,9 +27,13 @@ static void print_row(const struct sheen_panel_record *record)
     char glass[16];
 
     snprintf(glass, sizeof glass, "%ux%u", record->glass_w, record->glass_h);
-    printf("%-21s  %-10s  %-7s  %-8s  %6.4g  %4u  %7u  %8.1f  %s%s%s\n", record->name, record->controller, glass,
-           colours_of(record), mhz, record->spi_mode, bytes, frames, record->round ? "round" : "",
-           record->round && record->note ? "; " : "", record->note ? record->note : "");
+    printf("%-21s  %-10s  %-7s  %-8s  %6.4g  %4u  %7u  %8.1f", record->name, record->controller, glass,
+           colours_of(record), mhz, record->spi_mode, bytes, frames);
+    if (record->round)
+        printf("  round%s", record->note ? ";" : "");
+    if (record->note)
+        printf("%s%s", record->round ? " " : "  ", record->note);
+    putchar('\n');
 }
 
 enum sheen_exit sheen_cmd_panels(struct sheen_options *options)

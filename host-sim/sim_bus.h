@@ -46,7 +46,7 @@ void sheen_sim_bus_open(struct sheen_sim_bus *bus, struct sheen_sim_controller *
 /* Plans a fault at the operation that comes after `after` more; SHEEN_FAULT_NONE lifts any. */
 void sheen_sim_bus_fault(struct sheen_sim_bus *bus, enum sheen_sim_fault fault, uint64_t after);
 
-/* The name of a fault ("short write"), and its number from a name: -1 for none. */
+/* The name of a fault: "short write". */
 const char *sheen_sim_fault_name(enum sheen_sim_fault fault);
 
 struct sheen_sim_counters sheen_sim_bus_counters(const struct sheen_sim_bus *bus);
