@@ -39,7 +39,7 @@ struct sheen_panel_step {
  *
  * RAM and gap are as the module is strapped: columns x rows of controller memory
  * and the lowest column and row that lie behind the glass. The offset of every
- * orientation follows (sheen_panel_offset in panel.c).
+ * orientation follows from them (sheen_panel_offset in panel_driver.h).
  */
 struct sheen_panel_record {
     const char *name;       /* controller-WxH of rotation 0, and -variant */

@@ -38,7 +38,7 @@ static int init(struct sheen_panel *panel)
 /* The nibble of pixel `index` of the rectangle. */
 static unsigned nibble(const uint8_t *pixels, int32_t index)
 {
-    unsigned byte = pixels[index / 2];
+    unsigned byte = pixels[(uint32_t)index / 2];
 
     return index & 1 ? byte & 15u : byte >> 4;
 }

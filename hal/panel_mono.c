@@ -33,8 +33,8 @@ static int init(struct sheen_panel *panel)
     return error < 0 ? error : sheen_panel_write(panel, SHEEN_COMMAND, &on, 1);
 }
 
-/* The byte of 8 pixels downwards from pixel `index` of the rectangle. */
-static uint8_t column_of_8(const uint8_t *pixels, int32_t index, int32_t down)
+/* The byte of 8 pixels downwards from pixel `index` of the rectangle; a step up is 2^32 - down. */
+static uint8_t column_of_8(const uint8_t *pixels, uint32_t index, uint32_t down)
 {
     unsigned byte = 0;
 
@@ -57,7 +57,7 @@ static int send_page(struct sheen_panel *panel, const struct sheen_turn *turn, c
                 return error;
             used = 0;
         }
-        panel->pack[used++] = column_of_8(pixels, index, turn->down);
+        panel->pack[used++] = column_of_8(pixels, (uint32_t)index, (uint32_t)turn->down);
     }
     return sheen_panel_launch(panel, SHEEN_DATA, panel->pack, used);
 }

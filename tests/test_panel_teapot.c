@@ -46,34 +46,55 @@ static int release(void **state)
     return 0;
 }
 
-/* Two frames, the second of which sends only what changed. */
-static void draw(const struct sheen_target *target)
+/* What the core needs to draw on a target. */
+struct scene {
+    struct sheen_frame *frame;
+    void *arena;
+    uint8_t dither;
+};
+
+static void scene_open(struct scene *scene, const struct sheen_target *target)
 {
     const struct sheen_config config = {
         .target = target, .buffers = 2, .max_vertices = teapot.mesh.vertices, .max_triangles = teapot.mesh.triangles};
+    size_t size = sheen_arena_size(&config);
+
+    scene->arena = malloc(size);
+    scene->dither = sheen_pixel_bits((enum sheen_pixel)target->pixel) < 8;
+    assert_non_null(scene->arena);
+    assert_int_equal(sheen_init(&scene->frame, scene->arena, &size, &config), 0);
+}
+
+/* The teapot at turn n, up to the last pixel's arrival. The first error, which must end the frame. */
+static int scene_draw(struct scene *scene, unsigned n)
+{
     const struct sheen_light light = {
         .to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
     const struct sheen_view view = {.fov = SHEEN_DEGREES(40),
                                     .near = SHEEN_Q24(1.95),
                                     .far = SHEEN_Q24(4.05),
-                                    .dither = sheen_pixel_bits((enum sheen_pixel)target->pixel) < 8,
+                                    .dither = scene->dither,
                                     .background = {0, 0, 32}};
     struct sheen_draw what = {
         .mesh = &teapot.mesh, .material = &material, .lights = &light, .light_count = 1, .shading = SHEEN_PHONG};
-    size_t size = sheen_arena_size(&config);
-    void *arena = malloc(size);
-    struct sheen_frame *frame;
+    int error;
 
-    assert_non_null(arena);
-    assert_int_equal(sheen_init(&frame, arena, &size, &config), 0);
-    for (unsigned n = 0; n < 2; n++) {
-        sheen_pose_orbit(&what.pose, SHEEN_DEGREES(30) + n * SHEEN_DEGREES(6), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
-        assert_int_equal(sheen_begin(frame, &view), 0);
-        assert_int_equal(sheen_draw(frame, &what), 0);
-        assert_int_equal(sheen_end(frame), 0);
-    }
-    assert_int_equal(sheen_wait(frame), 0);
-    free(arena);
+    sheen_pose_orbit(&what.pose, SHEEN_DEGREES(30) + n * SHEEN_DEGREES(6), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
+    assert_int_equal(sheen_begin(scene->frame, &view), 0);
+    assert_int_equal(sheen_draw(scene->frame, &what), 0);
+    error = sheen_end(scene->frame);
+    return error < 0 ? error : sheen_wait(scene->frame);
+}
+
+/* Two frames, the second of which sends only what changed. */
+static void draw(const struct sheen_target *target)
+{
+    struct scene scene;
+
+    scene_open(&scene, target);
+    assert_int_equal(scene_draw(&scene, 0), 0);
+    assert_int_equal(scene_draw(&scene, 1), 0);
+    free(scene.arena);
 }
 
 /* The frame on plain memory, as values; at least a fiftieth of it must not be background. */
@@ -132,9 +153,55 @@ static void every_panel_and_orientation(void **state)
     assert_int_equal(i, 29);
 }
 
+/* Two frames with a fault at operation n: the core hands the error over, and its next frame is whole. */
+static void fail_at(const char *name, uint16_t *ideal, enum sheen_sim_fault fault, uint64_t n)
+{
+    struct canvas canvas;
+    struct scene scene;
+    int error;
+
+    canvas_open(&canvas, name, -1, 0, 0);
+    memcpy(canvas.ideal, ideal, (size_t)canvas.target->width * canvas.target->height * sizeof *ideal);
+    scene_open(&scene, canvas.target);
+    sheen_sim_bus_fault(sheen_sim_panel_bus(canvas.panel), fault, n);
+    error = scene_draw(&scene, 0);
+    if (error == 0)
+        error = scene_draw(&scene, 1);
+    assert_int_equal(error, fault == SHEEN_FAULT_TIMEOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS);
+    assert_int_equal(scene_draw(&scene, 1), 0);
+    if (canvas_differences(&canvas))
+        fail_msg("%s, %s at operation %u: the next frame is wrong", name, sheen_sim_fault_name(fault), (unsigned)n + 1);
+    canvas_quiet(&canvas);
+    free(scene.arena);
+    canvas_close(&canvas);
+}
+
+static void errors_pass_through_the_core(void **state)
+{
+    static const char *const panels[] = {"st7735-80x160", "ssd1306-72x40"};
+    static const enum sheen_sim_fault faults[] = {SHEEN_FAULT_SHORT, SHEEN_FAULT_TIMEOUT, SHEEN_FAULT_BROWN_OUT};
+    static uint16_t ideal[160 * 80];
+
+    (void)state;
+    for (size_t p = 0; p < sizeof panels / sizeof panels[0]; p++) {
+        struct canvas canvas;
+
+        canvas_open(&canvas, panels[p], -1, 0, 0);
+        draw_ideal(canvas.target, ideal);
+        draw(canvas.target);
+        uint64_t operations = sheen_sim_panel_bus(canvas.panel)->operations;
+        canvas_close(&canvas);
+        assert_true(operations > 60);
+        for (size_t f = 0; f < sizeof faults / sizeof faults[0]; f++)
+            for (uint64_t n = 0; n < operations; n++)
+                fail_at(panels[p], ideal, faults[f], n);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_and_orientation)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_panel_and_orientation),
+                                       cmocka_unit_test(errors_pass_through_the_core)};
 
     return cmocka_run_group_tests_name("panel_teapot", tests, load, release);
 }
