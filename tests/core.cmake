@@ -1,0 +1,12 @@
+# Each stage of the core alone, against double precision or exact integers.
+set(stages fixed newton vectors pose transform)
+foreach(name IN LISTS stages)
+  sheen_test(test_core_${name} unit SOURCES test_core_${name}.c LIBRARIES core_picture sheen::core)
+endforeach()
+
+# Every argument in place of every 4099th.
+add_test(NAME test_core_newton_all COMMAND test_core_newton all)
+sheen_part(test_core_newton_all long)
+
+# The tables are data; the script is their definition.
+sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/tables.c)
