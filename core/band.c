@@ -102,6 +102,9 @@ static void shade(const struct tile *t, const struct setup *s)
     case SHEEN_WAY_PHONG_LIGHTS:
         sheen_shade_phong_lights(t, s);
         break;
+    case SHEEN_WAY_SLERP:
+        sheen_shade_slerp(t, s);
+        break;
     default:
         sheen_shade_flat(t, s);
     }
@@ -218,6 +221,8 @@ static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_r
                      .depth = w->depth,
                      .format = &f->format,
                      .dither = f->view.dither,
+                     .centre_x = target_x(f, 0),
+                     .centre_y = target_y(f, 0),
                      .spans = w->spans};
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;

@@ -28,7 +28,7 @@ static int64_t inside(const struct projection *p, const sheen_q24_t eye[3], unsi
         return m - p->near;
     if (plane == 1)
         return p->far - m;
-    /* |x| focal <= side m, m fixed in an orthographic view. Range: focal's mantissa cut to 16 bits: below 2^31 * 2^16 and 2^31 * 2^10 * 2^14 */
+    /* |x| focal <= side m, m fixed in an orthographic view. Range, with 16 bits of focal: 2^31 * 2^16, 2^31 * 2^24 */
     int64_t coordinate = plane < 4 ? eye[0] : -(int64_t)eye[1];
     int64_t across = coordinate * (int64_t)(p->focal.mantissa >> 16);
     int64_t side = (p->orthographic != 0 ? p->orthographic : m) * CUT_SIDE << 14;

@@ -119,6 +119,9 @@ static void shading_begin(const struct sheen_frame *f, struct setup *s, const st
     case SHEEN_PHONG:
         sheen_setup_phong(f, s, c, g);
         break;
+    case SHEEN_SLERP:
+        sheen_setup_slerp(f, s, c, g);
+        break;
     default:
         sheen_setup_flat(f, s, c);
     }

@@ -94,7 +94,8 @@ static struct quadric square_quadric(const struct gradients *g, const struct slo
     return q;
 }
 
-static void constant_normal(const struct sheen_frame *f, struct setup *s, int32_t n[3][3])
+/* The mean of three corner normals, any common scale below 2^31, over the whole triangle. */
+void sheen_setup_constant_normal(const struct sheen_frame *f, struct setup *s, int32_t n[3][3])
 {
     sheen_q30_t sum[3], unit[3] = {0, 0, 0};
     int16_t normal[3];
@@ -118,7 +119,7 @@ void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struc
 
     weighted_normals(c, n);
     if (g == NULL || l->count == 0 || !normal_slopes(g, n, slope)) {
-        constant_normal(f, s, n);
+        sheen_setup_constant_normal(f, s, n);
         return;
     }
     if (l->count > 1) {

@@ -248,7 +248,7 @@ static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw
 
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
-    if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_PHONG || mesh->positions == NULL ||
+    if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_SLERP || mesh->positions == NULL ||
         mesh->indices == NULL || (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
         return SHEEN_ERR_ARGUMENT;
     if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)

@@ -103,7 +103,8 @@ struct sheen_pose {
 enum sheen_shading {
     SHEEN_FLAT = 0,
     SHEEN_GOURAUD,
-    SHEEN_PHONG
+    SHEEN_PHONG,
+    SHEEN_SLERP /* a scan-line method: it depends on the triangle's orientation on the screen */
 };
 
 struct sheen_draw {
@@ -204,7 +205,8 @@ enum sheen_way {
     SHEEN_WAY_GOURAUD_LINEAR,   /* linear on the screen */
     SHEEN_WAY_GOURAUD_QUOTIENT, /* Blinn's I/m over 1/m, a reciprocal a pixel */
     SHEEN_WAY_PHONG_ROOT,       /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
-    SHEEN_WAY_PHONG_LIGHTS      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
+    SHEEN_WAY_PHONG_LIGHTS,     /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
+    SHEEN_WAY_SLERP             /* L.N and R.V by recurrences along great arcs */
 };
 void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
 
