@@ -1,0 +1,265 @@
+/*
+ * test_core_light.c - the power table and the light at a normal against double precision.
+ *
+ * Tolerances in raw steps: s^n 56 of UQ0.16 (8.1e-4 by linear interpolation, n = 83, and the cut below 2^-16); relative
+ * diffuse 3 of UQ1.15; relative specular 2 n + 32 of UQ1.15: R.V is off by up to 2 steps of Q0.15, which the power
+ * makes n times as much, and the table adds 28. Both more by 1.5 / sum of the lights' intensities, which weights round.
+ */
+#include <string.h>
+
+#include "test_core_worst.h"
+
+#include "frame_stage.h"
+#include "stages.h"
+
+#define ONE 1073741824.0 /* Q1.30 */
+#define WEIGHT(sum) (1.5 * 65536 / fmax(1, sum))
+
+static void prepare(struct sheen_material *m, int shininess)
+{
+    memset(m, 0, sizeof *m);
+    m->shininess = (uint8_t)shininess;
+    assert_int_equal(sheen_material_prepare(m), SHEEN_OK);
+}
+
+/* ---- s^n ---- */
+
+static void test_powers(void **unused)
+{
+    struct worst worst = {0};
+
+    (void)unused;
+    for (int n = 1; n <= 128; n++) {
+        struct sheen_material m;
+        uint32_t last = 65535;
+        prepare(&m, n);
+        for (uint32_t u = 0; u <= 1u << 30; u += (1u << 14) + 7) { /* Q2.29: 1 - s from 0 to 2 */
+            uint32_t power = power_at(&m, (int32_t)u);
+            double s = fmax(0, 1 - u / (ONE / 2));
+            worst_note(&worst, power - pow(s, n) * 65536, "n %d, s %.9f", n, s);
+            assert_true(power <= last);
+            last = power;
+        }
+        assert_int_equal(power_at(&m, 0), 65535);
+        assert_int_equal(power_at(&m, -1), 65535); /* rounding above 1 erases no highlight */
+        assert_int_equal(power_at(&m, INT32_MIN), 65535);
+        assert_int_equal(power_at(&m, INT32_MAX), 0);
+    }
+    worst_assert(&worst, 56, "s^n");
+}
+
+static void test_materials_out_of_range(void **unused)
+{
+    const sheen_q16_t most = 4 << 16;
+    struct sheen_material good, m;
+
+    (void)unused;
+    prepare(&good, 128);
+    good.ambient = good.diffuse = good.specular = most;
+    assert_int_equal(sheen_material_prepare(&good), SHEEN_OK);
+    for (int i = 0; i < 8; i++) {
+        m = good;
+        sheen_q16_t *field[3] = {&m.ambient, &m.diffuse, &m.specular};
+        if (i < 6)
+            *field[i / 2] = i % 2 != 0 ? -1 : most + 1;
+        else
+            m.shininess = i == 6 ? 0 : 129;
+        assert_int_equal(sheen_material_prepare(&m), SHEEN_ERR_ARGUMENT);
+    }
+}
+
+/* ---- light at a normal ---- */
+
+struct scene {
+    struct sheen_draw draw;
+    struct sheen_light light[SHEEN_MAX_LIGHTS];
+    struct sheen_material material;
+    struct lighting lighting;
+};
+
+static void random_scene(struct scene *s, uint32_t *state, unsigned lights)
+{
+    memset(s, 0, sizeof *s);
+    prepare(&s->material, 1 + (int)(stage_random(state) % 128));
+    sheen_pose_orbit(&s->draw.pose, stage_random(state), stage_random(state), stage_random(state), SHEEN_Q24(3));
+    s->draw.lights = s->light;
+    s->draw.light_count = (uint8_t)lights;
+    for (unsigned i = 0; i < lights; i++) {
+        for (int k = 0; k < 3; k++)
+            s->light[i].to[k] = (int32_t)stage_random(state) >> (stage_random(state) % 4);
+        s->light[i].intensity = (int32_t)(4096 + stage_random(state) % (65536 - 4096 + 1));
+        s->light[i].highlight = stage_random(state) % 4 != 0;
+    }
+    assert_int_equal(sheen_light_begin(&s->lighting, &s->draw), SHEEN_OK);
+}
+
+/* What PICTURE.md says, relative to the sums of the intensities. `behind` counts R.V > 0 where N.V < 0. */
+static int exact_light(const struct scene *s, const double n[3], double *diffuse, double *specular, int *behind)
+{
+    const sheen_q30_t *r = s->draw.pose.rotation;
+    double seen[3], diffuse_sum = 0, specular_sum = 0;
+    int sure = 1;
+
+    *diffuse = *specular = 0;
+    for (int k = 0; k < 3; k++)
+        seen[k] = (r[3 * k] * n[0] + r[3 * k + 1] * n[1] + r[3 * k + 2] * n[2]) / ONE;
+    for (unsigned i = 0; i < s->draw.light_count; i++) {
+        const struct sheen_light *light = &s->light[i];
+        double length = sqrt((double)light->to[0] * light->to[0] + (double)light->to[1] * light->to[1] +
+                             (double)light->to[2] * light->to[2]);
+        double ln = (light->to[0] * seen[0] + light->to[1] * seen[1] + light->to[2] * seen[2]) / length;
+        double rv = 2 * ln * seen[2] - light->to[2] / length, highlight = light->highlight ? light->intensity : 0;
+        diffuse_sum += light->intensity;
+        specular_sum += highlight;
+        sure &= fabs(ln) > 1e-4; /* the highlight's edge is sharp */
+        if (ln <= 0)
+            continue;
+        *diffuse += light->intensity * ln;
+        *specular += highlight * pow(fmin(1, fmax(0, rv)), s->material.shininess);
+        *behind += seen[2] < -0.1 && rv > 0.5;
+    }
+    *diffuse /= fmax(1, diffuse_sum);
+    *specular /= fmax(1, specular_sum);
+    return sure;
+}
+
+static void test_light_at_a_normal(void **unused)
+{
+    struct worst diffuse = {0}, specular = {0};
+    uint32_t state = 1;
+    int behind = 0, highlights = 0;
+
+    (void)unused;
+    for (unsigned i = 0; i < 4000; i++) {
+        struct scene s;
+        random_scene(&s, &state, i % (SHEEN_MAX_LIGHTS + 1));
+        for (int k = 0; k < 64; k++) {
+            int32_t v[3] = {(int32_t)stage_random(&state), (int32_t)stage_random(&state),
+                            (int32_t)stage_random(&state)};
+            sheen_q30_t unit[3];
+            int16_t n[3];
+            double exact_n[3], exact_diffuse, exact_specular;
+            struct lit lit;
+            if (k % 4 == 0 && s.draw.light_count > 0) /* about halfway between light and eye: a highlight */
+                for (int j = 0; j < 3; j++)
+                    v[j] = s.lighting.to[0][j] / 2 + s.lighting.view[j] / 2 + v[j] / (8 << k / 4);
+            assert_int_equal(sheen_normalize(v, unit), SHEEN_OK);
+            for (int j = 0; j < 3; j++) {
+                n[j] = (int16_t)lrint(unit[j] / ONE * 32767);
+                exact_n[j] = n[j] / 32767.;
+            }
+            int sure = exact_light(&s, exact_n, &exact_diffuse, &exact_specular, &behind);
+            sheen_light_normal(&s.lighting, &s.material, n, &lit);
+            worst_note(&diffuse, (lit.diffuse - exact_diffuse * 32768) / (3 + WEIGHT(s.lighting.diffuse_sum)),
+                       "scene %u, normal %d", i, k);
+            if (sure)
+                worst_note(&specular,
+                           (lit.specular - exact_specular * 32768) /
+                               (2 * s.material.shininess + 32 + WEIGHT(s.lighting.specular_sum)),
+                           "scene %u, normal %d, n %d", i, k, s.material.shininess);
+            highlights += lit.specular > 16384;
+        }
+    }
+    worst_assert(&diffuse, 1, "diffuse in tolerances");
+    worst_assert(&specular, 1, "specular in tolerances");
+    print_message("           R.V > 1/2 where N.V < 0: %d, highlights: %d\n", behind, highlights);
+    assert_true(behind > 1000 && highlights > 10000);
+}
+
+static void test_a_zero_normal_has_no_light(void **unused)
+{
+    const int16_t zero[3] = {0, 0, 0};
+    uint32_t state = 2;
+
+    (void)unused;
+    for (unsigned i = 0; i <= SHEEN_MAX_LIGHTS; i++) {
+        struct scene s;
+        struct lit lit = {1, 1};
+        random_scene(&s, &state, i);
+        sheen_light_normal(&s.lighting, &s.material, zero, &lit);
+        assert_true(lit.diffuse == 0 && lit.specular == 0);
+    }
+}
+
+/* Every 16-bit vector has a light in range, whatever its length. */
+static void test_any_normal(void **unused)
+{
+    uint32_t state = 3;
+
+    (void)unused;
+    for (unsigned i = 0; i < 2000; i++) {
+        struct scene s;
+        random_scene(&s, &state, i % (SHEEN_MAX_LIGHTS + 1));
+        for (int k = 0; k < 100; k++) {
+            int16_t n[3];
+            struct lit lit;
+            for (int j = 0; j < 3; j++)
+                n[j] = (int16_t)(k < 8 ? (k >> j & 1) != 0 ? 32767 : -32768 : (int)(int16_t)stage_random(&state));
+            sheen_light_normal(&s.lighting, &s.material, n, &lit);
+            assert_true(lit.diffuse <= 32768 && lit.specular <= 32768);
+        }
+    }
+}
+
+static void test_sums_and_weights(void **unused)
+{
+    uint32_t state = 4;
+
+    (void)unused;
+    for (unsigned i = 0; i < 20000; i++) {
+        struct scene s;
+        random_scene(&s, &state, i % (SHEEN_MAX_LIGHTS + 1));
+        unsigned diffuse = 0, specular = 0;
+        int32_t diffuse_sum = 0, specular_sum = 0;
+        for (unsigned k = 0; k < s.draw.light_count; k++) {
+            diffuse += s.lighting.diffuse_weight[k];
+            specular += s.lighting.specular_weight[k];
+            diffuse_sum += s.light[k].intensity;
+            specular_sum += s.light[k].highlight ? s.light[k].intensity : 0;
+        }
+        assert_int_equal(s.lighting.diffuse_sum, diffuse_sum);
+        assert_int_equal(s.lighting.specular_sum, specular_sum);
+        assert_true(diffuse <= 32768 && diffuse + 4 + WEIGHT(diffuse_sum) >= (diffuse_sum > 0 ? 32768 : 0));
+        assert_true(specular <= 32768 && specular + 4 + WEIGHT(specular_sum) >= (specular_sum > 0 ? 32768 : 0));
+    }
+}
+
+static void test_lights_out_of_range(void **unused)
+{
+    uint32_t state = 5;
+    struct scene s;
+
+    (void)unused;
+    random_scene(&s, &state, 4);
+    s.draw.light_count = 5;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    s.draw.light_count = 4;
+    s.light[3].intensity = 65536;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_OK);
+    s.light[3].intensity = 65537;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    s.light[3].intensity = -1;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    s.light[3].intensity = 0;
+    memset(s.light[3].to, 0, sizeof s.light[3].to);
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_DEGENERATE);
+    s.draw.lights = NULL;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    s.draw.light_count = 0;
+    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_OK);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_powers),
+        cmocka_unit_test(test_materials_out_of_range),
+        cmocka_unit_test(test_light_at_a_normal),
+        cmocka_unit_test(test_a_zero_normal_has_no_light),
+        cmocka_unit_test(test_any_normal),
+        cmocka_unit_test(test_sums_and_weights),
+        cmocka_unit_test(test_lights_out_of_range),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
