@@ -1,0 +1,68 @@
+/*
+ * start.c - from reset to main on a Cortex-M, and what happens on a fault.
+ *
+ * The linker script (sections.ld) places the vector table first in flash and
+ * gives the addresses below. No interrupt is used: 16 system vectors suffice.
+ */
+#include "start.h"
+
+/* Addresses by the linker script; what they hold is not looked at. */
+extern uint32_t link_stack_bottom[], link_stack_top[], link_data_load[], link_data_start[], link_data_end[],
+    link_bss_start[], link_bss_end[];
+
+int main(void);
+
+/* A program that can print has a better one. */
+__attribute__((weak, noreturn)) void start_fault(uint32_t pc, uint32_t lr)
+{
+    (void)pc;
+    (void)lr;
+    for (;;)
+        ;
+}
+
+__attribute__((weak)) void start_board(void)
+{
+}
+
+/*
+ * The processor has stacked r0-r3, r12, lr, pc, xpsr (Armv6-M manual, B1.5.6),
+ * unless the stack had run over: then pc and lr are reported as 0. The report
+ * gets the whole stack, which nothing will use again.
+ */
+__attribute__((naked)) static void on_fault(void)
+{
+    __asm volatile("    mrs r2, msp\n"
+                   "    ldr r3, =link_stack_bottom\n"
+                   "    movs r0, #0\n"
+                   "    movs r1, #0\n"
+                   "    cmp r2, r3\n"
+                   "    blo 1f\n"
+                   "    ldr r0, [r2, #24]\n"
+                   "    ldr r1, [r2, #20]\n"
+                   "1:  ldr r3, =link_stack_top\n"
+                   "    mov sp, r3\n"
+                   "    ldr r3, =start_fault\n"
+                   "    bx r3\n");
+}
+
+__attribute__((noreturn)) void start(void)
+{
+    const uint32_t *from = link_data_load;
+
+    for (uint32_t *to = link_data_start; to < link_data_end; to++)
+        *to = *from++;
+    for (uint32_t *to = link_bss_start; to < link_bss_end; to++)
+        *to = 0;
+    start_board();
+    main();
+    for (;;)
+        ;
+}
+
+/* Reset, then NMI, HardFault and, on an M3, the faults that escalate to it unless enabled. */
+__attribute__((section(".vectors"), used)) static const union {
+    const void *stack;
+    void (*code)(void);
+} vectors[16] = {{.stack = link_stack_top}, {.code = start},    {.code = on_fault}, {.code = on_fault},
+                 {.code = on_fault},        {.code = on_fault}, {.code = on_fault}};

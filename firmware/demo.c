@@ -1,0 +1,170 @@
+/*
+ * demo.c - the scene: the command's default picture, turning by 6 degrees a frame.
+ */
+#include "demo.h"
+
+#include <string.h>
+
+#include "teapot.h"
+
+#define DISTANCE 3.0 /* units; the teapot's farthest vertex lies at 1 */
+
+/* Lights point to where they stand, in eye space, any length. */
+#define LIGHT(x, y, z, i)                                                                                              \
+    {                                                                                                                  \
+        .to = {SHEEN_Q30(x), SHEEN_Q30(y), SHEEN_Q30(z)}, .intensity = SHEEN_Q16(i), .highlight = 1                    \
+    }
+static const struct {
+    struct sheen_light light[2];
+    uint8_t count;
+} lightings[] = {
+    {{LIGHT(-0.5, 0.7, 0.5, 1.0)}, 1},                            /* from the left, above */
+    {{LIGHT(0.8, 0.3, 0.5, 1.0)}, 1},                             /* from the right */
+    {{LIGHT(-0.7, 0.3, 0.4, 0.7), LIGHT(0.8, 0.2, 0.1, 0.5)}, 2}, /* both */
+};
+
+static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
+
+enum {
+    LIGHTINGS = sizeof lightings / sizeof lightings[0],
+    SHADINGS = sizeof shadings / sizeof shadings[0],
+    TURN = 60 /* frames */
+};
+
+const char *demo_shading_name(unsigned shading)
+{
+    return shading < SHADINGS ? shadings[shading] : "?";
+}
+
+/* ---- the line of text ---- */
+
+static char *append(char *to, const char *from)
+{
+    while (*from)
+        *to++ = *from++;
+    *to = '\0';
+    return to;
+}
+
+/* value: 0..9999 */
+static char *append_number(char *to, unsigned value)
+{
+    unsigned power = 1;
+
+    while (value / power >= 10)
+        power *= 10;
+    for (; power > 0; power /= 10)
+        *to++ = (char)('0' + value / power % 10);
+    *to = '\0';
+    return to;
+}
+
+static void set_line(struct demo *demo, unsigned tenths)
+{
+    char *to = append(append(demo->text.line, shadings[demo->draw.shading]), " ");
+
+    if (demo->held) {
+        append_number(to, demo->number);
+        return;
+    }
+    to = append_number(to, tenths / 10 < 999 ? tenths / 10 : 999);
+    append_number(append(to, "."), tenths % 10);
+}
+
+/* ---- the scene ---- */
+
+static void set_scene(struct demo *demo)
+{
+    const struct sheen_target *target = demo->target;
+    int colour = sheen_pixel_bits((enum sheen_pixel)target->pixel) == 16;
+
+    demo->material = (struct sheen_material){.base = {0xC8, 0xA0, 0x50},
+                                             .highlight = {255, 255, 255},
+                                             .ambient = SHEEN_Q16(0.1),
+                                             .diffuse = SHEEN_Q16(0.6),
+                                             .specular = SHEEN_Q16(0.3),
+                                             .shininess = 32};
+    demo->view = (struct sheen_view){.fov = SHEEN_DEGREES(40),
+                                     .near = SHEEN_Q24(DISTANCE - 1.05),
+                                     .far = SHEEN_Q24(DISTANCE + 1.05),
+                                     .dither = !colour,
+                                     .background = {0x00, 0x00, 0x20},
+                                     .ctx = &demo->text,
+                                     .overlay = text_overlay};
+    demo->text = (struct text){.x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .pixel = target->pixel};
+    demo->draw = (struct sheen_draw){.mesh = &teapot, .material = &demo->material, .shading = SHEEN_PHONG};
+}
+
+int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers)
+{
+    struct sheen_config config = {.target = target,
+                                  .buffers = (uint8_t)buffers,
+                                  .max_vertices = teapot.vertices,
+                                  .max_triangles = teapot.triangles,
+                                  .max_draws = 1};
+
+    memset(demo, 0, sizeof *demo);
+    demo->target = target;
+    set_scene(demo);
+    int error = sheen_material_prepare(&demo->material);
+    if (error == SHEEN_OK)
+        error = sheen_init(&demo->frame, arena, size, &config);
+    if (error == SHEEN_OK)
+        *size = sheen_arena_size(&config);
+    return error;
+}
+
+void demo_key(struct demo *demo, int key)
+{
+    switch (key) {
+    case 'h':
+        demo->held = !demo->held;
+        return;
+    case 'n':
+        break;
+    case 's':
+        demo->draw.shading = (uint8_t)((demo->draw.shading + 1u) % SHADINGS);
+        break;
+    case 'l':
+        demo->light = (uint8_t)((demo->light + 1u) % LIGHTINGS);
+        break;
+    case '0':
+        demo->number = 0;
+        break;
+    default:
+        return;
+    }
+    demo->step = demo->held;
+}
+
+int demo_due(const struct demo *demo)
+{
+    return !demo->held || demo->step;
+}
+
+int demo_frame(struct demo *demo, unsigned tenths)
+{
+    struct sheen_draw *draw = &demo->draw;
+    struct sheen_rect rect = text_rect(&demo->text, demo->target->width, demo->target->height);
+
+    draw->lights = lightings[demo->light].light;
+    draw->light_count = lightings[demo->light].count;
+    sheen_pose_orbit(&draw->pose, SHEEN_DEGREES(30) + demo->number * DEMO_YAW_STEP, SHEEN_DEGREES(20), 0,
+                     SHEEN_Q24(DISTANCE));
+    set_line(demo, tenths);
+
+    int error = sheen_begin(demo->frame, &demo->view);
+    if (error == SHEEN_OK)
+        error = sheen_draw(demo->frame, draw);
+    if (error == SHEEN_OK)
+        error = sheen_mark(demo->frame, rect);
+    if (error == SHEEN_OK)
+        error = sheen_end(demo->frame);
+    if (error == SHEEN_OK && demo->held)
+        error = sheen_wait(demo->frame);
+    if (error == SHEEN_OK) {
+        demo->step = 0;
+        demo->number = (uint16_t)((demo->number + 1u) % TURN);
+    }
+    return error;
+}

@@ -1,0 +1,53 @@
+/*
+ * demo.h - one scene for every board and the simulator: a teapot that turns, and a line of text.
+ *
+ * The scene knows a target and keys, nothing of boards. Held, it stands still and
+ * shows the frame's number: the same keys then give the same picture everywhere.
+ */
+#ifndef DEMO_H
+#define DEMO_H
+
+#include "sheen.h"
+#include "text.h"
+
+#define DEMO_YAW_STEP SHEEN_DEGREES(6) /* a frame */
+
+struct demo {
+    const struct sheen_target *target;
+    struct sheen_frame *frame;
+    struct sheen_view view;
+    struct sheen_material material;
+    struct sheen_draw draw;
+    struct text text;
+    uint16_t number; /* of the next frame, 0..59 */
+    uint8_t light;   /* which of the lightings */
+    uint8_t held;
+    uint8_t step; /* held: frames still to draw */
+};
+
+/*
+ * target is borrowed. arena: aligned to 8, of *size bytes; *size becomes the size
+ * that is needed. buffers: 1, or 2 where the bus sends by itself.
+ */
+int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers);
+
+/*
+ * h: hold or go on. n: held, the next frame. s: the next shading. l: the next
+ * lighting. 0: back to frame 0. Held, each but h draws a frame. Anything else: nothing.
+ */
+void demo_key(struct demo *demo, int key);
+
+/* 0: held, and nothing to draw. */
+int demo_due(const struct demo *demo);
+
+/*
+ * Draws the next frame and sends it; held, also waits for its last band. On an
+ * error the same frame is due again. tenths: frames a second, times ten, shown
+ * unless held.
+ */
+int demo_frame(struct demo *demo, unsigned tenths);
+
+/* "phong" for enum sheen_shading. */
+const char *demo_shading_name(unsigned shading);
+
+#endif

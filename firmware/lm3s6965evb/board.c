@@ -1,0 +1,127 @@
+/*
+ * board.c - Luminary's LM3S6965 evaluation board: OLED on SSI0, UART0, five keys, watchdog.
+ */
+#include "board.h"
+
+#include "pl011.h"
+#include "pl022.h"
+#include "registers.h"
+#include "ticks.h"
+
+#define BUS_PATIENCE_US 10000u /* for room in a FIFO of 8 bytes: at 100 kHz they take 0.64 ms */
+
+const char board_name[] = "lm3s6965evb";
+const struct sheen_panel_record *const board_panel = &sheen_panel_ssd0323;
+const uint8_t board_buffers = 1;
+uint32_t board_bus_bytes;
+
+static uint32_t bus_hz;
+static unsigned bus_mode;
+
+/* ---- the bus ---- */
+
+uint32_t board_bus_clock(uint32_t clock_hz)
+{
+    bus_hz = clock_hz;
+    return pl022_open(SSI0, CLOCK_HZ, clock_hz, bus_mode);
+}
+
+/* Waits until the status bits in mask are as in value, emptying the receive FIFO. Late: the SSI starts anew. */
+static int await(uint32_t mask, uint32_t value)
+{
+    uint32_t start = ticks();
+
+    while ((SSI0->status & mask) != value) {
+        pl022_drain(SSI0);
+        if (ticks() - start > ticks_of_us(BUS_PATIENCE_US)) {
+            board_bus_clock(bus_hz);
+            return SHEEN_ERR_TIMEOUT;
+        }
+    }
+    return SHEEN_OK;
+}
+
+static int bus_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+{
+    const uint8_t *byte = bytes;
+
+    (void)ctx;
+    GPIO_DATA(PORT_C, PIN_DC) = dc == SHEEN_DATA ? PIN_DC : 0;
+    for (size_t i = 0; i < count; i++) {
+        int error = await(PL022_ROOM | PL022_RECEIVED, PL022_ROOM);
+
+        if (error < 0)
+            return error;
+        SSI0->data = byte[i];
+    }
+    board_bus_bytes += (uint32_t)count;
+    return SHEEN_OK;
+}
+
+static int bus_wait(void *ctx)
+{
+    (void)ctx;
+    return await(PL022_BUSY, 0);
+}
+
+static int bus_delay(void *ctx, uint32_t us)
+{
+    (void)ctx;
+    for (; us > 1000; us -= 1000) {
+        ticks_delay_us(1000);
+        board_feed();
+    }
+    ticks_delay_us(us);
+    return SHEEN_OK;
+}
+
+/* The board resets the OLED with the processor: there is no line of its own. */
+const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .delay = bus_delay};
+
+/* ---- serial line, keys, watchdog ---- */
+
+int board_open(uint32_t clock_hz, unsigned spi_mode)
+{
+    int restarted = (SYSCTL_RESC & 0x08u) != 0;
+
+    SYSCTL_RESC = 0;
+    ticks_open(CLOCK_HZ);
+    pl011_open(UART0, CLOCK_HZ, 115200);
+    bus_mode = spi_mode;
+    board_bus_clock(clock_hz);
+    WATCHDOG_LOAD = CLOCK_HZ / 1000000u * (BOARD_WATCHDOG_US / 2); /* the second time-out resets */
+    WATCHDOG_CTL = 3;
+    return restarted;
+}
+
+void board_feed(void)
+{
+    WATCHDOG_ICR = 1;
+}
+
+void board_put(char c)
+{
+    pl011_put(UART0, c);
+}
+
+/* The key that went down since the last look: up, down, left, right on port E, select on port F. */
+static int pad_key(void)
+{
+    static const char keys[5] = {'s', 'l', '0', 'n', 'h'};
+    static uint8_t before;
+    uint8_t down = (uint8_t)(~GPIO_DATA(PORT_E, 0x0F) & 0x0Fu) | (uint8_t)((~GPIO_DATA(PORT_F, 2) & 2u) << 3);
+    uint8_t pressed = down & (uint8_t)~before;
+
+    before = down;
+    for (unsigned i = 0; i < sizeof keys; i++)
+        if (pressed >> i & 1)
+            return keys[i];
+    return -1;
+}
+
+int board_key(void)
+{
+    int c = pl011_get(UART0);
+
+    return c >= 0 ? c : pad_key();
+}

@@ -1,0 +1,188 @@
+/*
+ * main.c - the demo on a board: frames until the power goes, keys, errors, faults.
+ *
+ * Keys beside the demo's (demo.h): f shows the first-light pattern, at a clock that any wiring takes.
+ */
+#include "board.h"
+#include "demo.h"
+#include "first_light.h"
+#include "log.h"
+#include "start.h"
+#include "ticks.h"
+
+#define FIRST_LIGHT_HZ 1000000u
+
+static uint64_t arena[BOARD_ARENA_BYTES / 8];
+static uint8_t line[1280]; /* first light's: two rows of 320 pixels */
+
+static struct sheen_panel panel;
+static struct sheen_target panel_target, target;
+static struct demo demo;
+
+/* What start.c calls on a fault. The watchdog is fed no more: it restarts the board. */
+void start_fault(uint32_t pc, uint32_t lr)
+{
+    log_text("\nHardFault at ");
+    log_hex(pc);
+    log_text(", lr ");
+    log_hex(lr);
+    log_text(pc == 0 && lr == 0 ? ": the stack ran over\n" : "\n");
+    for (;;)
+        ;
+}
+
+/* Every band feeds the watchdog on its way to the panel. */
+static int push(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    board_feed();
+    return panel_target.push(ctx, rect, pixels);
+}
+
+static int open_all(void)
+{
+    size_t size = sizeof arena;
+    int error = sheen_panel_open(&panel, board_panel, &board_bus, sheen_panel_default_orientation(board_panel));
+
+    if (error == SHEEN_OK)
+        error = sheen_panel_target(&panel, &panel_target);
+    target = panel_target;
+    target.push = push;
+    if (error == SHEEN_OK)
+        error = demo_open(&demo, &target, arena, &size, board_buffers);
+    log_text("arena ");
+    log_number((uint32_t)size);
+    log_text(" B of ");
+    log_number(sizeof arena);
+    log_text(" B\n");
+    return error;
+}
+
+static void log_error(const char *what, int error)
+{
+    log_text(what);
+    log_text(": ");
+    log_text(sheen_strerror(error));
+    log_text(" (-");
+    log_number((uint32_t)-error);
+    log_text(")\n");
+}
+
+static void first_light(void)
+{
+    board_bus_clock(FIRST_LIGHT_HZ);
+    int error = sheen_panel_init(&panel);
+
+    if (error == SHEEN_OK)
+        error = sheen_first_light(&target, line, sizeof line);
+    board_bus_clock(board_panel->clock_hz);
+    sheen_invalidate(demo.frame);
+    if (error < 0)
+        log_error("first light", error);
+    else
+        log_text("first light\n");
+}
+
+/* Since when, and what has happened since. */
+static struct {
+    uint32_t clocks, bytes;
+    unsigned frames;
+    unsigned tenths; /* frames a second, times ten, of the last second that ran through */
+} lap;
+
+static void lap_begin(void)
+{
+    lap.clocks = ticks();
+    lap.bytes = board_bus_bytes;
+    lap.frames = 0;
+}
+
+/* "phong, light 0: 1840000 clocks, bus 115200 B": a frame, in the mean of the lap. */
+static void lap_report(uint32_t clocks)
+{
+    log_text(demo_shading_name(demo.draw.shading));
+    log_text(", light ");
+    log_number(demo.light);
+    log_text(": ");
+    log_number(clocks / lap.frames);
+    log_text(" clocks, bus ");
+    log_number((board_bus_bytes - lap.bytes) / lap.frames);
+    log_text(" B\n");
+}
+
+/* Draws the frame that is due. An error is logged, and the same frame stays due. */
+static void draw(void)
+{
+    unsigned number = demo.number;
+    int error = demo_frame(&demo, lap.tenths);
+    uint32_t clocks = ticks() - lap.clocks;
+
+    if (error == SHEEN_OK && !demo.held) {
+        lap.frames++;
+        return;
+    }
+    log_text("frame ");
+    log_number(number);
+    if (error < 0) {
+        log_error("", error);
+        lap_begin();
+        return;
+    }
+    log_text(" ");
+    lap.frames = 1;
+    lap_report(clocks);
+}
+
+/* About once a second: the frame rate, on the line and in the picture. */
+static void lap_end(uint32_t hz)
+{
+    uint32_t clocks = ticks() - lap.clocks;
+
+    if (demo.held || lap.frames == 0 || clocks < hz)
+        return;
+    lap.tenths = (unsigned)((uint64_t)lap.frames * 10u * hz / clocks);
+    lap_report(clocks);
+    lap_begin();
+}
+
+static void run(uint32_t hz)
+{
+    for (;;) {
+        int key = board_key();
+
+        board_feed();
+        (void)ticks();
+        if (key == 'f')
+            first_light();
+        demo_key(&demo, key);
+        if (key >= 0 || demo.held)
+            lap_begin();
+        if (demo_due(&demo))
+            draw();
+        lap_end(hz);
+    }
+}
+
+int main(void)
+{
+    int restarted = board_open(board_panel->clock_hz, board_panel->spi_mode);
+    uint32_t hz = ticks_of_us(1000000);
+
+    log_text(restarted ? "\nrestarted by the watchdog\n" : "\n");
+    log_text(board_name);
+    log_text(": ");
+    log_text(board_panel->name);
+    log_text(", processor ");
+    log_number(hz);
+    log_text(" Hz, SPI ");
+    log_number(board_bus_clock(board_panel->clock_hz));
+    log_text(" Hz\n");
+    int error = open_all();
+    if (error == SHEEN_OK) {
+        error = sheen_panel_init(&panel); /* else the first frame would pay for it */
+        if (error < 0)
+            log_error("panel", error); /* its next push tries again */
+        run(hz);
+    }
+    log_error("demo", error);
+    return 1;
+}

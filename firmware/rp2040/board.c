@@ -1,0 +1,158 @@
+/*
+ * board.c - Raspberry Pi Pico: a display on SPI0 fed by DMA, UART0, four keys, watchdog.
+ */
+#include "board.h"
+
+#include "pl011.h"
+#include "pl022.h"
+#include "registers.h"
+#include "ticks.h"
+
+/* Channel 0: bytes, memory to SPI0 as its FIFO asks for them (TREQ 16), chained to none. */
+#define DMA_SPI0_BYTES (16u << 15 | 1u << 4 | 1u)
+#define DMA_BUSY (1u << 24)
+#define BUS_SLACK_US 1000u /* beyond twice the time that the bytes take */
+#define WATCHDOG_ENABLE (1u << 30)
+#define WATCHDOG_RESETS 0x1FFFCu /* all but the two oscillators */
+
+const char board_name[] = "rp2040";
+const struct sheen_panel_record *const board_panel = &BOARD_PANEL;
+const uint8_t board_buffers = 2;
+uint32_t board_bus_bytes;
+
+static struct {
+    uint32_t hz, clocks_a_byte; /* asked for; of the processor, at the clock that came of it */
+    uint32_t since, patience;   /* of the write under way, clocks */
+    unsigned mode;
+} bus;
+
+/* ---- the bus ---- */
+
+uint32_t board_bus_clock(uint32_t clock_hz)
+{
+    uint32_t hz = pl022_open(SPI0, CLOCK_HZ, clock_hz, bus.mode);
+
+    SPI0->dma = PL022_DMA_TX;
+    bus.hz = clock_hz;
+    bus.clocks_a_byte = CLOCK_HZ / hz * 8u;
+    return hz;
+}
+
+/* The panel takes D/C with each byte's last bit: it stands until wait. */
+static int bus_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+{
+    (void)ctx;
+    if (dc == SHEEN_DATA)
+        SIO_OUT_SET = 1u << PIN_DC;
+    else
+        SIO_OUT_CLEAR = 1u << PIN_DC;
+    SIO_OUT_CLEAR = 1u << PIN_CS;
+    bus.since = ticks();
+    bus.patience = 2u * bus.clocks_a_byte * (uint32_t)count + ticks_of_us(BUS_SLACK_US);
+    board_bus_bytes += (uint32_t)count;
+    DMA_READ = (uint32_t)(uintptr_t)bytes;
+    DMA_WRITE = (uint32_t)(uintptr_t)&SPI0->data;
+    DMA_COUNT = (uint32_t)count;
+    DMA_TRIGGER = DMA_SPI0_BYTES;
+    return SHEEN_OK;
+}
+
+/* The channel stopped, the SPI out of a reset: as after power-on. */
+static void bus_restart(void)
+{
+    DMA_ABORT = 1;
+    while (DMA_ABORT & 1u)
+        ;
+    SET(RESETS) = RESET_SPI0;
+    CLEAR(RESETS) = RESET_SPI0;
+    while (!(RESETS_DONE & RESET_SPI0))
+        ;
+    board_bus_clock(bus.hz);
+}
+
+static int bus_wait(void *ctx)
+{
+    int error = SHEEN_OK;
+
+    (void)ctx;
+    while (DMA_TRIGGER & DMA_BUSY || SPI0->status & PL022_BUSY) {
+        if (ticks() - bus.since > bus.patience) {
+            bus_restart();
+            error = SHEEN_ERR_TIMEOUT;
+            break;
+        }
+    }
+    SIO_OUT_SET = 1u << PIN_CS;
+    return error;
+}
+
+static int bus_reset(void *ctx, int level)
+{
+    (void)ctx;
+    if (level)
+        SIO_OUT_SET = 1u << PIN_RESET;
+    else
+        SIO_OUT_CLEAR = 1u << PIN_RESET;
+    return SHEEN_OK;
+}
+
+static int bus_delay(void *ctx, uint32_t us)
+{
+    (void)ctx;
+    for (; us > 1000; us -= 1000) {
+        ticks_delay_us(1000);
+        board_feed();
+    }
+    ticks_delay_us(us);
+    return SHEEN_OK;
+}
+
+const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .reset = bus_reset, .delay = bus_delay};
+
+/* ---- serial line, keys, watchdog ---- */
+
+int board_open(uint32_t clock_hz, unsigned spi_mode)
+{
+    int restarted = (WATCHDOG_REASON & 1u) != 0;
+
+    ticks_open(CLOCK_HZ);
+    pl011_open(UART0, CLOCK_HZ, 115200);
+    bus.mode = spi_mode;
+    board_bus_clock(clock_hz);
+    SIO_OUT_SET = 1u << PIN_BACKLIGHT;
+    PSM_WDSEL = WATCHDOG_RESETS;
+    board_feed();
+    SET(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
+    return restarted;
+}
+
+void board_feed(void)
+{
+    WATCHDOG_LOAD = 2u * BOARD_WATCHDOG_US;
+}
+
+void board_put(char c)
+{
+    pl011_put(UART0, c);
+}
+
+/* The key that went down since the last look. */
+static int pad_key(void)
+{
+    static const char keys[4] = {'s', 'l', 'n', 'h'};
+    static uint8_t before;
+    uint8_t down = (uint8_t)(~SIO_IN >> PIN_KEYS & 15u), pressed = down & (uint8_t)~before;
+
+    before = down;
+    for (unsigned i = 0; i < sizeof keys; i++)
+        if (pressed >> i & 1)
+            return keys[i];
+    return -1;
+}
+
+int board_key(void)
+{
+    int c = pl011_get(UART0);
+
+    return c >= 0 ? c : pad_key();
+}
