@@ -1,0 +1,12 @@
+# The measured scenes (bench/scenes.h), as data that boards can take.
+add_executable(bench_export bench/export.c)
+target_link_libraries(bench_export PRIVATE m)
+set(bench_data ${CMAKE_CURRENT_BINARY_DIR}/bench_data.c)
+add_custom_command(OUTPUT ${bench_data} COMMAND bench_export > ${bench_data} DEPENDS bench_export VERBATIM)
+add_library(bench_scenes STATIC bench/scenes.c ${bench_data})
+target_include_directories(bench_scenes PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/bench)
+target_link_libraries(bench_scenes PUBLIC sheen::core)
+
+add_executable(bench_host bench/host.c)
+target_link_libraries(bench_host PRIVATE bench_scenes)
+sheen_script(bench bench COMMAND tests/bench/report $<TARGET_FILE:bench_host> ${bench_data})

@@ -1,0 +1,69 @@
+/*
+ * scenes.c - the frames that are measured.
+ */
+#include "scenes.h"
+
+static const struct sheen_light light = {
+    .to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)}, .intensity = 65536, .highlight = 1};
+
+static int throw_away(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    (void)ctx;
+    (void)rect;
+    (void)pixels;
+    return SHEEN_OK;
+}
+
+void bench_config(struct bench *bench, const struct bench_scene *scene, enum sheen_shading shading, int band_rows)
+{
+    bench->scene = scene;
+    bench->shading = (uint8_t)shading;
+    bench->target = (struct sheen_target){
+        .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
+    bench->config = (struct sheen_config){.target = &bench->target,
+                                          .band_rows = (uint16_t)band_rows,
+                                          .buffers = 1,
+                                          .max_vertices = scene->mesh.vertices,
+                                          .max_triangles = scene->max_triangles,
+                                          .max_draws = 1};
+}
+
+int bench_begin(struct bench *bench, void *arena, size_t size)
+{
+    bench->material = (struct sheen_material){.base = {255, 153, 77}, /* 1, .6, .3 */
+                                              .highlight = {255, 255, 255},
+                                              .ambient = SHEEN_Q16(0.15),
+                                              .diffuse = SHEEN_Q16(0.7),
+                                              .specular = SHEEN_Q16(0.5),
+                                              .shininess = 16};
+    int status = sheen_material_prepare(&bench->material);
+
+    return status < 0 ? status : sheen_init(&bench->frame, arena, &size, &bench->config);
+}
+
+/* Clear, transform, light, raster, up to the target's call. */
+static int run(struct bench *bench, int frame)
+{
+    struct sheen_view view = {.fov = SHEEN_DEGREES(60), .near = bench->scene->near, .far = bench->scene->far};
+    struct sheen_draw draw = {.mesh = &bench->scene->mesh,
+                              .material = &bench->material,
+                              .lights = &light,
+                              .light_count = 1,
+                              .shading = bench->shading,
+                              .pose = bench->scene->pose[frame]};
+    int status = sheen_begin(bench->frame, &view);
+
+    if (status == SHEEN_OK)
+        status = sheen_draw(bench->frame, &draw);
+    return status == SHEEN_OK ? sheen_end(bench->frame) : status;
+}
+
+int bench_first(struct bench *bench)
+{
+    return run(bench, 0);
+}
+
+__attribute__((noinline)) int bench_measured(struct bench *bench)
+{
+    return run(bench, 1);
+}

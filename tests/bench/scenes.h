@@ -1,0 +1,47 @@
+/*
+ * scenes.h - the three scenes that sheen is measured on, the same work as for other renderers.
+ *
+ *   S1  unit sphere, 32 rings of 64 quads, 2,112 vertices, 3,968 triangles, turned by 45 degrees about x
+ *   S2  torus, radii .75 and .33, 40 x 25 quads, 1,000 vertices, 2,000 triangles, turned by 45 degrees
+ *   S3  two triangles that fill the picture, corner normals spread over 71 degrees
+ *
+ * 320x240, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
+ * the second frame of two, the first one degree before it; material tables are built before both.
+ */
+#ifndef BENCH_SCENES_H
+#define BENCH_SCENES_H
+
+#include "sheen.h"
+
+#define BENCH_WIDTH 320
+#define BENCH_HEIGHT 240
+#define BENCH_SCENES 3
+
+struct bench_scene {
+    const char *name;
+    struct sheen_mesh mesh;
+    struct sheen_pose pose[2]; /* of both frames */
+    sheen_q24_t near, far;
+    uint16_t max_triangles; /* listed, with some to spare */
+};
+
+/* Made by export.c at build time: boards have no libm to make them with. */
+extern const struct bench_scene bench_scenes[BENCH_SCENES];
+
+/* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */
+struct bench {
+    const struct bench_scene *scene;
+    struct sheen_target target; /* throws the pixels away */
+    struct sheen_config config;
+    struct sheen_material material;
+    struct sheen_frame *frame;
+    uint8_t shading;
+};
+
+/* The configuration alone, for the size of its arena. */
+void bench_config(struct bench *bench, const struct bench_scene *scene, enum sheen_shading shading, int band_rows);
+int bench_begin(struct bench *bench, void *arena, size_t size);
+int bench_first(struct bench *bench);
+int bench_measured(struct bench *bench); /* never inlined: what is counted is what runs inside it */
+
+#endif
