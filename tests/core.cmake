@@ -4,6 +4,9 @@ foreach(name IN LISTS stages)
   sheen_test(test_core_${name} unit SOURCES test_core_${name}.c LIBRARIES core_picture sheen::core)
 endforeach()
 
+# Set-up of triangles that were never drawn.
+sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)
+
 # Every argument in place of every 4099th.
 add_test(NAME test_core_newton_all COMMAND test_core_newton all)
 sheen_part(test_core_newton_all long)

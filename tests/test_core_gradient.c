@@ -1,0 +1,313 @@
+/*
+ * test_core_gradient.c - planes and second differences over triangles against double precision, at every covered pixel.
+ *
+ * Tolerances. A plane: 1 raw step, 1/2 a step for each pixel walked from corner 0 in x and in y, and of the largest
+ * difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent for each pixel walked. What Phong
+ * adds: L.N and V.N the same, of a difference below 4. D = N.N: 16 raw steps of UQ1.31, 1/2 for each of x, y, x^2/2,
+ * xy and y^2/2 walked, and twice |N| times what N is off by.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "test_core_worst.h"
+
+#include "core_raster.h"
+#include "frame_stage.h"
+
+#define WIDTH 640
+#define HEIGHT 480
+#define TRIANGLES 2500
+#define ONE 1073741824.0 /* Q1.30 */
+
+/* Corners clockwise, 1/64 px of the picture; barycentric coordinates of a pixel's centre. */
+struct shape2 {
+    int32_t x[3], y[3];
+    double area;
+};
+
+/* Every size from a pixel to the picture; every fourth one a sliver of 1/64 to 1 px across. */
+static int random_shape(struct shape2 *s, uint32_t *state, int i)
+{
+    double size = exp(stage_uniform(state, log(64), log(64 * 600)));
+    double cx = stage_uniform(state, 0, WIDTH * 64), cy = stage_uniform(state, 0, HEIGHT * 64);
+
+    for (int k = 0; k < 3; k++) {
+        s->x[k] = (int32_t)fmin(WIDTH * 64, fmax(0, cx + stage_uniform(state, -size, size)));
+        s->y[k] = (int32_t)fmin(HEIGHT * 64, fmax(0, cy + stage_uniform(state, -size, size)));
+    }
+    if (i % 4 == 0) {
+        double t = stage_uniform(state, 0, 1);
+        s->x[2] = (int32_t)(s->x[0] + t * (s->x[1] - s->x[0]) + stage_uniform(state, -32, 32));
+        s->y[2] = (int32_t)(s->y[0] + t * (s->y[1] - s->y[0]) + stage_uniform(state, -32, 32));
+    }
+    s->area = (double)(s->x[1] - s->x[0]) * (s->y[2] - s->y[0]) - (double)(s->y[1] - s->y[0]) * (s->x[2] - s->x[0]);
+    if (s->area < 0) {
+        int32_t x = s->x[1], y = s->y[1];
+        s->x[1] = s->x[2];
+        s->y[1] = s->y[2];
+        s->x[2] = x;
+        s->y[2] = y;
+        s->area = -s->area;
+    }
+    return s->area > 0;
+}
+
+/* 1 where the centre of pixel (px, py) is inside. */
+static int barycentric(const struct shape2 *s, int px, int py, double b[3])
+{
+    double x = px * 64 + 32, y = py * 64 + 32;
+
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        b[k] = ((s->x[i] - x) * (s->y[j] - y) - (s->y[i] - y) * (s->x[j] - x)) / s->area;
+    }
+    return b[0] >= 0 && b[1] >= 0 && b[2] >= 0;
+}
+
+/* Calls at(ctx, px, py, b) for covered pixels: all of small triangles, every so many of large ones. */
+static void each_pixel(const struct shape2 *s, void (*at)(void *, int, int, const double *), void *ctx)
+{
+    int x0 = WIDTH, x1 = 0, y0 = HEIGHT, y1 = 0, count = 0;
+
+    for (int k = 0; k < 3; k++) {
+        x0 = min32(x0, s->x[k] >> 6);
+        x1 = max32(x1, s->x[k] >> 6);
+        y0 = min32(y0, s->y[k] >> 6);
+        y1 = max32(y1, s->y[k] >> 6);
+    }
+    int step = 1 + (x1 - x0) * (y1 - y0) / 20000;
+    for (int y = y0; y <= y1; y++)
+        for (int x = x0; x <= x1; x++) {
+            double b[3];
+            if (count++ % step == 0 && barycentric(s, x, y, b))
+                at(ctx, x, y, b);
+        }
+}
+
+/* ---- planes ---- */
+
+struct plane_case {
+    struct worst *worst;
+    const struct shape2 *shape;
+    const struct gradients *g;
+    struct plane plane;
+    int32_t value[3];
+    unsigned up;
+    double largest; /* difference, raw steps with `up` more bits */
+};
+
+static double plane_slack(const struct gradients *g, double largest, double dx, double dy)
+{
+    return 1 + (dx + dy) / 2 + largest * (0x1p-29 + (dx + dy) * ldexp(1, -(int)g->exponent));
+}
+
+static void note_plane(void *ctx, int px, int py, const double *b)
+{
+    struct plane_case *c = ctx;
+    double dx = abs(px - c->g->origin[0]) + 1, dy = abs(py - c->g->origin[1]) + 1;
+    double exact = (b[0] * c->value[0] + b[1] * c->value[1] + b[2] * c->value[2]) * ldexp(1, (int)c->up);
+    int32_t off = (int32_t)(plane_at(&c->plane, px, py) - (uint32_t)(int64_t)rint(exact)); /* modulo 2^32 */
+
+    worst_note(c->worst, off / plane_slack(c->g, c->largest, dx, dy), "pixel %d %d, corner 0 at %d %d, exponent %u", px,
+               py, c->shape->x[0], c->shape->y[0], c->g->exponent);
+}
+
+static void test_planes(void **unused)
+{
+    struct worst worst = {0};
+    uint32_t state = 1;
+    int flat = 0;
+
+    (void)unused;
+    for (int i = 0; i < TRIANGLES; i++) {
+        static const unsigned ups[] = {0, 1, 16};
+        struct shape2 shape;
+        struct gradients g;
+        if (!random_shape(&shape, &state, i))
+            continue;
+        if (!sheen_gradients(&g, shape.x, shape.y, (uint32_t)shape.area)) {
+            flat++;
+            continue;
+        }
+        struct plane_case c = {.worst = &worst, .shape = &shape, .g = &g, .up = ups[i % 3]};
+        for (int k = 0; k < 3; k++)
+            c.value[k] = c.up == 16 ? (int32_t)(stage_random(&state) >> 16)
+                                    : (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 20));
+        for (int k = 1; k < 3; k++)
+            c.largest = fmax(c.largest, fabs((double)c.value[k] - c.value[0]) * ldexp(1, (int)c.up));
+        c.plane = sheen_gradient_plane(&g, c.value, c.up);
+        each_pixel(&shape, note_plane, &c);
+    }
+    worst_assert(&worst, 1, "planes in tolerances");
+    assert_true(flat < TRIANGLES / 50);
+}
+
+/* Only slivers are refused, and none that is a 64th of a pixel or more across over its longest side. */
+static void test_what_is_too_flat(void **unused)
+{
+    uint32_t state = 2;
+    int refused = 0;
+
+    (void)unused;
+    for (int i = 0; i < 200000; i++) {
+        struct shape2 shape;
+        struct gradients g;
+        if (!random_shape(&shape, &state, i % 8 == 0 ? 0 : i * 4))
+            continue;
+        double longest = 0;
+        for (int k = 0; k < 3; k++)
+            longest = fmax(longest, hypot(shape.x[(k + 1) % 3] - shape.x[k], shape.y[(k + 1) % 3] - shape.y[k]));
+        int made = sheen_gradients(&g, shape.x, shape.y, (uint32_t)shape.area);
+        refused += !made;
+        if (!made)
+            assert_true(shape.area / longest < 1); /* 1/64 px */
+        else
+            assert_in_range(g.exponent, MIN_EXPONENT, 55);
+    }
+    assert_true(refused > 10);
+}
+
+/* ---- what Phong needs ---- */
+
+struct phong_case {
+    struct worst *dot, *square;
+    struct core_raster *raster;
+    struct setup setup;
+    struct gradients g;
+    double n[3][3]; /* corner normals times weight as the core rounds them, 1.0 is 1.0 */
+};
+
+static void note_phong(void *ctx, int px, int py, const double *b)
+{
+    struct phong_case *c = ctx;
+    const struct lighting *l = &c->raster->draw.light;
+    double dx = abs(px - c->g.origin[0]) + 1, dy = abs(py - c->g.origin[1]) + 1, n[3], light = 0, view = 0, square = 0;
+
+    for (int i = 0; i < 3; i++) {
+        n[i] = b[0] * c->n[0][i] + b[1] * c->n[1][i] + b[2] * c->n[2][i];
+        light += n[i] * l->to[0][i];
+        view += n[i] * l->view[i];
+        square += n[i] * n[i];
+    }
+    double slack = 4 * plane_slack(&c->g, 2 * ONE / 4, dx, dy);
+    int32_t ln = (int32_t)plane_at(&c->setup.shade.phong.light, px, py);
+    int32_t nv = (int32_t)plane_at(&c->setup.shade.phong.view, px, py);
+    int32_t d = (int32_t)(quadric_at(&c->setup.shade.phong.square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
+    worst_note(c->dot, (ln - light) / slack, "L.N at %d %d", px, py);
+    worst_note(c->dot, (nv - view) / slack, "V.N at %d %d", px, py);
+    double walked = 16 + (dx + dy + dx * dx / 2 + dx * dy + dy * dy / 2) / 2;
+    worst_note(c->square, d / (walked + 4 * sqrt(square) * slack), "D at %d %d, exponent %u", px, py, c->g.exponent);
+}
+
+/* Corner normals within `spread` of one direction; weights as setup.c makes them of z16. */
+static void random_corners(struct core_raster *r, struct phong_case *c, int16_t normals[9], uint32_t *state,
+                           double spread)
+{
+    double centre[3], weight[3], most = 0;
+
+    for (int i = 0; i < 3; i++)
+        centre[i] = stage_uniform(state, -1, 1);
+    for (int k = 0; k < 3; k++) {
+        const struct projection *p = &r->frame.projection;
+        double n[3], length = 0;
+        r->vertex[k].z = (uint16_t)(20000 + stage_random(state) % 45000);
+        weight[k] = ((uint32_t)r->vertex[k].z << p->weight_shift) + p->weight_offset;
+        most = fmax(most, weight[k]);
+        for (int i = 0; i < 3; i++) {
+            n[i] = centre[i] + spread * stage_uniform(state, -1, 1);
+            length += n[i] * n[i];
+        }
+        for (int i = 0; i < 3; i++)
+            normals[3 * k + i] = (int16_t)lrint(n[i] / sqrt(length) * 32767);
+    }
+    int exponent;
+    (void)frexp(most, &exponent); /* the largest in [1/2, 1), then 16 bits, halves up */
+    for (int k = 0; k < 3; k++) {
+        double w = r->frame.view.affine ? 65536 : floor(ldexp(weight[k], 16 - exponent) + 0.5);
+        for (int i = 0; i < 3; i++)
+            c->n[k][i] = floor(normals[3 * k + i] * w / 4) * 0x1p-29;
+    }
+}
+
+/* Set-up halves normals until no part of one changes by 2 a px or more: only slivers. 0 where rounding decides. */
+static int scale_normals(struct phong_case *c, const struct shape2 *s)
+{
+    double steepest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        double d1 = c->n[1][i] - c->n[0][i], d2 = c->n[2][i] - c->n[0][i];
+        double x1 = s->x[1] - s->x[0], y1 = s->y[1] - s->y[0], x2 = s->x[2] - s->x[0], y2 = s->y[2] - s->y[0];
+        steepest = fmax(steepest, fmax(fabs(d1 * y2 - d2 * y1), fabs(d2 * x1 - d1 * x2)) * 64 / s->area);
+    }
+    for (; steepest > 1.999; steepest /= 2) {
+        if (steepest < 2.001)
+            return 0;
+        for (int k = 0; k < 9; k++)
+            c->n[k / 3][k % 3] = floor(c->n[k / 3][k % 3] * (ONE / 4)) / (ONE / 2);
+    }
+    return 1;
+}
+
+static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t *state, int i)
+{
+    int16_t normals[9];
+    struct shape2 shape;
+
+    if (!random_shape(&shape, state, i) || !sheen_gradients(&c->g, shape.x, shape.y, (uint32_t)shape.area))
+        return;
+    for (int k = 0; k < 3; k++) { /* clockwise is what set-up orders corners to: corner 0 stays the first */
+        r->vertex[k].x = (int16_t)(shape.x[k] - WIDTH * 32);
+        r->vertex[k].y = (int16_t)(shape.y[k] - HEIGHT * 32);
+    }
+    random_corners(r, c, normals, state, i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.3 : 1);
+    for (int k = 0; k < 9; k++) /* a back face: set-up takes them negated */
+        normals[k] = (int16_t)-normals[k];
+    r->mesh.normals = normals;
+    if (!sheen_setup(&r->frame, &r->draw, 0, 0, &c->setup) || c->setup.way != SHEEN_WAY_PHONG_ROOT ||
+        !scale_normals(c, &shape))
+        return;
+    each_pixel(&shape, note_phong, c);
+}
+
+static void note_light(struct core_raster *r, uint32_t *state)
+{
+    struct sheen_light light = {.intensity = 65536, .highlight = 1};
+    struct sheen_draw draw = {.lights = &light, .light_count = 1};
+
+    for (int k = 0; k < 3; k++)
+        light.to[k] = (int32_t)stage_random(state);
+    sheen_pose_orbit(&draw.pose, stage_random(state), stage_random(state), stage_random(state), 0);
+    assert_int_equal(sheen_light_begin(&r->draw.light, &draw), SHEEN_OK);
+}
+
+static void test_phong_set_up(void **unused)
+{
+    struct worst dot = {0}, square = {0};
+    static struct core_raster r;
+    uint32_t state = 3;
+
+    (void)unused;
+    core_raster_begin(&r, WIDTH, HEIGHT);
+    r.draw.shading = SHEEN_PHONG;
+    r.frame.view = (struct sheen_view){.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(10)};
+    assert_int_equal(sheen_project_begin(&r.frame.projection, &r.frame.view, HEIGHT), SHEEN_OK);
+    for (int i = 0; i < TRIANGLES; i++) {
+        struct phong_case c = {.dot = &dot, .square = &square, .raster = &r};
+        r.frame.view.affine = i % 2 == 0;
+        note_light(&r, &state);
+        note_triangle(&r, &c, &state, i);
+    }
+    worst_assert(&dot, 1, "L.N and V.N in tolerances");
+    worst_assert(&square, 1, "N.N in tolerances");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_what_is_too_flat),
+        cmocka_unit_test(test_phong_set_up),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
