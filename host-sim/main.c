@@ -63,7 +63,9 @@ int main(int argc, char **argv)
     struct sheen_problem problem;
     const char *name = argc > 1 ? argv[1] : "";
 
-    signal(SIGPIPE, SIG_IGN); /* a closed pipe is an error of the write, not the end of the program */
+    /* A closed pipe and a file grown too large are errors of a write, not the end of the program. */
+    signal(SIGPIPE, SIG_IGN);
+    signal(SIGXFSZ, SIG_IGN);
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
         print_help();
         return finish(SHEEN_EXIT_OK);

@@ -1,231 +1,104 @@
 /*
- * mesh_file.c - mesh files by assimp's C interface.
+ * mesh_file.c - mesh files, read by a confined child process.
  */
 #include "mesh_file.h"
 
-#include <assimp/cimport.h>
-#include <assimp/commonMetaData.h>
-#include <assimp/material.h>
-#include <assimp/scene.h>
 #include <errno.h>
-#include <math.h>
-#include <stdio.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
-
-/* Two walks over the nodes: the first counts, the second fills in. */
-struct walk {
-    const struct aiScene *scene;
-    struct sheen_polygons *out; /* NULL while counting */
-    size_t points, polygons, corners;
-    int with_normals;
-    int broken; /* an index out of range, or too many of something */
-};
-
-/* 4 x 4, row by row, in double precision. */
-static void multiply(const double a[16], const struct aiMatrix4x4 *b, double out[16])
-{
-    const float *r = &b->a1;
-
-    for (int i = 0; i < 4; i++) {
-        for (int j = 0; j < 4; j++) {
-            out[4 * i + j] = 0;
-            for (int k = 0; k < 4; k++)
-                out[4 * i + j] += a[4 * i + k] * (double)r[4 * k + j];
-        }
-    }
-}
-
-static void transform_point(const double m[16], const struct aiVector3D *v, double out[3])
-{
-    for (int k = 0; k < 3; k++) {
-        double sum = m[4 * k] * (double)v->x + m[4 * k + 1] * (double)v->y + m[4 * k + 2] * (double)v->z + m[4 * k + 3];
-        out[k] = (float)sum + 0.0; /* a 32-bit float; -0 becomes 0 */
-    }
-}
-
-/*
- * Normals go by the cofactors, which are the inverse's transpose times the
- * determinant and exist for flattening transforms too. Returns the determinant.
- */
-static double cofactors(const double m[16], double out[9])
-{
-    for (int i = 0; i < 3; i++) {
-        const double *a = m + 4 * ((i + 1) % 3), *b = m + 4 * ((i + 2) % 3);
-        for (int j = 0; j < 3; j++) {
-            int u = (j + 1) % 3, v = (j + 2) % 3;
-            out[3 * i + j] = a[u] * b[v] - a[v] * b[u];
-        }
-    }
-    return m[0] * out[0] + m[1] * out[1] + m[2] * out[2];
-}
-
-static void transform_normal(const double c[9], double sign, const struct aiVector3D *v, double out[3])
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = sign * (c[3 * k] * (double)v->x + c[3 * k + 1] * (double)v->y + c[3 * k + 2] * (double)v->z);
-}
-
-static void count_mesh(struct walk *walk, const struct aiMesh *mesh)
-{
-    walk->points += mesh->mNumVertices;
-    walk->broken |= mesh->mMaterialIndex >= walk->scene->mNumMaterials || mesh->mMaterialIndex > UINT16_MAX;
-    walk->with_normals |= mesh->mNormals != NULL;
-    for (unsigned f = 0; f < mesh->mNumFaces; f++) {
-        const struct aiFace *face = &mesh->mFaces[f];
-        for (unsigned c = 0; c < face->mNumIndices; c++)
-            walk->broken |= face->mIndices[c] >= mesh->mNumVertices;
-        if (face->mNumIndices < 3)
-            continue;
-        walk->polygons++;
-        walk->corners += face->mNumIndices;
-    }
-}
-
-/* A transform that mirrors turns faces inside out, so their corners are taken backwards. */
-static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct aiFace *face, const double c[9],
-                      int mirrored)
-{
-    struct sheen_polygons *out = walk->out;
-
-    for (unsigned i = 0; i < face->mNumIndices; i++) {
-        unsigned index = face->mIndices[mirrored ? face->mNumIndices - 1 - i : i];
-        out->corners[walk->corners] = (uint32_t)(walk->points + index);
-        if (out->normals && mesh->mNormals)
-            transform_normal(c, mirrored ? -1 : 1, &mesh->mNormals[index], out->normals[walk->corners]);
-        walk->corners++;
-    }
-    out->groups[walk->polygons] = (uint16_t)mesh->mMaterialIndex;
-    out->first[++walk->polygons] = (uint32_t)walk->corners;
-}
-
-static void fill_mesh(struct walk *walk, const struct aiMesh *mesh, const double transform[16])
-{
-    double c[9];
-    int mirrored = cofactors(transform, c) < 0;
-
-    for (unsigned f = 0; f < mesh->mNumFaces; f++) {
-        if (mesh->mFaces[f].mNumIndices >= 3)
-            fill_face(walk, mesh, &mesh->mFaces[f], c, mirrored);
-    }
-    for (unsigned v = 0; v < mesh->mNumVertices; v++)
-        transform_point(transform, &mesh->mVertices[v], walk->out->points[walk->points + v]);
-    walk->points += mesh->mNumVertices;
-}
-
-static void walk_node(struct walk *walk, const struct aiNode *node, const double parent[16], int depth)
-{
-    double transform[16];
-
-    if (depth > MAX_DEPTH)
-        walk->broken = 1;
-    if (walk->broken)
-        return;
-    multiply(parent, &node->mTransformation, transform);
-    for (unsigned i = 0; i < node->mNumMeshes; i++) {
-        const struct aiMesh *mesh = walk->scene->mMeshes[node->mMeshes[i]];
-        if (walk->out)
-            fill_mesh(walk, mesh, transform);
-        else
-            count_mesh(walk, mesh);
-        walk->broken |= walk->corners > UINT32_MAX / 8 || walk->points > UINT32_MAX / 8;
-    }
-    for (unsigned i = 0; i < node->mNumChildren; i++)
-        walk_node(walk, node->mChildren[i], transform, depth + 1);
-}
-
-static void walk_scene(struct walk *walk, const struct aiScene *scene, struct sheen_polygons *out)
-{
-    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-    *walk = (struct walk){.scene = scene, .out = out};
-    walk_node(walk, scene->mRootNode, identity, 0);
-}
-
-static void read_material(const struct aiMaterial *material, struct sheen_group *group)
-{
-    struct aiString name;
-    struct aiColor4D color;
-
-    if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS)
-        snprintf(group->name, sizeof group->name, "%.63s", name.data);
-    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS &&
-        aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) != aiReturn_SUCCESS)
-        return;
-    const float parts[3] = {color.r, color.g, color.b};
-    for (int k = 0; k < 3; k++)
-        group->color[k] = (uint8_t)(255 * fmin(fmax((double)parts[k], 0), 1) + 0.5); /* NaN: 0 */
-    group->has_color = 1;
-}
-
-/* STL holds a normal a facet, which says nothing that its corners do not; assimp hands it on as if it were vn. */
-static int has_facet_normals(const struct aiScene *scene)
-{
-    const struct aiMetadata *data = scene->mMetaData;
-
-    for (unsigned i = 0; data && i < data->mNumProperties; i++) {
-        if (strcmp(data->mKeys[i].data, AI_METADATA_SOURCE_FORMAT) == 0 && data->mValues[i].mType == AI_AISTRING)
-            return strstr(((const struct aiString *)data->mValues[i].mData)->data, "Stereolithography") != NULL;
-    }
-    return 0;
-}
-
-static int convert(struct sheen_polygons *polygons, const struct aiScene *scene, const char *path,
-                   struct sheen_problem *problem)
-{
-    struct walk walk;
-
-    walk_scene(&walk, scene, NULL);
-    if (walk.broken)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                             "%s: a face names a vertex or material that is not there, "
-                             "or there are too many",
-                             path);
-    if (walk.polygons == 0)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
-    int error = sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
-                                     walk.with_normals && !has_facet_normals(scene));
-    if (error)
-        return sheen_problem(problem, error, "%s: not enough memory", path);
-    walk_scene(&walk, scene, polygons);
-    for (unsigned i = 0; i < scene->mNumMaterials; i++)
-        read_material(scene->mMaterials[i], &polygons->group[i]);
-    return SHEEN_OK;
-}
+#include "confine.h"
+#include "mesh_assimp.h"
+#include "mesh_wire.h"
 
 /* What the operating system has to say about it, in better words than a parser. */
 static int check_file(const char *path, struct sheen_problem *problem)
 {
     struct stat status;
-    FILE *file = fopen(path, "rb");
+    int failed = stat(path, &status);
 
-    if (!file || fstat(fileno(file), &status) != 0) {
-        int error = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
-        if (file)
-            fclose(file);
-        return error;
-    }
-    fclose(file);
-    if (!S_ISREG(status.st_mode))
+    if (!failed && !S_ISREG(status.st_mode)) /* not even opened: a pipe would wait for its writer */
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path,
-                             S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a file");
+                             S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file");
+    if (failed || access(path, R_OK) != 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
     if (status.st_size == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: the file is empty", path);
     return SHEEN_OK;
 }
 
-int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+/* The child: never returns. A crash ends it, whatever handlers the program has. */
+static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path, int pipe)
 {
+    struct sheen_polygons polygons = {0};
+    struct sheen_problem problem = {""};
+
+    for (int number = 1; number < NSIG; number++)
+        signal(number, SIG_DFL);
+    int error = sheen_confine(pipe, SHEEN_IMPORT_SECONDS, SHEEN_IMPORT_BYTES, &problem);
+
+    if (!error)
+        error = reader(&polygons, path, &problem);
+    _exit(sheen_mesh_send(pipe, error, &polygons, &problem) == 0 ? 0 : 1);
+}
+
+/* Why there is no answer. status: as from waitpid. */
+static int explain(int status, const char *path, struct sheen_problem *problem)
+{
+    int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+
+    if (number == SIGALRM || number == SIGXCPU)
+        return sheen_problem(problem, SHEEN_ERR_TIMEOUT, "%s: reading it takes longer than %u s", path,
+                             SHEEN_IMPORT_SECONDS);
+    if (number == SIGSYS)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer was stopped: it tried more than reading",
+                             path);
+    if (number)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer broke down over it (%s)", path,
+                             strsignal(number));
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer gave no answer, or one too large", path);
+}
+
+static int receive(struct sheen_polygons *polygons, const char *path, pid_t child, int pipe,
+                   struct sheen_problem *problem)
+{
+    int error = SHEEN_OK, status = 0;
+    int answered = sheen_mesh_receive(pipe, &error, polygons, problem);
+
+    close(pipe); /* one that still writes ends now */
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        ;
+    return answered ? error : explain(status, path, problem);
+}
+
+int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *polygons, const char *path,
+                            struct sheen_problem *problem)
+{
+    int ends[2], error = check_file(path, problem);
+
     memset(polygons, 0, sizeof *polygons);
-    int error = check_file(path, problem);
     if (error)
         return error;
-    const struct aiScene *scene = aiImportFile(path, 0);
-    if (!scene)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, aiGetErrorString());
-    error = convert(polygons, scene, path, problem);
-    aiReleaseImport(scene);
-    return error;
+    if (pipe(ends) != 0)
+        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no pipe: %s", path, strerror(errno));
+    pid_t child = fork();
+    if (child == 0) {
+        close(ends[0]);
+        read_and_send(reader, path, ends[1]);
+    }
+    error = errno;
+    close(ends[1]);
+    if (child > 0)
+        return receive(polygons, path, child, ends[0], problem);
+    close(ends[0]);
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no process to read it: %s", path, strerror(error));
+}
+
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+{
+    return sheen_mesh_file_read_by(sheen_mesh_assimp_read, polygons, path, problem);
 }

@@ -1,10 +1,20 @@
 /*
  * mesh_file.h - mesh files: OBJ, STL, PLY, glTF and what else assimp reads.
+ *
+ * A parser of two dozen formats is the widest door that a hostile file finds. It
+ * runs in a child process that may read files and nothing else (confine.h), within
+ * limits of memory and time; what it hands back is checked here.
  */
 #ifndef SHEEN_MESH_FILE_H
 #define SHEEN_MESH_FILE_H
 
 #include "polygons.h"
+
+#define SHEEN_IMPORT_SECONDS 8u
+#define SHEEN_IMPORT_BYTES (900u << 20) /* address space of the child */
+
+/* What runs in the child: sheen_mesh_assimp_read, or a test's own. */
+typedef int sheen_mesh_reader(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /*
  * Polygons with the file's node transforms applied, n-gons kept, points and lines
@@ -12,5 +22,9 @@
  * any case.
  */
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+
+/* The same by another reader. */
+int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *polygons, const char *path,
+                            struct sheen_problem *problem);
 
 #endif

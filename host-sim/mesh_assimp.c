@@ -1,0 +1,214 @@
+/*
+ * mesh_assimp.c - mesh files by assimp's C interface. Runs in the confined child (mesh_file.c).
+ */
+#include "mesh_assimp.h"
+
+#include <assimp/cimport.h>
+#include <assimp/commonMetaData.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "obj_check.h"
+#include "ply_check.h"
+
+#define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
+
+/* Two walks over the nodes: the first counts, the second fills in. */
+struct walk {
+    const struct aiScene *scene;
+    struct sheen_polygons *out; /* NULL while counting */
+    size_t points, polygons, corners;
+    int with_normals;
+    int broken; /* an index out of range, or too many of something */
+};
+
+/* 4 x 4, row by row, in double precision. */
+static void multiply(const double a[16], const struct aiMatrix4x4 *b, double out[16])
+{
+    const float *r = &b->a1;
+
+    for (int i = 0; i < 4; i++) {
+        for (int j = 0; j < 4; j++) {
+            out[4 * i + j] = 0;
+            for (int k = 0; k < 4; k++)
+                out[4 * i + j] += a[4 * i + k] * (double)r[4 * k + j];
+        }
+    }
+}
+
+static void transform_point(const double m[16], const struct aiVector3D *v, double out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        double sum = m[4 * k] * (double)v->x + m[4 * k + 1] * (double)v->y + m[4 * k + 2] * (double)v->z + m[4 * k + 3];
+        out[k] = (float)sum + 0.0; /* a 32-bit float; -0 becomes 0 */
+    }
+}
+
+/*
+ * Normals go by the cofactors, which are the inverse's transpose times the
+ * determinant and exist for flattening transforms too. Returns the determinant.
+ */
+static double cofactors(const double m[16], double out[9])
+{
+    for (int i = 0; i < 3; i++) {
+        const double *a = m + 4 * ((i + 1) % 3), *b = m + 4 * ((i + 2) % 3);
+        for (int j = 0; j < 3; j++) {
+            int u = (j + 1) % 3, v = (j + 2) % 3;
+            out[3 * i + j] = a[u] * b[v] - a[v] * b[u];
+        }
+    }
+    return m[0] * out[0] + m[1] * out[1] + m[2] * out[2];
+}
+
+static void transform_normal(const double c[9], double sign, const struct aiVector3D *v, double out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = sign * (c[3 * k] * (double)v->x + c[3 * k + 1] * (double)v->y + c[3 * k + 2] * (double)v->z);
+}
+
+static void count_mesh(struct walk *walk, const struct aiMesh *mesh)
+{
+    walk->points += mesh->mNumVertices;
+    walk->broken |= mesh->mMaterialIndex >= walk->scene->mNumMaterials || mesh->mMaterialIndex > UINT16_MAX;
+    walk->with_normals |= mesh->mNormals != NULL;
+    for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+        const struct aiFace *face = &mesh->mFaces[f];
+        for (unsigned c = 0; c < face->mNumIndices; c++)
+            walk->broken |= face->mIndices[c] >= mesh->mNumVertices;
+        if (face->mNumIndices < 3)
+            continue;
+        walk->polygons++;
+        walk->corners += face->mNumIndices;
+    }
+}
+
+/* A transform that mirrors turns faces inside out, so their corners are taken backwards. */
+static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct aiFace *face, const double c[9],
+                      int mirrored)
+{
+    struct sheen_polygons *out = walk->out;
+
+    for (unsigned i = 0; i < face->mNumIndices; i++) {
+        unsigned index = face->mIndices[mirrored ? face->mNumIndices - 1 - i : i];
+        out->corners[walk->corners] = (uint32_t)(walk->points + index);
+        if (out->normals && mesh->mNormals)
+            transform_normal(c, mirrored ? -1 : 1, &mesh->mNormals[index], out->normals[walk->corners]);
+        walk->corners++;
+    }
+    out->groups[walk->polygons] = (uint16_t)mesh->mMaterialIndex;
+    out->first[++walk->polygons] = (uint32_t)walk->corners;
+}
+
+static void fill_mesh(struct walk *walk, const struct aiMesh *mesh, const double transform[16])
+{
+    double c[9];
+    int mirrored = cofactors(transform, c) < 0;
+
+    for (unsigned f = 0; f < mesh->mNumFaces; f++) {
+        if (mesh->mFaces[f].mNumIndices >= 3)
+            fill_face(walk, mesh, &mesh->mFaces[f], c, mirrored);
+    }
+    for (unsigned v = 0; v < mesh->mNumVertices; v++)
+        transform_point(transform, &mesh->mVertices[v], walk->out->points[walk->points + v]);
+    walk->points += mesh->mNumVertices;
+}
+
+static void walk_node(struct walk *walk, const struct aiNode *node, const double parent[16], int depth)
+{
+    double transform[16];
+
+    if (depth > MAX_DEPTH)
+        walk->broken = 1;
+    if (walk->broken)
+        return;
+    multiply(parent, &node->mTransformation, transform);
+    for (unsigned i = 0; i < node->mNumMeshes; i++) {
+        const struct aiMesh *mesh = walk->scene->mMeshes[node->mMeshes[i]];
+        if (walk->out)
+            fill_mesh(walk, mesh, transform);
+        else
+            count_mesh(walk, mesh);
+        walk->broken |= walk->corners > UINT32_MAX / 8 || walk->points > UINT32_MAX / 8;
+    }
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        walk_node(walk, node->mChildren[i], transform, depth + 1);
+}
+
+static void walk_scene(struct walk *walk, const struct aiScene *scene, struct sheen_polygons *out)
+{
+    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+    *walk = (struct walk){.scene = scene, .out = out};
+    walk_node(walk, scene->mRootNode, identity, 0);
+}
+
+static void read_material(const struct aiMaterial *material, struct sheen_group *group)
+{
+    struct aiString name;
+    struct aiColor4D color;
+
+    if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS)
+        snprintf(group->name, sizeof group->name, "%.63s", name.data);
+    if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS &&
+        aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) != aiReturn_SUCCESS)
+        return;
+    const float parts[3] = {color.r, color.g, color.b};
+    for (int k = 0; k < 3; k++)
+        group->color[k] = (uint8_t)(255 * fmin(fmax((double)parts[k], 0), 1) + 0.5); /* NaN: 0 */
+    group->has_color = 1;
+}
+
+/* STL holds a normal a facet, which says nothing that its corners do not; assimp hands it on as if it were vn. */
+static int has_facet_normals(const struct aiScene *scene)
+{
+    const struct aiMetadata *data = scene->mMetaData;
+
+    for (unsigned i = 0; data && i < data->mNumProperties; i++) {
+        if (strcmp(data->mKeys[i].data, AI_METADATA_SOURCE_FORMAT) == 0 && data->mValues[i].mType == AI_AISTRING)
+            return strstr(((const struct aiString *)data->mValues[i].mData)->data, "Stereolithography") != NULL;
+    }
+    return 0;
+}
+
+static int convert(struct sheen_polygons *polygons, const struct aiScene *scene, const char *path,
+                   struct sheen_problem *problem)
+{
+    struct walk walk;
+
+    walk_scene(&walk, scene, NULL);
+    if (walk.broken)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                             "%s: a face names a vertex or material that is not there, "
+                             "or there are too many",
+                             path);
+    if (walk.polygons == 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
+    int error = sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
+                                     walk.with_normals && !has_facet_normals(scene));
+    if (error)
+        return sheen_problem(problem, error, "%s: not enough memory", path);
+    walk_scene(&walk, scene, polygons);
+    for (unsigned i = 0; i < scene->mNumMaterials; i++)
+        read_material(scene->mMaterials[i], &polygons->group[i]);
+    return SHEEN_OK;
+}
+
+int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+{
+    int error = sheen_obj_check(path, problem);
+
+    memset(polygons, 0, sizeof *polygons);
+    if (!error)
+        error = sheen_ply_check(path, problem);
+    if (error)
+        return error;
+    const struct aiScene *scene = aiImportFile(path, 0);
+    if (!scene)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, aiGetErrorString());
+    error = convert(polygons, scene, path, problem);
+    aiReleaseImport(scene);
+    return error;
+}

@@ -1,0 +1,131 @@
+/*
+ * mesh_wire.c - polygons through a pipe. Both ends are the same program on the same machine.
+ */
+#include "mesh_wire.h"
+
+#include <errno.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Of everything that is received; no mesh that can be drawn comes near it. */
+#define MAX_BYTES ((uint64_t)512 << 20)
+
+struct header {
+    int32_t error;
+    uint32_t with_normals;
+    uint64_t points, polygons, corners, groups;
+    struct sheen_problem problem;
+};
+
+/* An array of the polygons, and its bytes. */
+struct part {
+    void *bytes;
+    size_t count;
+};
+
+enum {
+    PARTS = 6
+};
+
+static void list_parts(const struct sheen_polygons *p, struct part parts[PARTS])
+{
+    parts[0] = (struct part){p->points, p->point_count * sizeof *p->points};
+    parts[1] = (struct part){p->first, (p->polygon_count + 1) * sizeof *p->first};
+    parts[2] = (struct part){p->corners, p->corner_count * sizeof *p->corners};
+    parts[3] = (struct part){p->normals, p->normals ? p->corner_count * sizeof *p->normals : 0};
+    parts[4] = (struct part){p->groups, p->polygon_count * sizeof *p->groups};
+    parts[5] = (struct part){p->group, p->group_count * sizeof *p->group};
+}
+
+static int send_all(int pipe, const void *bytes, size_t count)
+{
+    const char *at = bytes;
+
+    while (count > 0) {
+        ssize_t sent = write(pipe, at, count);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent < 0)
+            return -1;
+        at += sent;
+        count -= (size_t)sent;
+    }
+    return 0;
+}
+
+/* 1, or 0 where the pipe ends or fails first. */
+static int receive_all(int pipe, void *bytes, size_t count)
+{
+    char *at = bytes;
+
+    while (count > 0) {
+        ssize_t got = read(pipe, at, count);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return 0;
+        at += got;
+        count -= (size_t)got;
+    }
+    return 1;
+}
+
+int sheen_mesh_send(int pipe, int error, const struct sheen_polygons *polygons, const struct sheen_problem *problem)
+{
+    struct header header;
+    struct part parts[PARTS];
+
+    memset(&header, 0, sizeof header);
+    header.error = error;
+    if (error) {
+        header.problem = *problem;
+        return send_all(pipe, &header, sizeof header);
+    }
+    header.with_normals = polygons->normals != NULL;
+    header.points = polygons->point_count;
+    header.polygons = polygons->polygon_count;
+    header.corners = polygons->corner_count;
+    header.groups = polygons->group_count;
+    int failed = send_all(pipe, &header, sizeof header);
+    list_parts(polygons, parts);
+    for (int i = 0; !failed && i < PARTS; i++)
+        failed = send_all(pipe, parts[i].bytes, parts[i].count);
+    return failed;
+}
+
+/* Within bounds one by one, so that their sum does not wrap. */
+static int is_reasonable(const struct header *h)
+{
+    if (h->points > MAX_BYTES || h->polygons > MAX_BYTES || h->corners > MAX_BYTES || h->groups > UINT16_MAX + 1u)
+        return 0;
+    uint64_t bytes = h->points * 3 * sizeof(double) + h->polygons * 6 + h->groups * sizeof(struct sheen_group) +
+                     h->corners * (4 + (h->with_normals ? 3 * sizeof(double) : 0));
+    return bytes <= MAX_BYTES && h->groups > 0;
+}
+
+int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, struct sheen_problem *problem)
+{
+    struct header header;
+    struct part parts[PARTS];
+
+    memset(polygons, 0, sizeof *polygons);
+    if (!receive_all(pipe, &header, sizeof header))
+        return 0;
+    *error = header.error;
+    if (header.error) {
+        header.problem.text[sizeof header.problem.text - 1] = '\0';
+        sheen_problem(problem, 0, "%s", header.problem.text); /* one line, whatever was sent */
+        return header.error < 0;
+    }
+    if (!is_reasonable(&header) || sheen_polygons_alloc(polygons, header.points, header.polygons, header.corners,
+                                                        header.groups, header.with_normals != 0) != 0)
+        return 0;
+    list_parts(polygons, parts);
+    for (int i = 0; i < PARTS; i++) {
+        if (!receive_all(pipe, parts[i].bytes, parts[i].count))
+            return 0;
+    }
+    for (size_t g = 0; g < polygons->group_count; g++)
+        polygons->group[g].name[sizeof polygons->group[g].name - 1] = '\0';
+    return 1;
+}
