@@ -6,6 +6,7 @@ endforeach()
 
 # Set-up of triangles that were never drawn.
 sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)
+sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES core_picture sheen::core)
 
 # Every argument in place of every 4099th.
 add_test(NAME test_core_newton_all COMMAND test_core_newton all)
