@@ -247,6 +247,7 @@ int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
         return w->error;
 
     struct sheen_rect rect = band_rect(f, b);
+    w->done++;
     if (rect_empty(rect))
         return SHEEN_OK; /* nothing crosses this band, so nothing is pending below it either */
     collect(f, w, b);

@@ -134,18 +134,22 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
 static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
                        const struct clip_corner *polygon, unsigned count, const int16_t *const normal[3])
 {
-    int seen = 0;
     struct lit lit[3] = {{0, 0}, {0, 0}, {0, 0}};
+    int64_t whole = 0; /* the polygon's side decides; a sliver of the fan that snapping turned over is left out */
 
+    for (unsigned i = 1; i + 1 < count; i++)
+        whole += twice_area(&polygon[0].v, &polygon[i].v, &polygon[i + 1].v);
+    if (whole >= 0 && (whole == 0 || !d->two_sided))
+        return SHEEN_OK;
+    f->stats.front++;
+    if (d->shading == SHEEN_GOURAUD)
+        light_triangle(d, normal, whole > 0, lit);
     for (unsigned i = 1; i + 1 < count; i++) {
         const struct clip_corner *fan[3] = {&polygon[0], &polygon[i], &polygon[i + 1]};
         const struct vertex *const v[3] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
         int64_t area = twice_area(v[0], v[1], v[2]);
-        if (area >= 0 && (area == 0 || !d->two_sided))
+        if (area == 0 || (area > 0) != (whole > 0))
             continue;
-        if (!seen && d->shading == SHEEN_GOURAUD)
-            light_triangle(d, normal, area > 0, lit);
-        seen = 1;
         int listed = f->pieces == f->config.max_clipped ? sheen_bin_would_list(f, v) ? SHEEN_ERR_CAPACITY : 0
                                                         : sheen_bin_triangle(f, v, f->pieces, 1);
         if (listed < 0)
@@ -157,7 +161,6 @@ static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint1
         for (int k = 0; k < 3; k++)
             piece_corner(fan[k], normal, lit, &piece->corner[k], piece->normal[k]);
     }
-    f->stats.front += (uint32_t)seen;
     return SHEEN_OK;
 }
 

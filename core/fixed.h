@@ -53,7 +53,14 @@ static inline uint32_t mul_high(uint32_t a, uint32_t b)
 /* Leading zero bits, 0..32. */
 static inline unsigned clz32(uint32_t x)
 {
+#ifdef __GNUC__
     return x == 0 ? 32u : (unsigned)__builtin_clz(x);
+#else
+    unsigned zeros = 32;
+    for (; x != 0; x >>= 1)
+        zeros--;
+    return zeros;
+#endif
 }
 
 static inline unsigned clz64(uint64_t x)
@@ -80,8 +87,8 @@ static inline int32_t max32(int32_t a, int32_t b)
 
 /*
  * A Q1.30 (or any 32-bit) factor times a 16-bit one without a 64-bit product:
- * floor-ish (n * v) / 2^16, at most 1 below the exact quotient.
- * Range: |n| <= 2^15, so n * low half < 2^31.
+ * floor(n * v / 2^16). Range: |n| <= 2^15, so n times the low half is below 2^31;
+ * the result fits where |n| < 2^15 or |v| < 2^31.
  */
 static inline int32_t mul_16_32(int32_t n, int32_t v)
 {

@@ -14,7 +14,10 @@ static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t
         out[k] = mul_round(r[k], v[0], 30) + mul_round(r[3 + k], v[1], 30) + mul_round(r[6 + k], v[2], 30);
 }
 
-/* Intensities to weights, UQ1.15, that sum to at most 1.0. */
+/*
+ * Intensities to weights, UQ1.15, that sum to at most 1.0. Below 1/1000 in all they
+ * get coarse, where no level can show it.
+ */
 static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned count, sheen_q16_t sum)
 {
     for (unsigned i = 0; i < count; i++)

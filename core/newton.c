@@ -3,7 +3,7 @@
  *
  * Lecture, "Newton's Method": for f(r) = 1/r - x the step is r (2 - x r), for
  * f(r) = 1/r^2 - x it is r (3 - x r^2) / 2. A seed off by the relative error e
- * comes out off by e^2 and 3/2 e^2: 2^-14.5 becomes 2^-28.
+ * comes out off by e^2 and 3/2 e^2: 2^-14.7 becomes 2^-29.
  */
 #include "newton.h"
 #include "fixed.h"

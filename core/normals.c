@@ -23,7 +23,7 @@ static int normalize64(const int64_t v[3], sheen_q30_t out[3])
     uint64_t square = 0;
     for (int k = 0; k < 3; k++) {
         int64_t scaled = zeros >= 33 ? v[k] * ((int64_t)1 << (zeros - 33)) : asr64(v[k], 33 - zeros);
-        part[k] = (int32_t)scaled; /* |part| < 2^31, one of them >= 2^30 */
+        part[k] = (int32_t)scaled; /* in [-2^31, 2^31), one of them 2^30 or more; -2^31 only where a floor made it */
         square += (uint64_t)((int64_t)part[k] * part[k]) >> 2;
     }
 
@@ -43,28 +43,38 @@ int sheen_normalize(const int32_t v[3], sheen_q30_t out[3])
     return normalize64(wide, out);
 }
 
+/* The largest coordinate distance of a polygon's corners from its first, < 2^30. */
+static uint32_t reach(const int32_t *points, const uint32_t *corners, unsigned count)
+{
+    const int32_t *origin = points + 3 * (size_t)corners[0];
+    uint32_t all = 0;
+
+    for (unsigned i = 1; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            all |= magnitude32(points[3 * (size_t)corners[i] + (size_t)k] - origin[k]);
+    return all;
+}
+
 /*
  * Newell's sum is cyclic and does not depend on the origin; taken from the first
  * corner it needs the differences only.
- * Range: differences <= 2^29, products <= 2^58, so six terms of two products stay
- * below 2^62.6; longer sums drop 16 bits of each term first.
+ * Range: differences below 2^d (d <= 30), a term of two products below 2^(2d + 1),
+ * count - 2 terms below 2^(2d + 1 + c): what exceeds 62 bits is dropped of each term.
  */
 int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigned count, sheen_q30_t normal[3])
 {
-    unsigned scale = count <= 8 ? 0 : 16; /* count - 2 terms */
+    unsigned bits = 2 * (32 - clz32(reach(points, corners, count))) + 1 + (32 - clz32(count - 2));
+    unsigned drop = bits > 62 ? bits - 62 : 0;
     const int32_t *origin = points + 3 * (size_t)corners[0];
     int64_t sum[3] = {0, 0, 0};
 
     for (unsigned i = 1; i + 1 < count; i++) {
         const int32_t *p = points + 3 * (size_t)corners[i], *q = points + 3 * (size_t)corners[i + 1];
-        int64_t a[3], b[3];
         for (int k = 0; k < 3; k++) {
-            a[k] = (int64_t)p[k] - origin[k];
-            b[k] = (int64_t)q[k] - origin[k];
+            int m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+            int64_t am = p[m] - origin[m], an = p[n] - origin[n], bm = q[m] - origin[m], bn = q[n] - origin[n];
+            sum[k] += asr64(am * bn - an * bm, drop);
         }
-        sum[0] += asr64(a[1] * b[2] - a[2] * b[1], scale);
-        sum[1] += asr64(a[2] * b[0] - a[0] * b[2], scale);
-        sum[2] += asr64(a[0] * b[1] - a[1] * b[0], scale);
     }
     return normalize64(sum, normal);
 }

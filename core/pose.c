@@ -69,7 +69,8 @@ int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const 
         return SHEEN_ERR_DEGENERATE; /* within 1e-6 of parallel: nothing left but rounding */
     (void)sheen_normalize(right, right);
     cross(back, right, above);
-    (void)sheen_normalize(above, above);
+    (void)sheen_normalize(above, above); /* at right angles to back, exactly; right may lean by its rounding */
+    cross(above, back, right);
     p.scale = 1 << 16;
     for (int k = 0; k < 3; k++) {
         int64_t moved = -row_times(p.rotation + 3 * k, eye, 1);
@@ -83,7 +84,7 @@ int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const 
 
 /*
  * PICTURE.md's order, R = Rz(roll) * Rx(pitch) * Ry(yaw), multiplied out. Each
- * entry is within 4 raw steps of exact, so rows are unit vectors to 1e-8.
+ * entry is within 6 raw steps of exact, so rows are unit vectors to 1e-8.
  */
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
                       sheen_q24_t distance)
@@ -107,5 +108,5 @@ void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t 
     pose->scale = 1 << 16;
     pose->translation[0] = 0;
     pose->translation[1] = 0;
-    pose->translation[2] = -distance;
+    pose->translation[2] = -max32(distance, -INT32_MAX);
 }

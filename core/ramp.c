@@ -1,8 +1,8 @@
 /*
  * ramp.c - materials: the power table, and intensities to channels of the target.
  *
- * A pixel is rounded once, from base * I_ad + highlight * I_s with at least 9
- * fraction bits a level.
+ * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
+ * carry 10 fraction bits, one less for each doubling of the intensities above 1.
  */
 #include "stages.h"
 
@@ -33,7 +33,7 @@ static int in_range(sheen_q16_t x)
 /*
  * The table spans u = 1 - s from 0 to 2^-shift, the smallest power of two below
  * which s^n stays under 2^-16. Linear between entries it is off by at most
- * (n / 256 / 2^shift)^2 / 8 = 5e-4 of the highlight.
+ * n (n - 1) / 8 / (256 * 2^shift)^2 < 1e-3 of the highlight.
  */
 int sheen_material_prepare(struct sheen_material *m)
 {

@@ -92,7 +92,7 @@ static void weigh(const struct sheen_frame *f, struct surface_corners *c)
         c->weight[k] = c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << p->weight_shift) + p->weight_offset;
         all |= c->weight[k];
     }
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3 && all != 0; k++) /* all 0: far is too far for near, no weight is left to tell */
         c->weight[k] <<= clz32(all);
     if (c->weight[0] == c->weight[1] && c->weight[0] == c->weight[2])
         c->flat_weight = 1;
@@ -112,19 +112,15 @@ static struct plane depth_plane(const struct gradients *g, const struct surface_
 static void shading_begin(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                           const struct gradients *g)
 {
-    switch (s->draw->shading) {
-    case SHEEN_GOURAUD:
+    unsigned shading = s->draw->shading;
+
+    if (shading == SHEEN_GOURAUD)
         sheen_setup_gouraud(f, s, c, g);
-        break;
-    case SHEEN_PHONG:
-        sheen_setup_phong(f, s, c, g);
-        break;
-    case SHEEN_SLERP:
-        sheen_setup_slerp(f, s, c, g);
-        break;
-    default:
+    else if (shading == SHEEN_FLAT)
         sheen_setup_flat(f, s, c);
-    }
+    else if (g == NULL || s->draw->light.count == 0 ||
+             !(shading == SHEEN_SLERP ? sheen_setup_slerp(s, c) : sheen_setup_phong(f, s, c, g)))
+        sheen_setup_mean_normal(f, s, c);
 }
 
 /* Put corners in clockwise order on the screen; returns twice the area, 1/4096 px^2. */

@@ -75,3 +75,21 @@ void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct
     sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
     sheen_setup_constant(f, s, &lit);
 }
+
+/* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */
+void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c)
+{
+    sheen_q30_t sum[3], unit[3] = {0, 0, 0};
+    int16_t normal[3];
+    struct lit lit;
+
+    for (int i = 0; i < 3; i++) {
+        sum[i] = c->at.normal[0][i] + c->at.normal[1][i] + c->at.normal[2][i];
+        sum[i] = c->back ? -sum[i] : sum[i];
+    }
+    (void)sheen_normalize(sum, unit); /* a zero sum stays zero: ambient only */
+    for (int i = 0; i < 3; i++)
+        normal[i] = (int16_t)min32(asr32(unit[i] + (1 << 14), 15), 32767);
+    sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
+    sheen_setup_constant(f, s, &lit);
+}

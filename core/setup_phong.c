@@ -9,14 +9,14 @@
 #define STEEPEST ((int64_t)1 << 30)
 #define MAX_SCALE 6
 
-/* Corner normals times weight, Q2.29; component i of corner k at [i][k]. Range: |normal| <= 2^15, weight <= 2^16. */
+/* Corner normals times weight, Q2.29; component i of corner k at [i][k]. Range: |normal| < 2^15, weight <= 2^16. */
 static void weighted_normals(const struct surface_corners *c, int32_t n[3][3])
 {
     for (int k = 0; k < 3; k++) {
         int32_t weight = (int32_t)((c->weight[k] >> 16) + (c->weight[k] >> 15 & 1u));
         for (int i = 0; i < 3; i++) {
-            int32_t component = c->back ? -c->at.normal[k][i] : c->at.normal[k][i];
-            n[i][k] = asr32(component * weight, 2);
+            int32_t component = max32(c->at.normal[k][i], -32767);
+            n[i][k] = asr32((c->back ? -component : component) * weight, 2);
         }
     }
 }
@@ -67,7 +67,7 @@ static struct plane normal_plane(const struct gradients *g, const struct slope *
  * D = N.N by second differences, UQ1.31: Q2.29 squared is Q.58. With a px as the
  * step, N(x, y) = N + x Nx + y Ny gives D_xx = 2 Nx.Nx, D_xy = 2 Nx.Ny and the
  * first difference D(1, 0) - D(0, 0) = 2 N.Nx + Nx.Nx.
- * Range: |Nx|, |Ny| < 2^30, |N| <= 2^30: sums of three products below 2^62.
+ * Range: |Nx|, |Ny| < 2^30 and |N| < 2^29 + 2^30 a part: sums of three products below 2^62.8.
  */
 static struct quadric square_quadric(const struct gradients *g, const struct slope n[3])
 {
@@ -94,44 +94,28 @@ static struct quadric square_quadric(const struct gradients *g, const struct slo
     return q;
 }
 
-/* The mean of three corner normals, any common scale below 2^31, over the whole triangle. */
-void sheen_setup_constant_normal(const struct sheen_frame *f, struct setup *s, int32_t n[3][3])
-{
-    sheen_q30_t sum[3], unit[3] = {0, 0, 0};
-    int16_t normal[3];
-    struct lit lit;
-
-    for (int i = 0; i < 3; i++)
-        sum[i] = n[i][0] / 4 + n[i][1] / 4 + n[i][2] / 4;
-    (void)sheen_normalize(sum, unit); /* a zero sum stays zero: ambient only */
-    for (int i = 0; i < 3; i++)
-        normal[i] = (int16_t)min32(asr32(unit[i] + (1 << 14), 15), 32767);
-    sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
-    sheen_setup_constant(f, s, &lit);
-}
-
-void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                       const struct gradients *g)
+/* Returns 0 where the normal's steps do not fit. */
+int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                      const struct gradients *g)
 {
     const struct lighting *l = &s->draw->light;
     int32_t n[3][3];
     struct slope slope[3];
 
     weighted_normals(c, n);
-    if (g == NULL || l->count == 0 || !normal_slopes(g, n, slope)) {
-        sheen_setup_constant_normal(f, s, n);
-        return;
-    }
+    if (!normal_slopes(g, n, slope))
+        return 0;
     if (l->count > 1) {
         s->way = SHEEN_WAY_PHONG_LIGHTS;
         s->fast = 0;
         for (int i = 0; i < 3; i++)
             s->shade.normal[i] = normal_plane(g, &slope[i]);
-        return;
+        return 1;
     }
     s->way = SHEEN_WAY_PHONG_ROOT;
     s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
     s->shade.phong.light = dot_plane(g, l->to[0], slope);
     s->shade.phong.view = dot_plane(g, l->view, slope);
     s->shade.phong.square = square_quadric(g, slope);
+    return 1;
 }

@@ -37,7 +37,7 @@ static int config_complete(struct sheen_config *c)
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
     return c->buffers > 2 || c->workers > MAX_WORKERS || c->max_vertices == 0 || c->max_triangles == 0 ||
-                   c->max_triangles == NONE || c->max_carried > 254
+                   c->max_carried > 254
                ? SHEEN_ERR_ARGUMENT
                : SHEEN_OK;
 }
@@ -144,6 +144,7 @@ static void workers_begin(struct sheen_frame *f)
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* no band's pending triangles are at hand */
         w->error = 0;
+        w->done = 0;
         memset(&w->stats, 0, sizeof w->stats);
     }
 }
@@ -177,8 +178,9 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
         return error;
 
     int changed = !f->begun || !same_rect(viewport, f->viewport) || !same_colour(view->background, f->view.background);
-    f->send_all = (uint8_t)(changed || f->failed);
+    f->send_all = (uint8_t)(changed || f->failed || f->stale);
     f->failed = 1; /* until sheen_finish has seen every band through */
+    f->stale = 0;
     f->view = *view;
     f->viewport = viewport;
     f->projection = projection;
@@ -249,11 +251,27 @@ static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
     if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_SLERP || mesh->positions == NULL ||
-        mesh->indices == NULL || (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
+        mesh->indices == NULL || draw->material->shininess == 0 || draw->material->power_shift > 3 ||
+        (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
         return SHEEN_ERR_ARGUMENT;
     if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)
         return SHEEN_ERR_CAPACITY;
     return SHEEN_OK;
+}
+
+/* Rows of unit length and at right angles, within 1/1024. */
+static int orthonormal(const sheen_q30_t r[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0; /* Q.30; the terms are cut first, since any rotation may come */
+            for (int k = 0; k < 3; k++)
+                dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
+            dot -= i == j ? 1 << 30 : 0;
+            if (dot > 1 << 20 || dot < -(1 << 20))
+                return 0;
+        }
+    return 1;
 }
 
 int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
@@ -271,6 +289,8 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
     d->shading = draw->shading;
     d->two_sided = draw->two_sided;
     d->first_vertex = f->vertices;
+    if (!orthonormal(draw->pose.rotation))
+        return SHEEN_ERR_ARGUMENT;
     error = sheen_light_begin(&d->light, draw);
     if (error == 0)
         error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
@@ -334,12 +354,16 @@ int sheen_wait(struct sheen_frame *f)
 int sheen_finish(struct sheen_frame *f)
 {
     int error = 0;
+    unsigned done = 0;
 
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
-    for (unsigned i = 0; i < f->config.workers && error == 0; i++)
-        error = f->worker[i].error;
-    f->failed = error < 0;
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        if (error == 0)
+            error = f->worker[i].error;
+        done += f->worker[i].done;
+    }
+    f->failed = error < 0 || done < f->bands;
     f->state = IDLE;
     return error;
 }
@@ -356,5 +380,5 @@ int sheen_end(struct sheen_frame *f)
 
 void sheen_invalidate(struct sheen_frame *f)
 {
-    f->failed = 1;
+    f->stale = 1;
 }

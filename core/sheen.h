@@ -20,8 +20,9 @@
  *
  * Memory. The core allocates nothing and keeps nothing outside what the caller
  * gives: one arena a frame (sheen_arena_size) and the tables inside materials.
- * There is nothing to release. Meshes and materials are borrowed from
- * sheen_draw() until sheen_end() or sheen_finish() returns.
+ * There is nothing to release. Pointers MUST not be NULL unless it is said that
+ * they may. Meshes and materials are borrowed from sheen_draw() until sheen_end()
+ * or sheen_finish() returns.
  *
  * Light (lecture, "Illumination Models"): eye and lights at infinity,
  *   I = ambient + sum over lights of diffuse * max(0, L.N) + specular * max(0, R.V)^n,
@@ -95,7 +96,7 @@ struct sheen_light {
 
 /* Model to eye: eye = scale * rotation * model + translation. */
 struct sheen_pose {
-    sheen_q30_t rotation[9];    /* row by row, orthonormal */
+    sheen_q30_t rotation[9];    /* row by row; unit rows at right angles, within 1/1024 */
     sheen_q16_t scale;          /* > 0 */
     sheen_q24_t translation[3]; /* units */
 };
@@ -120,7 +121,7 @@ struct sheen_draw {
 /* What the eye sees, a frame long. */
 struct sheen_view {
     struct sheen_rect viewport; /* px on the target; empty: all of it */
-    sheen_angle_t fov;          /* vertical, 1..150 degrees */
+    sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken) */
     sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
     sheen_q24_t orthographic;   /* 0: perspective; else the depth at which fov measures: x, y do not depend on m */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
@@ -149,7 +150,8 @@ struct sheen_config {
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
-    uint16_t max_clipped; /* pieces of triangles cut by near plane, far plane or guard band; 0: none may be */
+    uint16_t
+        max_clipped; /* pieces of triangles cut by near plane, far plane or guard band; 0: any to be cut is an error */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
 };
 
@@ -179,7 +181,8 @@ int sheen_end(struct sheen_frame *frame);
 /*
  * In place of sheen_end, by hand: each band once, in any order, on any worker;
  * workers may run at once, the target then has to serialise its pushes.
- * sheen_finish when all bands are done; returns the frame's first error.
+ * sheen_finish when all bands are done; returns the frame's first error. Where a band was left out the
+ * next frame sends everything.
  */
 unsigned sheen_band_count(const struct sheen_frame *frame);
 int sheen_band(struct sheen_frame *frame, unsigned worker, unsigned band);

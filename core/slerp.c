@@ -305,27 +305,23 @@ void sheen_shade_slerp(const struct tile *t, const struct setup *s)
 
 /* ---- set-up ---- */
 
-void sheen_setup_slerp(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                       const struct gradients *g)
+int sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
 {
-    int32_t n[3][3], unit[3][3]; /* by component and corner; by corner and component */
+    int32_t unit[3][3]; /* by corner and component, Q1.30 */
 
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
             int32_t component = max32(c->at.normal[k][i], -32767);
             s->shade.slerp.normal[k][i] = (int16_t)(c->back ? -component : component);
-            n[i][k] = unit[k][i] = s->shade.slerp.normal[k][i] * 32769; /* Q1.30 */
+            unit[k][i] = s->shade.slerp.normal[k][i] * 32769; /* 32767 * 32769 = 2^30 - 1 */
         }
         s->shade.slerp.weight[k] = (uint16_t)(c->flat_weight ? 0xffff : c->weight[k] >> 16);
         s->shade.slerp.x[k] = c->at.v[k]->x;
         s->shade.slerp.y[k] = c->at.v[k]->y;
     }
-    if (g == NULL || s->draw->light.count == 0) {
-        sheen_setup_constant_normal(f, s, n);
-        return;
-    }
     s->way = SHEEN_WAY_SLERP;
     s->fast = 0;
     for (int k = 0; k < 3; k++)
         s->shade.slerp.angle[k] = arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
+    return 1;
 }

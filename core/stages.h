@@ -73,7 +73,7 @@ struct projection {
     uint32_t weight_offset;   /* which lies in (0, 2^32) for every z16 from near to far */
 };
 
-/* Model to eye: e = (sum of raw position * m) / 2^(16 + shift) + t, Q7.24. |m| <= 2^30, shift -2..28. */
+/* Model to eye: e = (sum of raw position * m) / 2^(16 + shift) + t, Q7.24. |m| <= 2^30, shift -1..28. */
 struct transform {
     int32_t m[9];
     int shift;
@@ -303,6 +303,7 @@ struct worker {
     struct setup *carried; /* max_carried slots and a spare one */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
+    uint16_t done;     /* bands of this frame */
     uint8_t in_flight; /* a push of this worker awaits its wait */
     int32_t last_band; /* -1 before the first */
     int error;
@@ -323,7 +324,8 @@ struct sheen_frame {
     struct projection projection;
     uint8_t state;    /* enum frame_state */
     uint8_t send_all; /* this frame sends every band whole */
-    uint8_t failed;   /* the next frame sends every band whole */
+    uint8_t failed;   /* a push failed or a band was left out: the next frame sends every band whole */
+    uint8_t stale;    /* sheen_invalidate was called: likewise */
     uint8_t begun;    /* a frame has begun before */
     unsigned bands, max_bands;
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
@@ -472,8 +474,9 @@ struct surface_corners {
 void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
 void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                          const struct gradients *g);
-void sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                       const struct gradients *g);
+int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                      const struct gradients *g);
+void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
 /* One colour from intensities: what flat shading and degenerate triangles use. */
 void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit);
 void sheen_shade_flat(const struct tile *t, const struct setup *s);
@@ -512,9 +515,7 @@ struct arc_block {
 
 void sheen_shade_arc(const struct tile *t, const struct setup *s, const struct slerp_row *row, struct arc_block *block,
                      int32_t x, int32_t y, unsigned length);
-void sheen_setup_slerp(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                       const struct gradients *g);
-void sheen_setup_constant_normal(const struct sheen_frame *f, struct setup *s, int32_t n[3][3]);
+int sheen_setup_slerp(struct setup *s, const struct surface_corners *c);
 void sheen_shade_slerp(const struct tile *t, const struct setup *s);
 
 #endif

@@ -52,7 +52,7 @@ static int64_t depth_above_far(const struct projection *p, sheen_q24_t m, struct
 static void weight_begin(struct projection *p)
 {
     int64_t offset = p->depth_far - (DEPTH_FAR << 8);          /* Q.8 */
-    unsigned zeros = clz64((uint64_t)(offset + (65536 << 8))); /* 23..39 */
+    unsigned zeros = clz64((uint64_t)(offset + (65536 << 8))); /* 24..40 */
 
     p->weight_shift = zeros - 32 + 8;
     p->weight_offset = (uint32_t)(zeros >= 32 ? offset * (int64_t)(1u << (zeros - 32)) : asr64(offset, 32 - zeros));
@@ -135,27 +135,31 @@ void sheen_transform_point(const struct transform *t, const int16_t position[3],
     }
 }
 
-/* x * scale in 1/64 px, rounded; *flags gets low or high beyond the guard band. */
+/* x * scale in 1/64 px, rounded; beyond the guard band *flags gets low or high and the band's limit is returned. */
 static int16_t screen(sheen_q24_t x, struct scaled scale, unsigned low, unsigned high, unsigned *flags)
 {
-    int shift = 24 - SUBPIXEL_BITS + 30 - scale.exponent; /* 1 at the least: focal / m < 2^47 */
+    int shift = 24 - SUBPIXEL_BITS + 30 - scale.exponent; /* 8 at the least: focal / m < 2^39 */
     int64_t product = (int64_t)x * (scale.mantissa >> 1); /* < 2^62 */
-    int64_t value = shift > 62 ? 0 : round_shift64(product, (unsigned)max32(shift, 1));
+    int64_t value = shift > 62 ? 0 : round_shift64(product, (unsigned)shift);
 
-    if (value < -GUARD_BAND)
+    if (value < -GUARD_BAND) {
         *flags |= low;
-    else if (value > GUARD_BAND)
+        return -GUARD_BAND;
+    }
+    if (value > GUARD_BAND) {
         *flags |= high;
+        return GUARD_BAND;
+    }
     return (int16_t)value;
 }
 
 /*
- * Total: any eye coordinates. Beyond near or far only the flag is set; beyond
- * the guard band depth is right and x, y are not.
+ * |eye| <= INT32_MAX a part. Beyond near or far only the flag is set; beyond the
+ * guard band depth is right and x, y are held at its limits.
  */
 void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v)
 {
-    sheen_q24_t m = eye[2] == INT32_MIN ? INT32_MAX : -eye[2];
+    sheen_q24_t m = -eye[2];
     unsigned flags = 0;
 
     v->x = 0;
