@@ -62,6 +62,7 @@ uint32_t sheen_first_light_colour(unsigned x, unsigned y, unsigned w, unsigned h
     return BLACK;
 }
 
+/* Each channel rounded to the nearest of its steps. */
 static unsigned to_565(uint32_t colour)
 {
     unsigned r = colour >> 16 & 255, g = colour >> 8 & 255, b = colour & 255;
@@ -86,6 +87,7 @@ static uint32_t grey_colour(unsigned x, unsigned y, unsigned w, unsigned h)
     return bar || colour == BLACK ? colour : WHITE;
 }
 
+/* Pixel x of the row at `row`, in the target's format; y is for the pattern. */
 static void put(const struct sheen_target *target, uint8_t *row, unsigned x, unsigned y)
 {
     enum sheen_pixel pixel = (enum sheen_pixel)target->pixel;
@@ -113,7 +115,7 @@ int sheen_first_light(const struct sheen_target *target, void *buffer, size_t by
     size_t rows = bytes / row_bytes / align * align;
 
     if (rows == 0)
-        return SHEEN_ERR_MEMORY;
+        return SHEEN_ERR_MEMORY; /* a band must end on the target's alignment */
     for (unsigned y = 0; y < target->height; y += (unsigned)rows) {
         unsigned end = target->height - y < rows ? target->height : y + (unsigned)rows;
         struct sheen_rect rect = {0, (int16_t)y, (int16_t)target->width, (int16_t)end};

@@ -79,7 +79,8 @@ struct sheen_panel {
 /*
  * Ties a panel to its record and bus; sends nothing. orientation: 0..7.
  * SHEEN_ERR_ARGUMENT: a NULL, an orientation above 7, or a record whose glass
- * does not fit its RAM or its pixel packing.
+ * does not fit its RAM or its pixel packing (GREY16: width, height and gap_x even;
+ * GREY2: width, height and gap_y multiples of 8).
  */
 int sheen_panel_open(struct sheen_panel *panel, const struct sheen_panel_record *record, const struct sheen_bus *bus,
                      unsigned orientation);

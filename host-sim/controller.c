@@ -1,5 +1,9 @@
 /*
  * controller.c - what all simulated controllers share: power, reset, the virtual clock, taking in commands.
+ *
+ * A command byte opens a command of the chip's list; its parameters follow, with
+ * D/C high (DCS, SSD1351) or low (the other OLEDs). Bytes that nobody waits for
+ * are reported and dropped.
  */
 #include "controller.h"
 
@@ -38,11 +42,13 @@ void sheen_sim_controller_close(struct sheen_sim_controller *controller)
     controller->ram = NULL;
 }
 
+/* The interface is ready for a command again. */
 static void forget_command(struct sheen_sim_controller *controller)
 {
     controller->missing = controller->streaming = controller->count = controller->half_set = 0;
 }
 
+/* The RAM wakes up with noise, so that a pixel nobody wrote shows; always the same, so that tests repeat. */
 void sheen_sim_power_cycle(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -59,6 +65,7 @@ void sheen_sim_power_cycle(struct sheen_sim_controller *controller)
     module->chip->defaults(controller);
 }
 
+/* The registers change at the rising edge; while the line is low nothing is received. */
 void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level)
 {
     const struct sheen_sim_chip *chip = controller->module->chip;
@@ -98,6 +105,7 @@ static const struct sheen_sim_command *find_command(const struct sheen_sim_contr
     return found ? found : find(chip->vendor, chip->vendor_count, code);
 }
 
+/* A new command ends whatever ran before it. */
 static void begin(struct sheen_sim_controller *controller, uint8_t code)
 {
     const struct sheen_sim_command *command = find_command(controller, code);
@@ -115,6 +123,7 @@ static void begin(struct sheen_sim_controller *controller, uint8_t code)
         command->run(controller);
 }
 
+/* count stays below 16: no command of a list has more parameters. */
 static void parameter(struct sheen_sim_controller *controller, uint8_t byte)
 {
     const struct sheen_sim_command *command = find_command(controller, controller->command);
@@ -124,6 +133,7 @@ static void parameter(struct sheen_sim_controller *controller, uint8_t byte)
         command->run(controller);
 }
 
+/* With D/C low: a parameter where those are commands too, else a new command. */
 static void take_command(struct sheen_sim_controller *controller, uint8_t byte)
 {
     if (controller->now_us < controller->quiet_until_us)
@@ -139,6 +149,7 @@ static void take_command(struct sheen_sim_controller *controller, uint8_t byte)
     begin(controller, byte);
 }
 
+/* With D/C high: a parameter, or a byte of the picture. */
 static void take_data(struct sheen_sim_controller *controller, uint8_t byte)
 {
     const struct sheen_sim_chip *chip = controller->module->chip;
@@ -175,6 +186,7 @@ void sheen_sim_window_start(struct sheen_sim_controller *controller)
     controller->wrapped = 0;
 }
 
+/* Pixels that fall outside the RAM are lost. */
 void sheen_sim_store(struct sheen_sim_controller *controller, unsigned column, unsigned row, uint16_t value)
 {
     const struct sheen_sim_module *module = controller->module;

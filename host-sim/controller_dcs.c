@@ -1,5 +1,5 @@
 /*
- * controller_dcs.c - the simulated MIPI-DCS controllers, and the panel `ideal`.
+ * controller_dcs.c - the simulated MIPI-DCS controllers.
  *
  * MADCTL as the ILI9341 and ST7789 data sheets tabulate it ("Memory to display
  * address mapping"): MV sends the host's columns to RAM rows, MX and MY then
@@ -17,6 +17,7 @@
 #define RESET_TO_SLEEP_OUT_US 120000u
 #define SLEEP_OUT_TO_DISPLAY_ON_US 120000u
 
+/* After power-on and either reset; the RAM keeps what it has. Sleep is as deep as after sleep in. */
 static void defaults(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -43,6 +44,7 @@ static void sleep_in(struct sheen_sim_controller *controller)
     controller->sleep_out_from_us = controller->now_us + RESET_TO_SLEEP_OUT_US;
 }
 
+/* Both waits after it are minima of the data sheets: 5 ms to any command, 120 ms to display on. */
 static void sleep_out(struct sheen_sim_controller *controller)
 {
     if (controller->now_us < controller->sleep_out_from_us)
@@ -116,6 +118,7 @@ static void memory_write(struct sheen_sim_controller *controller)
     controller->rectangles++;
 }
 
+/* A pixel through MADCTL to its RAM place, then on to the next in the window. */
 static void store(struct sheen_sim_controller *controller, uint16_t value)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -152,6 +155,7 @@ static void stream_end(struct sheen_sim_controller *controller)
         sheen_sim_complain(controller, "half a pixel before command");
 }
 
+/* What the glass makes of it: dark unless awake and on, the complement unless inversion suits it. */
 static uint16_t shown(const struct sheen_sim_controller *controller, unsigned column, unsigned row)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -203,26 +207,3 @@ const struct sheen_sim_chip sheen_sim_chip_st7789 = {DCS("ST7789"), VENDOR(vendo
 const struct sheen_sim_chip sheen_sim_chip_st7735 = {DCS("ST7735"), VENDOR(vendor_st7735)};
 const struct sheen_sim_chip sheen_sim_chip_st7796 = {DCS("ST7796")};
 const struct sheen_sim_chip sheen_sim_chip_gc9a01 = {DCS("GC9A01"), VENDOR(vendor_gc9a01)};
-
-/* The ideal panel is awake, lit and in 16 bits from the start, and never turned. */
-static void ideal_defaults(struct sheen_sim_controller *controller)
-{
-    defaults(controller);
-    controller->awake = controller->on = 1;
-    controller->format = 0x55;
-    for (size_t i = 0; i < (size_t)controller->module->ram_w * controller->module->ram_h; i++)
-        controller->ram[i] = 0;
-}
-
-static const struct sheen_sim_command ideal_commands[] = {
-    {0x2A, 0x2B, 4, window},
-    {0x2C, 0x2C, 0, memory_write},
-};
-
-const struct sheen_sim_chip sheen_sim_chip_ideal = {.name = "ideal",
-                                                    .commands = ideal_commands,
-                                                    .command_count = sizeof ideal_commands / sizeof ideal_commands[0],
-                                                    .defaults = ideal_defaults,
-                                                    .pixels = pixels,
-                                                    .stream_end = stream_end,
-                                                    .shown = shown};

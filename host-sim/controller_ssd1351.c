@@ -1,5 +1,10 @@
 /*
  * controller_ssd1351.c - the simulated colour OLED SSD1351, in its 65k colours.
+ *
+ * Remap bits as in the data sheet (A0h): 0 the address runs down the rows first,
+ * 1 columns are stored from the last segment, 2 sub-pixels C, B, A, 4 COM lines are
+ * scanned from the last. Column remap acts on what is written after it, COM remap
+ * and start line on what is shown.
  */
 #include "controller.h"
 
@@ -16,6 +21,7 @@ enum mode {
     MODE_INVERSE = 3
 };
 
+/* The display offset wakes up as 0x60, so a driver that leaves A2 out is seen. */
 static void defaults(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -32,6 +38,7 @@ static void defaults(struct sheen_sim_controller *controller)
     sheen_sim_window_start(controller);
 }
 
+/* FD 12 unlocks the interface (and is its state after reset); FD B1 and B0 open and close six registers. */
 static void lock(struct sheen_sim_controller *controller)
 {
     if (controller->params[0] == 0xB1 || controller->params[0] == 0xB0)
@@ -108,6 +115,7 @@ static void stream_end(struct sheen_sim_controller *controller)
         sheen_sim_complain(controller, "half a pixel before command");
 }
 
+/* A4 dark, A5 white, A6 the RAM, A7 its complement; then the order of the sub-pixels. */
 static uint16_t shown(const struct sheen_sim_controller *controller, unsigned segment, unsigned com)
 {
     const struct sheen_sim_module *module = controller->module;

@@ -3,6 +3,7 @@ target_sources(sheen_sim PRIVATE
   controller.c
   controller_dcs.c
   controller_grey.c
+  controller_ideal.c
   controller_mono.c
   controller_oled.c
   controller_ssd1351.c

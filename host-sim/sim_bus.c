@@ -1,5 +1,8 @@
 /*
  * sim_bus.c - the simulated bus: DMA that reads late, counters, faults.
+ *
+ * Every call is an operation with a number. A planned fault strikes at one of
+ * them, whatever it is; bytes under way then arrive in part or not at all.
  */
 #include "sim_bus.h"
 
@@ -58,6 +61,7 @@ static int operate(struct sheen_sim_bus *bus)
     }
 }
 
+/* Notes the write; its bytes are read when it is waited for. */
 static int sim_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
 {
     struct sheen_sim_bus *bus = ctx;
@@ -94,6 +98,7 @@ static int sim_wait(void *ctx)
     return error;
 }
 
+/* A stuck line does not follow, which a board finds by reading it back. */
 static int sim_reset(void *ctx, int level)
 {
     struct sheen_sim_bus *bus = ctx;
@@ -110,6 +115,7 @@ static int sim_reset(void *ctx, int level)
     return SHEEN_OK;
 }
 
+/* Time passes by delays alone: a bus faster than any. */
 static int sim_delay(void *ctx, uint32_t us)
 {
     struct sheen_sim_bus *bus = ctx;

@@ -18,6 +18,7 @@ struct sheen_sim_panel {
     struct sheen_target target;
 };
 
+/* A driver knows nothing of its controller when it starts: it is opened anew. */
 int sheen_sim_panel_restart(struct sheen_sim_panel *panel)
 {
     const struct sheen_sim_choice *choice = &panel->choice;
@@ -31,6 +32,7 @@ int sheen_sim_panel_restart(struct sheen_sim_panel *panel)
     return error < 0 ? error : sheen_panel_target(&panel->driver, &panel->target);
 }
 
+/* The hardware is found by the record's name, not by what the record says. */
 int sheen_sim_panel_open(struct sheen_sim_panel **out, const struct sheen_sim_choice *choice)
 {
     struct sheen_sim_panel *panel = calloc(1, sizeof *panel);
@@ -87,6 +89,7 @@ static void place(const struct sheen_sim_panel *panel, unsigned x, unsigned y, u
     sheen_sim_glass_place(panel->controller.module, orientation, x, y, column, row);
 }
 
+/* Reads the glass, not the RAM: unlit, inverted or masked is what it is for the viewer. */
 int sheen_sim_panel_picture(struct sheen_sim_panel *panel, uint16_t *values)
 {
     if (panel->bus.flight)

@@ -171,6 +171,34 @@ static void fault_stuck_reset(void **state)
     assert_int_equal(chip.reset_level, 1);
 }
 
+/* Hand-fed: the memory behind the bus minds its limits. */
+static void ideal_limits(void **state)
+{
+    (void)state;
+    start(SHEEN_COMMAND, "\x2A", 1);
+    finish();
+    start(SHEEN_DATA, "\0\6\0\7", 4);
+    finish();
+    ram_write();
+    start(SHEEN_DATA, "\1\2\3\4\5\6", 6);
+    finish();
+    assert_int_equal(chip.complaints, 0);
+    assert_int_equal(chip.ram[6], 0x0102);
+    assert_int_equal(chip.ram[7], 0x0304);
+    assert_int_equal(chip.ram[8 + 6], 0x0506);
+    for (int i = 0; i < 7; i++) {
+        start(SHEEN_DATA, "\0\0\0\0", 4);
+        finish();
+    }
+    assert_non_null(strstr(chip.first_complaint, "more pixels than the window holds"));
+    assert_int_equal(chip.complaints, 1); /* 3 + 14 pixels into 16 places */
+    start(SHEEN_COMMAND, "\x2A", 1);
+    finish();
+    start(SHEEN_DATA, "\0\0\0\x08", 4);
+    finish();
+    assert_int_equal(chip.complaints, 2);
+}
+
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
 
 int main(void)
@@ -180,6 +208,7 @@ int main(void)
         TEST(touched_buffer),
         TEST(missing_waits),
         TEST(counters),
+        TEST(ideal_limits),
         TEST(fault_error),
         TEST(fault_short),
         TEST(fault_timeout),
