@@ -2,7 +2,7 @@
  * test_core_vectors.c - sines, unit vectors and polygon normals against double precision.
  *
  * Tolerances in raw steps of Q1.30: sine and cosine 3, a part of a unit vector 4 (both as sheen.h says), of a
- * polygon's normal 4 up to 8 corners, where Newell's sum is exact, and 64 beyond, where terms may lose low bits.
+ * polygon's normal 4, whatever its number of corners.
  */
 #include <string.h>
 
@@ -152,13 +152,13 @@ static void test_polygons_of_every_size(void **unused)
 
     (void)unused;
     for (size_t c = 0; c < sizeof counts / sizeof counts[0]; c++)
-        for (double radius = 300; radius <= 1 << 28; radius *= 1.7) {
+        for (double radius = 5; radius <= 1 << 28; radius *= 1.7) {
             struct polygon p;
             regular(&p, counts[c], radius, &state);
             note_polygon(counts[c] <= 8 ? &few : &many, &p);
         }
     worst_assert(&few, 4, "up to 8 corners");
-    worst_assert(&many, 64, "more corners");
+    worst_assert(&many, 4, "more corners");
 }
 
 /* Corners at the ends of the range that sheen.h gives, so that differences are 2^29 and terms largest. */
@@ -183,7 +183,7 @@ static void test_polygons_at_the_ends_of_the_range(void **unused)
         note_polygon(p.count <= 8 ? &few : &many, &p);
     }
     worst_assert(&few, 4, "up to 8 corners, +-2^28");
-    worst_assert(&many, 64, "more corners, +-2^28");
+    worst_assert(&many, 4, "more corners, +-2^28");
 }
 
 static void test_orientation_and_collinear_corners(void **unused)
