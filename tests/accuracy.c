@@ -28,9 +28,12 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
     case 3:
         *name = "cube";
         return shape_cube(shape);
+    case 4:
+        *name = "octahedron";
+        return shape_octahedron(shape);
     default:
-        *name = coarse ? "octahedron" : "ball 12x16";
-        return coarse ? shape_octahedron(shape) : shape_sphere(shape, 12, 16);
+        *name = "ball 12x16";
+        return coarse ? shape_sphere(shape, 6, 9) : shape_sphere(shape, 12, 16);
     }
 }
 
@@ -73,6 +76,22 @@ void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int ind
     scene->specular = parts[index][2];
     for (int k = 0; k < 3; k++)
         scene->base[k] = base[index][k] / 255.0;
+}
+
+void accuracy_more_lights(struct ref_scene *scene)
+{
+    static const double more[3][3] = {{0.75, 0.1, 0.25}, {0.1, -1, 0.2}, {0.3, 0.3, -0.5}};
+
+    memcpy(scene->light[1], more, sizeof more);
+    scene->light_count = 4;
+    scene->diffuse /= 2; /* most pixels stay below 1, where they can be told apart */
+    scene->specular /= 2;
+}
+
+void accuracy_ortho(struct ref_scene *scene)
+{
+    scene->ortho = true;
+    scene->affine = false; /* the same there */
 }
 
 int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,

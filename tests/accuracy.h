@@ -7,7 +7,7 @@
 #include "core_picture.h"
 #include "shapes.h"
 
-#define ACCURACY_SHAPES 5
+#define ACCURACY_SHAPES 6
 #define ACCURACY_VIEWS 3
 
 /* The limits of README, "How close the integers come". Shares are of the compared pixels. */
@@ -32,6 +32,9 @@ void accuracy_mesh_free(struct accuracy_mesh *mesh);
 
 /* View number `index` of 0..2: pose, distance, field of view, light, colours. */
 void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index);
+/* The same with four lights; the same without perspective. */
+void accuracy_more_lights(struct ref_scene *scene);
+void accuracy_ortho(struct ref_scene *scene);
 
 /* Draw the scene with both and compare. values: width * height of 565, for further use. 0 or a negative code. */
 int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,

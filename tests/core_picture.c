@@ -122,7 +122,9 @@ void core_view(struct sheen_view *view, const struct ref_scene *scene)
     *view = (struct sheen_view){.fov = (sheen_angle_t)llround(scene->fov / TURN * 4294967296.0),
                                 .near = (sheen_q24_t)lround(scene->near * 16777216),
                                 .far = (sheen_q24_t)lround(scene->far * 16777216),
-                                .affine = scene->affine};
+                                .orthographic = scene->ortho ? (sheen_q24_t)lround(scene->distance * 16777216) : 0,
+                                .affine = scene->affine,
+                                .dither = scene->dither};
     for (int k = 0; k < 3; k++)
         view->background[k] = (uint8_t)lround(255 * scene->background[k]);
 }

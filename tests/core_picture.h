@@ -19,7 +19,7 @@ struct core_mesh {
 int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from);
 void core_mesh_free(struct core_mesh *mesh);
 
-/* Scenes in the core's numbers. Not for what the core draws otherwise: groups' colours, slerp, ortho. */
+/* Scenes in the core's numbers; of one colour, groups being meshes of their own to the core. */
 void core_view(struct sheen_view *view, const struct ref_scene *scene);
 void core_pose(struct sheen_pose *pose, const struct ref_scene *scene);
 void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene);

@@ -17,7 +17,7 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[24 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -136,8 +136,8 @@ static int print_sums(int mesh, int shading, int view, int format)
 
 int main(void)
 {
-    for (int i = 0; i < SUM_MESHES * 3 * 3 * 5; i++) {
-        if (print_sums(i / 45, i / 15 % 3, i / 5 % 3, i % 5) < 0)
+    for (int i = 0; i < SUM_MESHES * 4 * 3 * 5; i++) {
+        if (print_sums(i / 60, i / 15 % 4, i / 5 % 3, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

@@ -17,6 +17,7 @@ sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_co
   LIBRARIES core_picture sheen::core)
 sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture sheen::core)
 sheen_test(test_panel_picture accuracy SOURCES test_panel_picture.c LIBRARIES core_picture sheen_sim sheen::core)
+sheen_test(test_grey accuracy SOURCES test_grey.c LIBRARIES core_picture sheen::core)
 
 # The test of test_accuracy: the same core, but its root table is the program's own, to be spoilt.
 get_target_property(core_sources sheen_core SOURCES)

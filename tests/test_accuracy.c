@@ -109,8 +109,16 @@ static int judge(struct line *line, const struct ref_scene *scene, const struct 
     return 1;
 }
 
+/* What a line varies besides. */
+enum variant {
+    PLAIN,
+    LIGHTS,
+    ORTHO
+};
+static const char *const variant_name[] = {"", "lights", "ortho"};
+
 /* A line of the table: 12 pictures. */
-static int judge_line(const struct accuracy_mesh *mesh, int view, enum ref_shading shading)
+static int judge_line(const struct accuracy_mesh *mesh, int view, enum ref_shading shading, enum variant variant)
 {
     static const double shininess[3] = {8, 32, 128};
     struct line line = {.compared = 1, .within_one = 1, .highlight = 1};
@@ -122,14 +130,18 @@ static int judge_line(const struct accuracy_mesh *mesh, int view, enum ref_shadi
         scene.shininess = shininess[i % 3];
         scene.affine = i / 3 % 2;
         scene.width = i / 6 ? 240 : 320;
+        if (variant == LIGHTS)
+            accuracy_more_lights(&scene);
+        if (variant == ORTHO)
+            accuracy_ortho(&scene);
         int status = judge(&line, &scene, mesh->mesh);
         if (status < 0)
             return status;
         line.failed += status;
     }
-    printf("%-15s %d  %-8s %6.1f %% %7.2f %% %7.2f %% %8.3f %% %3d %8.2f %%  %s\n", mesh->name, view,
-           shading_name[shading], 100 * line.compared, 100 * line.mean / line.pictures, 100 * line.equal,
-           100 * line.within_one, line.worst, 100 * line.highlight, line.lowest);
+    printf("%-15s %d %-6s %-8s %6.1f %% %7.2f %% %7.2f %% %8.3f %% %3d %8.2f %%  %s\n", mesh->name, view,
+           variant_name[variant], shading_name[shading], 100 * line.compared, 100 * line.mean / line.pictures,
+           100 * line.equal, 100 * line.within_one, line.worst, 100 * line.highlight, line.lowest);
     return line.failed;
 }
 
@@ -138,7 +150,9 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
     int failed = 0;
 
     for (int view = 0; view < ACCURACY_VIEWS; view++)
-        failed += judge_line(mesh, view, shading) != 0;
+        failed += judge_line(mesh, view, shading, PLAIN) != 0;
+    failed += judge_line(mesh, 1, shading, LIGHTS) != 0;
+    failed += judge_line(mesh, 0, shading, ORTHO) != 0;
     return failed;
 }
 
@@ -152,7 +166,7 @@ static int judge_loaded(const char *name)
     if (loaded_mesh_make(&loaded, name) != 0)
         return 1;
     mesh = (struct accuracy_mesh){.name = loaded.name, .reference = loaded.reference, .mesh = &loaded.quantised.mesh};
-    for (int shading = REF_GOURAUD; shading <= REF_PHONG; shading++)
+    for (int shading = REF_GOURAUD; shading <= REF_SLERP; shading++)
         failed += judge_mesh(&mesh, (enum ref_shading)shading);
     loaded_mesh_free(&loaded);
     return failed;
@@ -162,7 +176,7 @@ static int judge_shape(int index)
 {
     int failed = 0;
 
-    for (int shading = REF_FLAT; shading <= REF_PHONG; shading++) {
+    for (int shading = REF_FLAT; shading <= REF_SLERP; shading++) {
         struct accuracy_mesh mesh;
         if (accuracy_mesh_make(&mesh, index, shading == REF_FLAT) != 0) {
             fprintf(stderr, "test_accuracy: shape %d could not be made\n", index);
@@ -180,7 +194,7 @@ int main(int argc, char **argv)
     int failed = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
-    printf("mesh           view shading compared  equal mean   lowest   within 1  worst  in highl.  lowest at\n");
+    printf("mesh            view     shading compared  equal mean   lowest   within 1  worst  in highl.  lowest at\n");
     for (size_t i = 0; i < sizeof loaded / sizeof *loaded; i++)
         failed += judge_loaded(loaded[i]);
     for (int index = 0; index < ACCURACY_SHAPES; index++)

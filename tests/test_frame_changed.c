@@ -94,7 +94,7 @@ static void enter(struct actor *a, uint32_t *seed)
 {
     *a = (struct actor){(enum stage_mesh)(stage_random(seed) % STAGE_MESHES),
                         (int)(stage_random(seed) % 3),
-                        (enum sheen_shading)(stage_random(seed) % 3),
+                        (enum sheen_shading)(stage_random(seed) % 4),
                         stage_uniform(seed, -3, 3),
                         stage_uniform(seed, -2, 2),
                         stage_uniform(seed, 2, 9),

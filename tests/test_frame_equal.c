@@ -39,7 +39,7 @@ static int cast(struct actor actors[5], int frame)
     actors[0] = (struct actor){STAGE_TORUS, 0, SHEEN_PHONG, -0.4 + 0.2 * t, 0.2, 4, 1.3, 40 * t, 50};
     actors[1] = (struct actor){STAGE_BALL, 1, SHEEN_GOURAUD, 0.5, -0.2 * t, 3.5, 0.8, 30 * t, 20};
     actors[2] = (struct actor){STAGE_CUBE, 2, SHEEN_FLAT, 1.6, 1 - 0.4 * t, 4.5, 0.9, 25 + 20 * t, 35};
-    actors[3] = (struct actor){STAGE_BALL, 2, SHEEN_PHONG, -1.3, -0.7, 3.2 - 0.1 * t, 0.6, 0, 90};
+    actors[3] = (struct actor){STAGE_BALL, 2, SHEEN_SLERP, -1.3, -0.7, 3.2 - 0.1 * t, 0.6, 0, 90};
     actors[4] = (struct actor){STAGE_TORUS, 1, SHEEN_GOURAUD, 0.3, 0.6, 1.3, 0.5, 60 * t, 80};
     return 5;
 }

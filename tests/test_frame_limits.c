@@ -70,7 +70,7 @@ static void arena_is_kept_to(void **state)
         struct sheen_config config;
         struct sheen_frame *frame;
         struct sheen_view view;
-        struct actor actors[2] = {{STAGE_TORUS, 0, (enum sheen_shading)(k % 3), 0, 0, 3, 2, 30, 40},
+        struct actor actors[2] = {{STAGE_TORUS, 0, (enum sheen_shading)(k % 4), 0, 0, 3, 2, 30, 40},
                                   {STAGE_BALL, 1, SHEEN_PHONG, 0, 0, 1.2, 0.6, 0, 20}};
 
         assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);

@@ -132,7 +132,7 @@ static void draw_all(struct sheen_frame *frame, const struct sheen_view *view, i
 {
     const struct actor actors[3] = {
         {STAGE_TORUS, 0, SHEEN_PHONG, -0.5 + 0.1 * number, 0.2, 4, 1.3, 20.0 * number, 50},
-        {STAGE_BALL, 1, SHEEN_GOURAUD, 0.5, -0.1 * number, 3.5, 0.8, 30, 20},
+        {STAGE_BALL, 1, SHEEN_SLERP, 0.5, -0.1 * number, 3.5, 0.8, 30, 20},
         {STAGE_CUBE, 2, SHEEN_FLAT, 1.6, 1 - 0.2 * number, 4.5, 0.9, 25, 35},
     };
 
