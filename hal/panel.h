@@ -55,7 +55,7 @@ struct sheen_panel_record {
     uint8_t steps;                       /* entries of init */
     uint8_t spi_mode;                    /* 0 or 3 */
     uint8_t pixel;                       /* enum sheen_pixel that the target asks for */
-    uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV (DCS) or the remap byte (others) */
+    uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
     uint8_t bgr;                         /* 1: the sub-pixels stand blue, green, red */
     uint8_t inverted;                    /* 1: shows true colours with inversion on (IPS glass) */
     uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
@@ -119,7 +119,7 @@ const struct sheen_panel_record *sheen_panel_find(const char *name);
 /* The table's record index, from 0; NULL past the last. */
 const struct sheen_panel_record *sheen_panel_at(size_t index);
 
-/* The records by themselves: a firmware that names one links no other and only its driver. */
+/* The records by themselves: firmware that names one and links with --gc-sections holds no other, nor their drivers. */
 extern const struct sheen_panel_record sheen_panel_ili9341, sheen_panel_st7789_240x320, sheen_panel_st7789_240x240,
     sheen_panel_st7789_240x240_round, sheen_panel_st7789_240x280, sheen_panel_st7789_135x240,
     sheen_panel_st7789_170x320, sheen_panel_st7789_172x320, sheen_panel_st7789_76x284, sheen_panel_st7735_128x160,

@@ -142,6 +142,25 @@ static void initialises_once(void **state)
     canvas_close(&canvas);
 }
 
+/* Two panels of different drivers, their pushes taking turns, know nothing of each other. */
+static void two_at_once(void **state)
+{
+    struct canvas canvas[2];
+
+    (void)state;
+    canvas_open(&canvas[0], "st7789-135x240", 3, 0, 0);
+    canvas_open(&canvas[1], "ssd1306", 5, 0, 0);
+    assert_int_equal(canvas_push_all(&canvas[0], 16), 0);
+    assert_int_equal(canvas_push_all(&canvas[1], 16), 0);
+    for (unsigned n = 0; n < 100; n++)
+        assert_int_equal(canvas_push(&canvas[n & 1], canvas_rect(&canvas[n & 1])), 0);
+    for (unsigned i = 0; i < 2; i++) {
+        assert_int_equal(canvas_differences(&canvas[i]), 0);
+        canvas_quiet(&canvas[i]);
+        canvas_close(&canvas[i]);
+    }
+}
+
 static void bad_rectangles(void **state)
 {
     static const struct sheen_rect bad[] = {{-1, 0, 8, 8},  {0, -1, 8, 8}, {0, 0, 321, 8},
@@ -257,6 +276,7 @@ int main(void)
         cmocka_unit_test(windows_only_when_they_change),
         cmocka_unit_test(pixels_fly_until_the_wait),
         cmocka_unit_test(initialises_once),
+        cmocka_unit_test(two_at_once),
         cmocka_unit_test(bad_rectangles),
         cmocka_unit_test(bad_records),
         cmocka_unit_test(names),
