@@ -33,6 +33,8 @@ void core_raster_begin(struct core_raster *r, int width, int height)
     r->entry[0].next = NONE;
     r->draw = (struct draw_record){
         .mesh = &r->mesh, .material = &r->material, .end_entry = 1, .shading = SHEEN_FLAT, .two_sided = 1};
+    sheen_format_begin(&r->frame.format, &r->target);
+    sheen_colour_begin(&r->draw.colour, &r->frame.format, &r->material, &r->draw.light);
 }
 
 int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, struct sheen_rect rect, struct span *spans,
