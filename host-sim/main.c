@@ -13,6 +13,10 @@ const struct sheen_command sheen_command_table[] = {
      "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
      "controller, and writes what the glass shows.",
      SHEEN_RENDER, sheen_cmd_render},
+    {"bake", "MESH [options] -o mesh.h",
+     "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and\n"
+     "reports what it takes.",
+     SHEEN_BAKE, sheen_cmd_bake},
     {"first-light", "[options] -o OUT.png",
      "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the\n"
      "same way, and writes what the glass shows.",

@@ -13,6 +13,13 @@
 const struct sheen_option sheen_option_table[] = {
     {"output", "FILE", NULL, "the picture; with several frames %d or %0Nd stands for the frame", SHEEN_OPTION_TEXT,
      SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
+    {"output", "FILE.h", NULL, "the header", SHEEN_OPTION_TEXT, SHEEN_BAKE, AT(out), 0, 0, 'o'},
+    {"name", "NAME", NULL, "what the mesh is called in C [from the output's name]", SHEEN_OPTION_TEXT, SHEEN_BAKE,
+     AT(name), 0, 0, 0},
+    {"groups", NULL, NULL, "a mesh for each material of the file, and a table of their colours", SHEEN_OPTION_FLAG,
+     SHEEN_BAKE, AT(groups), 0, 0, 0},
+    {"no-flat", NULL, NULL, "without polygon normals: flat shading then takes each triangle's own", SHEEN_OPTION_FLAG,
+     SHEEN_BAKE, AT(no_flat), 0, 0, 0},
     {"panel", "NAME", "ili9341", "the panel to draw on, by controller or full name; ideal takes any size",
      SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(panel), 0, 0, 0},
     {"size", "WxH", NULL, "of the picture, px; the panel must have it [the panel's]", SHEEN_OPTION_SIZE,
@@ -42,9 +49,9 @@ const struct sheen_option sheen_option_table[] = {
     {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
      SHEEN_RENDER, AT(two_sided), 0, 0, 0},
     {"normals", "file|average", "file", "the file's normals where it has them, or always averages of the faces",
-     SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(average), 0, 0, 0},
-    {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL, SHEEN_RENDER,
-     AT(crease), 0, 180, 0},
+     SHEEN_OPTION_CHOICE, SHEEN_RENDER | SHEEN_BAKE, AT(average), 0, 0, 0},
+    {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL,
+     SHEEN_RENDER | SHEEN_BAKE, AT(crease), 0, 180, 0},
     {"dither", "off|on", NULL, "ordered 8x8 [on for 2 and 16 grey levels]", SHEEN_OPTION_CHOICE, SHEEN_RENDER,
      AT(dither), 0, 0, 0},
     {"band", "ROWS", "16", "rows drawn and sent at a time", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(band), 1, 480, 0},
@@ -127,9 +134,9 @@ static int set_defaults(struct sheen_options *options, struct sheen_problem *pro
 static int take_operand(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
                         struct sheen_problem *problem)
 {
-    if (command->bit != SHEEN_RENDER && optind < argc)
+    if (!(command->bit & SHEEN_TAKES_MESH) && optind < argc)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s takes no '%.100s'", command->name, argv[optind]);
-    if (command->bit != SHEEN_RENDER)
+    if (!(command->bit & SHEEN_TAKES_MESH))
         return 1;
     if (optind == argc)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no mesh given");
@@ -176,7 +183,7 @@ void sheen_options_help(const struct sheen_command *command)
             printf("%s[%s]", *option->help ? " " : "", option->value);
         putchar('\n');
     }
-    if (command->bit != SHEEN_RENDER)
+    if (!(command->bit & SHEEN_TAKES_MESH))
         return;
     printf("\nMESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, builtin:torus.\n"
            "Angles in degrees, counter-clockwise; default values in brackets.\n");

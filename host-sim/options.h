@@ -59,13 +59,17 @@ struct sheen_options {
     int band, buffers;
     int frames;
     int stats;
+    const char *name; /* bake: of the mesh, a C identifier; NULL: from the output's name */
+    int groups, no_flat;
 };
 
 /* Bits of the commands that take an option. */
 enum sheen_command_bit {
     SHEEN_RENDER = 1,
     SHEEN_FIRST_LIGHT = 2,
-    SHEEN_PANELS = 4
+    SHEEN_PANELS = 4,
+    SHEEN_BAKE = 8,
+    SHEEN_TAKES_MESH = SHEEN_RENDER | SHEEN_BAKE
 };
 
 struct sheen_option {

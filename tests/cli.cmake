@@ -9,3 +9,19 @@ sheen_test(test_import_confined unit SOURCES test_import_confined.c test_import_
 sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen> TIMEOUT 300)
 sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m
   TIMEOUT 300)
+sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
+
+# Headers baked while building, for a program that draws from them.
+set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
+file(MAKE_DIRECTORY ${baked})
+function(sheen_baked header mesh)
+  add_custom_command(OUTPUT ${baked}/${header} COMMAND sheen bake ${mesh} -o ${baked}/${header} ${ARGN}
+    DEPENDS sheen WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+endfunction()
+sheen_baked(baked_teapot.h builtin:teapot)
+sheen_baked(baked_egg.h data/egg.obj)
+sheen_baked(baked_egg_crease.h data/egg.obj --normals average --crease 12.5 --no-flat --name smooth)
+sheen_baked(baked_box.h data/box.obj --groups)
+sheen_test(test_bake unit SOURCES test_bake.c ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
+  ${baked}/baked_box.h LIBRARIES sheen::host sheen::core m)
+target_include_directories(test_bake PRIVATE ${baked})

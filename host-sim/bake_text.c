@@ -1,0 +1,151 @@
+/*
+ * bake_text.c - meshes as a C header.
+ */
+#include "bake_text.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <string.h>
+
+enum {
+    COLUMNS = 116,
+    STRUCT_BYTES = 40 /* struct sheen_mesh with 32-bit pointers */
+};
+
+size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
+{
+    const struct sheen_mesh *mesh = &quantised->mesh;
+    size_t bytes = STRUCT_BYTES + mesh->vertices * 12u + mesh->triangles * 3u * mesh->index_bytes;
+
+    if (flat)
+        bytes += quantised->polygon_count * 6u + (quantised->polygons ? mesh->triangles * 2u : 0);
+    return bytes;
+}
+
+/* One number of an array; *column is where the line has got to. */
+static void put(FILE *stream, long number, size_t *column)
+{
+    char text[16];
+    size_t length = (size_t)snprintf(text, sizeof text, "%ld,", number);
+
+    if (*column == 0 || *column + 1 + length > COLUMNS) {
+        fputs("\n   ", stream);
+        *column = 3;
+    }
+    fprintf(stream, " %s", text);
+    *column += 1 + length;
+}
+
+static void put_signed(FILE *stream, const char *name, const char *what, const int16_t *numbers, size_t count)
+{
+    size_t column = 0;
+
+    fprintf(stream, "static const int16_t %s_%s[%zu] = {", name, what, count);
+    for (size_t i = 0; i < count; i++)
+        put(stream, numbers[i], &column);
+    fputs("\n};\n", stream);
+}
+
+/* bytes: 1 or 2 a number. */
+static void put_unsigned(FILE *stream, const char *name, const char *what, const void *numbers, int bytes, size_t count)
+{
+    size_t column = 0;
+
+    fprintf(stream, "static const uint%d_t %s_%s[%zu] = {", 8 * bytes, name, what, count);
+    for (size_t i = 0; i < count; i++)
+        put(stream, bytes == 1 ? ((const uint8_t *)numbers)[i] : ((const uint16_t *)numbers)[i], &column);
+    fputs("\n};\n", stream);
+}
+
+static void put_mesh(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat)
+{
+    const struct sheen_mesh *mesh = &quantised->mesh;
+
+    put_signed(stream, name, "positions", mesh->positions, 3u * mesh->vertices);
+    put_signed(stream, name, "normals", mesh->normals, 3u * mesh->vertices);
+    if (flat)
+        put_signed(stream, name, "polygon_normals", mesh->polygon_normals, 3u * quantised->polygon_count);
+    if (flat && mesh->polygons)
+        put_unsigned(stream, name, "polygons", mesh->polygons, 2, mesh->triangles);
+    put_unsigned(stream, name, "indices", mesh->indices, mesh->index_bytes, 3u * mesh->triangles);
+
+    fprintf(stream, "static const struct sheen_mesh %s = {\n", name);
+    fprintf(stream, "    .positions = %s_positions,\n    .normals = %s_normals,\n", name, name);
+    if (flat)
+        fprintf(stream, "    .polygon_normals = %s_polygon_normals,\n", name);
+    if (flat && mesh->polygons)
+        fprintf(stream, "    .polygons = %s_polygons,\n", name);
+    fprintf(stream, "    .indices = %s_indices,\n    .index_bytes = %u,\n", name, mesh->index_bytes);
+    fprintf(stream, "    .vertices = %u,\n    .triangles = %u,\n", mesh->vertices, mesh->triangles);
+    fprintf(stream, "    .scale = %" PRId32 ",\n    .offset = {%" PRId32 ", %" PRId32 ", %" PRId32 "},\n};\n\n",
+            mesh->scale, mesh->offset[0], mesh->offset[1], mesh->offset[2]);
+}
+
+/* A name from a file as a C string: what is not plain ASCII, or would end the string, becomes '?'. */
+static void put_string(FILE *stream, const char *text)
+{
+    putc('"', stream);
+    for (; *text; text++)
+        putc(*text < ' ' || *text > '~' || *text == '"' || *text == '\\' ? '?' : *text, stream);
+    putc('"', stream);
+}
+
+static void put_groups(FILE *stream, const struct sheen_bake *bake)
+{
+    fprintf(stream, "/* The parts, each with its material's base colour: one sheen_draw() for each. */\n");
+    fprintf(stream,
+            "static const struct {\n    const struct sheen_mesh *mesh;\n    const char *material;\n"
+            "    uint8_t base[3]; /* r, g, b */\n} %s_groups[%zu] = {\n",
+            bake->name, bake->count);
+    for (size_t i = 0; i < bake->count; i++) {
+        const uint8_t *color = bake->groups[i].color;
+        fprintf(stream, "    {&%s_%zu, ", bake->name, i);
+        put_string(stream, bake->groups[i].name);
+        fprintf(stream, ", {%u, %u, %u}},\n", color[0], color[1], color[2]);
+    }
+    fputs("};\n\n", stream);
+}
+
+/* A comment's text must not end it. */
+static void put_comment(FILE *stream, const char *text)
+{
+    for (; *text; text++)
+        putc(*text < ' ' || *text > '~' || (text[0] == '*' && text[1] == '/') ? '?' : *text, stream);
+}
+
+int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
+{
+    char guard[80];
+    size_t length = (size_t)snprintf(guard, sizeof guard, "%s_mesh_h", bake->name);
+
+    for (size_t i = 0; i < length; i++)
+        guard[i] = (char)toupper((unsigned char)guard[i]);
+    fputs("/* Made by `", stream);
+    put_comment(stream, bake->source);
+    fprintf(stream, "`. */\n/* clang-format off */\n#ifndef %s\n#define %s\n\n#include \"sheen.h\"\n\n", guard, guard);
+    for (size_t i = 0; i < bake->count; i++) {
+        char name[80];
+        if (bake->groups)
+            snprintf(name, sizeof name, "%s_%zu", bake->name, i);
+        else
+            snprintf(name, sizeof name, "%s", bake->name);
+        put_mesh(stream, name, &bake->meshes[i], bake->flat);
+    }
+    if (bake->groups)
+        put_groups(stream, bake);
+    fputs("#endif\n", stream);
+    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
+void sheen_bake_name(char *name, size_t size, const char *path)
+{
+    const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+    const char *prefix = strncmp(base, "builtin:", 8) == 0 ? base + 8 : base;
+    size_t length = strcspn(prefix, ".");
+
+    snprintf(name, size, "%s%.*s", length == 0 || isdigit((unsigned char)*prefix) ? "mesh_" : "", (int)length, prefix);
+    for (char *c = name; *c; c++) {
+        if (!isalnum((unsigned char)*c) || (unsigned char)*c > 127)
+            *c = '_';
+    }
+}

@@ -1,0 +1,30 @@
+/*
+ * bake_text.h - meshes as a C header: const data for flash.
+ */
+#ifndef SHEEN_BAKE_TEXT_H
+#define SHEEN_BAKE_TEXT_H
+
+#include <stdio.h>
+
+#include "quantise.h"
+
+/* A mesh, or one of several: with groups each has its material's name and colour. */
+struct sheen_bake {
+    const struct sheen_quantised *meshes;
+    const struct sheen_group *groups; /* of each mesh; NULL: one mesh without a group table */
+    size_t count;
+    const char *name;   /* a C identifier: what the mesh is called */
+    const char *source; /* the command line that made it, for the header's comment */
+    int flat;           /* 1: with polygon normals, for flat shading */
+};
+
+/* B of flash that a mesh takes on a 32-bit machine. */
+size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat);
+
+/* The header's text. The same on every machine. 0, or SHEEN_ERR_ARGUMENT where the stream fails. */
+int sheen_bake_text(FILE *stream, const struct sheen_bake *bake);
+
+/* The identifier that a file's name gives: its base without ending, others than letters and digits as _. */
+void sheen_bake_name(char *name, size_t size, const char *path);
+
+#endif

@@ -1,0 +1,213 @@
+/*
+ * cmd_bake.c - `sheen bake`: a mesh as const data for a firmware's flash.
+ *
+ * Triangles keep the file's order, so that of equal depths the same one stays as in
+ * a rendered file. The core transforms each vertex once however triangles are
+ * ordered, so there is nothing to gain from another order.
+ */
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bake_text.h"
+#include "builtin.h"
+#include "commands.h"
+#include "out_file.h"
+
+/* Everything between the mesh file and the header. */
+struct baking {
+    const struct sheen_options *options;
+    struct sheen_host_mesh host;
+    struct sheen_quantised *meshes;
+    struct sheen_group *groups;
+    size_t count;
+    char name[48];
+    char source[160];
+};
+
+static int is_identifier(const char *name)
+{
+    size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+
+    return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name);
+}
+
+static int check(const struct sheen_options *options, struct sheen_problem *problem)
+{
+    if (!options->out)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o mesh.h)");
+    if (options->name && !is_identifier(options->name))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%.100s': not a C identifier of 1..39 letters",
+                             options->name);
+    return sheen_builtin_check(options->mesh, problem);
+}
+
+/* The command line that makes the same header: without folders, which differ from machine to machine. */
+static void set_source(struct baking *baking)
+{
+    const struct sheen_options *options = baking->options;
+    const char *file = strrchr(options->mesh, '/');
+    char crease[40] = "";
+
+    if (options->crease >= 0)
+        snprintf(crease, sizeof crease, " --crease %g", options->crease);
+    snprintf(baking->source, sizeof baking->source, "sheen bake %.80s%s%s%s%s", file ? file + 1 : options->mesh,
+             options->average ? " --normals average" : "", crease, options->groups ? " --groups" : "",
+             options->no_flat ? " --no-flat" : "");
+}
+
+static int quantise(struct baking *baking)
+{
+    size_t groups = baking->options->groups ? baking->host.group_count : 1;
+
+    baking->meshes = calloc(groups, sizeof *baking->meshes);
+    baking->groups = calloc(groups, sizeof *baking->groups);
+    if (!baking->meshes || !baking->groups)
+        return SHEEN_ERR_MEMORY;
+    for (size_t g = 0; g < groups; g++) {
+        uint32_t which = baking->options->groups ? (uint32_t)g : SHEEN_ALL_GROUPS;
+        int error = sheen_quantise(&baking->meshes[baking->count], &baking->host, which);
+        if (error == SHEEN_ERR_ARGUMENT)
+            continue; /* a material without faces */
+        if (error)
+            return error;
+        struct sheen_group *group = &baking->groups[baking->count++];
+        *group = baking->host.group[g];
+        if (!group->has_color)
+            memcpy(group->color, baking->options->color.color, sizeof group->color);
+    }
+    return SHEEN_OK;
+}
+
+/* ---- the report ---- */
+
+/* How far the integers are from the host's mesh: of the radius, and in radians. */
+static void measure(const struct sheen_host_mesh *host, double *position, double *normal)
+{
+    *position = *normal = 0;
+    for (size_t i = 0; i < host->vertex_count; i++) {
+        const struct sheen_host_vertex *vertex = &host->vertices[i];
+        int16_t q[3];
+        double off = 0, cross = 0, length = 0;
+
+        sheen_quantise_unit(vertex->normal, q);
+        for (int k = 0; k < 3; k++) {
+            int u = (k + 1) % 3, v = (k + 2) % 3;
+            double d = vertex->position[k] - floor(vertex->position[k] * 32767 + 0.5) / 32767;
+            double c = vertex->normal[u] * q[v] - vertex->normal[v] * q[u];
+            off += d * d;
+            cross += c * c;
+            length += q[k] * q[k];
+        }
+        *position = fmax(*position, sqrt(off));
+        *normal = fmax(*normal, sqrt(cross / length));
+    }
+}
+
+/* A target that is only measured for. */
+static int push_nothing(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    (void)ctx, (void)rect, (void)pixels;
+    return SHEEN_OK;
+}
+
+/* The usual case: 320x240 in 565, bands of 16 rows, one buffer, every triangle listed. */
+static size_t frame_bytes(uint32_t vertices, uint32_t triangles, size_t draws)
+{
+    static const struct sheen_target target = {
+        .push = push_nothing, .width = 320, .height = 240, .pixel = SHEEN_RGB565_BE};
+    struct sheen_config config = {.target = &target,
+                                  .max_vertices = (uint16_t)vertices,
+                                  .max_triangles = (uint16_t)triangles,
+                                  .max_draws = (uint16_t)draws};
+
+    return sheen_arena_size(&config);
+}
+
+static void report(const struct baking *baking)
+{
+    uint32_t vertices = 0, triangles = 0, polygons = 0;
+    size_t bytes = 0;
+    double position, normal;
+
+    for (size_t i = 0; i < baking->count; i++) {
+        vertices += baking->meshes[i].mesh.vertices;
+        triangles += baking->meshes[i].mesh.triangles;
+        polygons += baking->meshes[i].polygon_count;
+        bytes += sheen_bake_bytes(&baking->meshes[i], !baking->options->no_flat);
+    }
+    measure(&baking->host, &position, &normal);
+    printf("%s: %u vertices, %u triangles, %u polygons", baking->name, vertices, triangles, polygons);
+    printf(baking->options->groups ? ", %zu groups\n" : "\n", baking->count);
+    printf("flash: %zu B\n", bytes);
+    printf("RAM of a frame, 320x240 in bands of 16 rows: %zu B, and %zu B a material\n",
+           frame_bytes(vertices, triangles, baking->count), sizeof(struct sheen_material));
+    printf("rounding: positions by at most %.2g of the radius, normals by at most %.2g rad\n", position, normal);
+    printf("one unit is %.9g of the file's, its origin at %.9g %.9g %.9g\n", baking->host.radius,
+           baking->host.center[0], baking->host.center[1], baking->host.center[2]);
+}
+
+/* ---- the command ---- */
+
+static int write_header(const struct baking *baking, struct sheen_problem *problem)
+{
+    struct sheen_bake bake = {.meshes = baking->meshes,
+                              .groups = baking->options->groups ? baking->groups : NULL,
+                              .count = baking->count,
+                              .name = baking->name,
+                              .source = baking->source,
+                              .flat = !baking->options->no_flat};
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    int error = stream ? sheen_bake_text(stream, &bake) : SHEEN_ERR_MEMORY;
+
+    if (stream && fclose(stream) != 0)
+        error = SHEEN_ERR_MEMORY;
+    error = error ? sheen_problem(problem, error, "%s: not enough memory", baking->options->out)
+                  : sheen_out_file(baking->options->out, text, size, problem);
+    free(text);
+    return error;
+}
+
+static int bake(struct baking *baking, struct sheen_problem *problem)
+{
+    const struct sheen_options *options = baking->options;
+    struct sheen_host_options how = {.average = options->average,
+                                     .by_group = options->groups,
+                                     .use_crease = options->crease >= 0,
+                                     .crease = options->crease};
+    int error = sheen_host_mesh_load(&baking->host, options->mesh, &how, problem);
+
+    if (error)
+        return error;
+    if (options->name)
+        snprintf(baking->name, sizeof baking->name, "%s", options->name);
+    else
+        sheen_bake_name(baking->name, 40, options->out);
+    set_source(baking);
+    error = quantise(baking);
+    if (error)
+        return sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error));
+    return write_header(baking, problem);
+}
+
+enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
+{
+    struct baking baking = {.options = options};
+    struct sheen_problem problem;
+
+    if (check(options, &problem) != 0)
+        return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    int error = bake(&baking, &problem);
+    if (!error)
+        report(&baking);
+    for (size_t i = 0; i < baking.count; i++)
+        sheen_quantised_free(&baking.meshes[i]);
+    free(baking.meshes);
+    free(baking.groups);
+    sheen_host_mesh_free(&baking.host);
+    return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
+}

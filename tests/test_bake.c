@@ -1,0 +1,156 @@
+/*
+ * test_bake.c - baked headers hold, bit for bit, what a rendered file is drawn from; and the frames are the same.
+ *
+ * The headers were made by `sheen bake` while this was built (cli.cmake).
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "baked_box.h"
+#include "baked_egg.h"
+#include "baked_egg_crease.h"
+#include "baked_teapot.h"
+#include "quantise.h"
+
+static void load(struct sheen_host_mesh *host, const char *name, const struct sheen_host_options *options)
+{
+    struct sheen_problem problem;
+
+    if (sheen_host_mesh_load(host, name, options, &problem) != 0)
+        fail_msg("%s", problem.text);
+}
+
+static void equal(const struct sheen_mesh *baked, const struct sheen_host_mesh *host, uint32_t group, int flat)
+{
+    struct sheen_quantised made;
+
+    assert_int_equal(sheen_quantise(&made, host, group), 0);
+    const struct sheen_mesh *mesh = &made.mesh;
+    assert_int_equal(baked->vertices, mesh->vertices);
+    assert_int_equal(baked->triangles, mesh->triangles);
+    assert_int_equal(baked->index_bytes, mesh->index_bytes);
+    assert_int_equal(baked->scale, mesh->scale);
+    assert_memory_equal(baked->offset, mesh->offset, sizeof mesh->offset);
+    assert_memory_equal(baked->positions, mesh->positions, 6u * mesh->vertices);
+    assert_memory_equal(baked->normals, mesh->normals, 6u * mesh->vertices);
+    assert_memory_equal(baked->indices, mesh->indices, 3u * mesh->triangles * mesh->index_bytes);
+    assert_int_equal(baked->polygon_normals != NULL, flat);
+    assert_int_equal(baked->polygons != NULL, flat && mesh->polygons != NULL);
+    if (flat)
+        assert_memory_equal(baked->polygon_normals, mesh->polygon_normals, 6u * made.polygon_count);
+    if (baked->polygons)
+        assert_memory_equal(baked->polygons, mesh->polygons, 2u * mesh->triangles);
+    sheen_quantised_free(&made);
+}
+
+static void headers_are_the_files(void **state)
+{
+    struct sheen_host_mesh host;
+
+    (void)state;
+    load(&host, "builtin:teapot", &(struct sheen_host_options){0});
+    equal(&baked_teapot, &host, SHEEN_ALL_GROUPS, 1);
+    sheen_host_mesh_free(&host);
+    load(&host, "data/egg.obj", &(struct sheen_host_options){0});
+    equal(&baked_egg, &host, SHEEN_ALL_GROUPS, 1);
+    sheen_host_mesh_free(&host);
+    load(&host, "data/egg.obj", &(struct sheen_host_options){.average = 1, .use_crease = 1, .crease = 12.5});
+    equal(&smooth, &host, SHEEN_ALL_GROUPS, 0);
+    sheen_host_mesh_free(&host);
+}
+
+/* Three materials, one of which has no faces: two meshes of 8-bit indices, with names and colours. */
+static void groups(void **state)
+{
+    static const uint8_t red[3] = {255, 0, 0}, grey[3] = {51, 102, 153};
+    struct sheen_host_mesh host;
+
+    (void)state;
+    assert_int_equal(sizeof baked_box_groups / sizeof baked_box_groups[0], 2);
+    assert_string_equal(baked_box_groups[0].material, "red");
+    assert_string_equal(baked_box_groups[1].material, "blue ?grey?");
+    assert_memory_equal(baked_box_groups[0].base, red, 3);
+    assert_memory_equal(baked_box_groups[1].base, grey, 3);
+    load(&host, "data/box.obj", &(struct sheen_host_options){.by_group = 1});
+    uint32_t found = 0;
+    for (uint32_t g = 0; g < host.group_count; g++) {
+        if (found < 2 && strcmp(host.group[g].name, found ? "blue \"grey\"" : "red") == 0)
+            equal(baked_box_groups[found++].mesh, &host, g, 1);
+    }
+    assert_int_equal(found, 2);
+    assert_int_equal(baked_box_0.index_bytes, 1);
+    sheen_host_mesh_free(&host);
+}
+
+/* ---- the same frame ---- */
+
+enum {
+    SIZE = 96
+};
+
+static int store(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    const size_t row = 2u * (size_t)(rect.x1 - rect.x0);
+
+    for (int y = rect.y0; y < rect.y1; y++)
+        memcpy((uint16_t *)ctx + y * SIZE + rect.x0, (const char *)pixels + row * (size_t)(y - rect.y0), row);
+    return 0;
+}
+
+static void draw(const struct sheen_mesh *mesh, enum sheen_shading shading, uint16_t *picture)
+{
+    struct sheen_target target = {.ctx = picture, .push = store, .width = SIZE, .height = SIZE};
+    struct sheen_config config = {.target = &target, .max_vertices = mesh->vertices, .max_triangles = mesh->triangles};
+    struct sheen_material material = {
+        {200, 160, 80}, {255, 255, 255}, SHEEN_Q16(.1), SHEEN_Q16(.6), SHEEN_Q16(.3), 32, 0, {0}};
+    struct sheen_light light = {{-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, SHEEN_Q16(1), 1};
+    struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05)};
+    struct sheen_draw scene = {mesh, &material, &light, 1, (uint8_t)shading, 0, {{0}, 0, {0}}};
+    struct sheen_frame *frame;
+    size_t size = sheen_arena_size(&config);
+    void *arena = malloc(size);
+
+    assert_int_equal(sheen_material_prepare(&material), 0);
+    assert_int_equal(sheen_init(&frame, arena, &size, &config), 0);
+    sheen_pose_orbit(&scene.pose, SHEEN_DEGREES(30), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
+    assert_int_equal(sheen_begin(frame, &view), 0);
+    assert_int_equal(sheen_draw(frame, &scene), 0);
+    assert_int_equal(sheen_end(frame), 0);
+    free(arena);
+}
+
+static void the_same_pixels(void **state)
+{
+    static uint16_t baked[SIZE * SIZE], from_file[SIZE * SIZE];
+    struct sheen_host_mesh host;
+    struct sheen_quantised made;
+
+    (void)state;
+    load(&host, "data/egg.obj", &(struct sheen_host_options){0});
+    assert_int_equal(sheen_quantise(&made, &host, SHEEN_ALL_GROUPS), 0);
+    for (int shading = SHEEN_FLAT; shading <= SHEEN_PHONG; shading++) {
+        memset(baked, 0x5a, sizeof baked);
+        draw(&baked_egg, (enum sheen_shading)shading, baked);
+        draw(&made.mesh, (enum sheen_shading)shading, from_file);
+        assert_memory_equal(baked, from_file, sizeof baked);
+    }
+    sheen_quantised_free(&made);
+    sheen_host_mesh_free(&host);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(headers_are_the_files),
+        cmocka_unit_test(groups),
+        cmocka_unit_test(the_same_pixels),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
