@@ -172,6 +172,37 @@ static void carried(void **state)
     }
 }
 
+/* With room for all a triangle is set up once, however many bands it crosses. */
+static void set_up_once(void **state)
+{
+    static const int rows[] = {HEIGHT, 16, 7, 1};
+    uint32_t setups[4];
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        struct memory_target target;
+        struct sheen_config config;
+        struct core_frame f;
+        struct sheen_view view;
+        struct sheen_stats stats;
+        assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+        stage_config(&config, &target, 5);
+        config.max_clipped = 500;
+        config.band_rows = (uint16_t)rows[i];
+        config.max_carried = 254;
+        stage_view(&view);
+        assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+        assert_int_equal(run_frame(f.frame, &view, 0, BY_END, 1), SHEEN_OK);
+        sheen_frame_stats(f.frame, &stats);
+        setups[i] = stats.setups;
+        core_frame_free(&f);
+        memory_target_free(&target);
+    }
+    assert_true(setups[0] > 300);
+    for (int i = 1; i < 4; i++)
+        assert_int_equal(setups[i], setups[0]);
+}
+
 static void orders_and_workers(void **state)
 {
     (void)state;
@@ -220,8 +251,8 @@ static void something_is_drawn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(something_is_drawn), cmocka_unit_test(bands_and_buffers), cmocka_unit_test(carried),
-        cmocka_unit_test(orders_and_workers), cmocka_unit_test(byte_orders),
+        cmocka_unit_test(something_is_drawn), cmocka_unit_test(bands_and_buffers),  cmocka_unit_test(carried),
+        cmocka_unit_test(set_up_once),        cmocka_unit_test(orders_and_workers), cmocka_unit_test(byte_orders),
     };
 
     return cmocka_run_group_tests_name("frame_equal", tests, make_stage, free_stage);
