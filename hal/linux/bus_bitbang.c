@@ -43,7 +43,8 @@ int sheen_bitbang_open(struct sheen_linux_bus *bus, const struct sheen_wiring *w
     int error;
 
     if (!wiring->sclk || !wiring->mosi)
-        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "neither an SPI device nor lines for SCLK and MOSI are named");
+        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT,
+                            "neither an SPI device nor lines for SCLK and MOSI are named");
     error = sheen_pin_output(&bus->sclk, wiring->sclk, bus->spi_mode >> 1, bus->why);
     if (error == 0)
         error = sheen_pin_output(&bus->mosi, wiring->mosi, 0, bus->why);

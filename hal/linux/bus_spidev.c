@@ -50,9 +50,9 @@ static int transfer_fail(struct sheen_linux_bus *bus, int error)
 {
     if (error == EMSGSIZE)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a transfer of %zu bytes is too long; see " BUFSIZ_PATH,
-                          bus->path, bus->chunk);
+                            bus->path, bus->chunk);
     return sheen_failed(bus->why, error == ETIMEDOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS, "%s: %s", bus->path,
-                      strerror(error));
+                        strerror(error));
 }
 
 /* A transfer that moved fewer bytes goes on where it stopped; one that moved none, so often, is an error. */
@@ -82,14 +82,15 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
     switch (error) {
     case EACCES:
     case EPERM:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS,
-                          "%s: no permission; become a member of the group that owns it (usually spi) and log in again",
-                          bus->path);
+        return sheen_failed(
+            bus->why, SHEEN_ERR_BUS,
+            "%s: no permission; become a member of the group that owns it (usually spi) and log in again", bus->path);
     case ENOENT:
-        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT,
-                          "%s: no such device; switch SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or "
-                          "name lines for SCLK and MOSI instead",
-                          bus->path);
+        return sheen_failed(
+            bus->why, SHEEN_ERR_ARGUMENT,
+            "%s: no such device; switch SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or "
+            "name lines for SCLK and MOSI instead",
+            bus->path);
     case EBUSY:
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", bus->path);
     default:
@@ -101,12 +102,10 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
 static int set_up(struct sheen_linux_bus *bus, int own_cs)
 {
     uint8_t mode = bus->spi_mode, quiet = (uint8_t)(mode | SPI_NO_CS), bits = 8;
-    int result = -1;
+    int result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, own_cs ? &quiet : &mode);
 
     /* Controllers that cannot, refuse; theirs then moves on a pin that is not wired. */
-    if (own_cs)
-        result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &quiet);
-    if (result < 0)
+    if (result < 0 && own_cs && errno == EINVAL)
         result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
     if (result < 0 && (errno == ENOTTY || errno == ENODEV))
         return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an SPI device (/dev/spidev0.0 is one)", bus->path);
@@ -116,7 +115,7 @@ static int set_up(struct sheen_linux_bus *bus, int own_cs)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: words of 8 bits: %s", bus->path, strerror(errno));
     if (ioctl_again(bus->fd, SPI_IOC_WR_MAX_SPEED_HZ, &bus->clock_hz) < 0)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a clock of %u Hz: %s", bus->path, bus->clock_hz,
-                          strerror(errno));
+                            strerror(errno));
     return 0;
 }
 

@@ -23,8 +23,8 @@ static int request_fail(struct sheen_pin *pin, unsigned offset, int error, struc
     if (sheen_gpiod_info(pin->chip, offset, &info) || !info.consumer[0])
         snprintf(info.consumer, sizeof info.consumer, "another program or driver");
     return sheen_failed(why, SHEEN_ERR_BUS,
-                      "line %s is in use by %s; end that or take another line (" SHEEN_LIST_THEM ")", pin->name,
-                      info.consumer);
+                        "line %s is in use by %s; end that or take another line (" SHEEN_LIST_THEM ")", pin->name,
+                        info.consumer);
 }
 
 static int take(struct sheen_pin *pin, const char *line, int (*request)(struct sheen_pin *pin, unsigned offset),
@@ -94,7 +94,8 @@ int sheen_pin_await(struct sheen_pin *pin, uint32_t timeout_us, struct sheen_fai
     if (found < 0)
         return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
     if (found == 0)
-        return sheen_failed(why, SHEEN_ERR_TIMEOUT, "line %s: no rising edge within %u ms", pin->name, timeout_us / 1000);
+        return sheen_failed(why, SHEEN_ERR_TIMEOUT, "line %s: no rising edge within %u ms", pin->name,
+                            timeout_us / 1000);
     return 0;
 }
 

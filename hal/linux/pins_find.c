@@ -40,62 +40,66 @@ int sheen_chip_open(struct gpiod_chip **chip, const char *path, struct sheen_fai
     do
         *chip = gpiod_chip_open(path);
     while (!*chip && sheen_again(errno, &tries));
-    return *chip ? 0 : sheen_chip_fail(why, path, errno);
+    if (*chip)
+        return 0;
+    int kept = errno, code = sheen_chip_fail(why, path, kept);
+
+    errno = kept;
+    return code;
 }
 
-/* Calls each() for the lines of one chip. */
-static int chip_each(const char *path, int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx,
-                     struct sheen_failure *why)
+/* Calls each() for the lines of one chip, as sheen_pins_each. */
+static int chip_each(struct gpiod_chip *chip, const char *path,
+                     int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx, struct sheen_failure *why)
 {
-    struct gpiod_chip *chip;
     struct sheen_pin_info info = {.chip = strrchr(path, '/') + 1};
     char label[64] = "";
     unsigned lines = 0;
-    int result = sheen_chip_open(&chip, path, why);
+    int result = 0;
 
-    if (result < 0)
-        return result;
     if (sheen_gpiod_describe(chip, label, sizeof label, &lines))
-        result = sheen_chip_fail(why, path, errno);
+        return sheen_chip_fail(why, path, errno);
     info.label = label;
     for (unsigned i = 0; i < lines && result == 0; i++) {
         info.offset = i;
         if (sheen_gpiod_info(chip, i, &info))
-            result = sheen_failed(why, SHEEN_ERR_BUS, "%s:%u: %s", info.chip, i, strerror(errno));
+            result = sheen_failed(why, SHEEN_ERR_BUS, "line %s:%u: %s", info.chip, i, strerror(errno));
         else
             result = each(ctx, &info);
     }
-    gpiod_chip_close(chip);
     return result;
 }
 
 int sheen_pins_each(int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx, struct sheen_failure *why)
 {
     glob_t paths = {0};
-    size_t chips = 0;
-    int refused = 0, result = 0;
+    size_t chips = 0, opened = 0;
+    int result = 0;
 
     if (glob("/dev/gpiochip*", 0, NULL, &paths))
         paths.gl_pathc = 0;
-    for (size_t i = 0; i < paths.gl_pathc && result >= 0; i++) {
+    for (size_t i = 0; i < paths.gl_pathc && result == 0; i++) {
+        struct gpiod_chip *chip;
         struct stat about;
 
         /* Some systems link an old number to the chip's new one: its lines would come twice. */
         if (lstat(paths.gl_pathv[i], &about) == 0 && S_ISLNK(about.st_mode))
             continue;
         chips++;
-        result = chip_each(paths.gl_pathv[i], each, ctx, refused ? NULL : why);
-        if (result > 0)
-            break;
-        if (result < 0) {
-            refused = refused ? refused : result;
-            result = 0;
+        if (sheen_chip_open(&chip, paths.gl_pathv[i], opened ? NULL : why) < 0) {
+            /* Forbidden chips are not ours to judge; any other reason is a fault. */
+            if (errno != EACCES && errno != EPERM)
+                result = sheen_chip_fail(why, paths.gl_pathv[i], errno);
+            continue;
         }
+        opened++;
+        result = chip_each(chip, paths.gl_pathv[i], each, ctx, why);
+        gpiod_chip_close(chip);
     }
     globfree(&paths);
     if (chips == 0)
         return sheen_failed(why, SHEEN_ERR_BUS, "this machine has no GPIO chip (/dev/gpiochip*)");
-    return result ? result : refused;
+    return result == 0 && opened == 0 ? SHEEN_ERR_BUS : result;
 }
 
 /* A line that is looked for by its name, or by a chip's label and its offset there. */
@@ -154,14 +158,14 @@ int sheen_pin_find(struct sheen_pin_place *place, const char *line, struct sheen
     split(&search, line);
     if (!search.place.path[0])
         error = sheen_pins_each(compare, &search, why);
+    if (error < 0)
+        return error;
     *place = search.place;
     place->by_name = search.hits == 1;
     if (search.hits > 1)
         return sheen_failed(why, SHEEN_ERR_ARGUMENT, "several lines are called '%s': %s; name one of these", line,
-                          search.places);
+                            search.places);
     if (place->path[0])
         return 0;
-    if (error < 0)
-        return error;
     return sheen_failed(why, SHEEN_ERR_ARGUMENT, "no line is called '%s'; " SHEEN_LIST_THEM, line);
 }

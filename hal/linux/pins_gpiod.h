@@ -24,7 +24,7 @@ struct sheen_pin_place {
 };
 int sheen_pin_find(struct sheen_pin_place *place, const char *line, struct sheen_failure *why);
 
-/* Opens a chip, or says why not. */
+/* Opens a chip, or says why not and leaves errno. */
 int sheen_chip_open(struct gpiod_chip **chip, const char *path, struct sheen_failure *why);
 int sheen_chip_fail(struct sheen_failure *why, const char *path, int error);
 
