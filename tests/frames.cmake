@@ -1,7 +1,8 @@
 # Whole frames.
-foreach(name equal changed limits)
+foreach(name equal limits draws)
   sheen_test(test_frame_${name} frames SOURCES test_frame_${name}.c LIBRARIES core_picture sheen::core)
 endforeach()
+sheen_test(test_frame_changed frames SOURCES test_frame_changed.c frame_show.c LIBRARIES core_picture sheen::core)
 sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
   LIBRARIES core_picture sheen::core Threads::Threads)
 sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)

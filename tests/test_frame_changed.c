@@ -13,11 +13,7 @@
 
 #include <cmocka.h>
 
-#include "frame_stage.h"
-
-#define WIDTH 160
-#define HEIGHT 120
-#define ACTORS 4
+#include "frame_show.h"
 
 static struct stage stage;
 
@@ -34,140 +30,12 @@ static int free_stage(void **state)
     return 0;
 }
 
-/* A user's 2D: a pattern below and a marker above, drawn in the target's bytes. */
-struct painter {
-    enum sheen_pixel pixel;
-    int marker_x, marker_y; /* px, 9x9 */
-    bool pattern;
-    int calls;
-};
-
-static void put(const struct painter *p, void *pixels, size_t at, unsigned value)
-{
-    uint8_t *byte = (uint8_t *)pixels + 2 * at;
-
-    byte[p->pixel == SHEEN_RGB565_BE ? 0 : 1] = (uint8_t)(value >> 8);
-    byte[p->pixel == SHEEN_RGB565_BE ? 1 : 0] = (uint8_t)value;
-}
-
-static void underlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
-{
-    struct painter *p = ctx;
-
-    p->calls++;
-    for (int y = rect.y0; y < rect.y1; y++) {
-        for (int x = rect.x0; x < rect.x1; x++)
-            put(p, pixels, (size_t)(y - rect.y0) * pitch + (size_t)(x - rect.x0),
-                (unsigned)(x * 77 + y * 1021) & 0x39e7);
-    }
-}
-
-static void overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
-{
-    struct painter *p = ctx;
-
-    for (int y = rect.y0; y < rect.y1; y++) {
-        for (int x = rect.x0; x < rect.x1; x++) {
-            if (x >= p->marker_x && x < p->marker_x + 9 && y >= p->marker_y && y < p->marker_y + 9)
-                put(p, pixels, (size_t)(y - rect.y0) * pitch + (size_t)(x - rect.x0), 0xffff);
-        }
-    }
-}
-
-struct way {
-    enum sheen_pixel pixel;
-    int band_rows, buffers, align_x, align_y;
-    bool delayed, underlay, overlay, failures;
-};
-
-/* What a frame shows; changed a little from frame to frame. */
-struct show {
-    struct actor actors[ACTORS];
-    bool on[ACTORS];
-    struct sheen_view view;
-    struct painter painter;
-    struct sheen_rect marks[2]; /* where the marker was and is */
-    bool viewport_changed, background_changed;
-};
-
-static void enter(struct actor *a, uint32_t *seed)
-{
-    *a = (struct actor){(enum stage_mesh)(stage_random(seed) % STAGE_MESHES),
-                        (int)(stage_random(seed) % 3),
-                        (enum sheen_shading)(stage_random(seed) % 4),
-                        stage_uniform(seed, -3, 3),
-                        stage_uniform(seed, -2, 2),
-                        stage_uniform(seed, 2, 9),
-                        stage_uniform(seed, 0.2, 0.7),
-                        stage_uniform(seed, 0, 360),
-                        stage_uniform(seed, 0, 360)};
-}
-
-static void place_marker(struct show *s, int x, int y)
-{
-    s->marks[0] = s->marks[1];
-    s->marks[1] = (struct sheen_rect){(int16_t)x, (int16_t)y, (int16_t)(x + 9), (int16_t)(y + 9)};
-    s->painter.marker_x = x;
-    s->painter.marker_y = y;
-}
-
-/* A viewport keeps to the target's alignment, as its owner would. */
-static struct sheen_rect random_viewport(const struct way *way, uint32_t *seed)
-{
-    int ax = way->align_x ? way->align_x : 1, ay = way->align_y ? way->align_y : 1;
-    int x = (int)(stage_random(seed) % 60) / ax * ax, y = (int)(stage_random(seed) % 40) / ay * ay;
-    int width = (30 + (int)(stage_random(seed) % 70)) / ax * ax,
-        height = (30 + (int)(stage_random(seed) % 50)) / ay * ay;
-
-    if (stage_random(seed) % 2)
-        return (struct sheen_rect){0, 0, 0, 0};
-    return (struct sheen_rect){(int16_t)x, (int16_t)y, (int16_t)(x + width), (int16_t)(y + height)};
-}
-
-static void change(struct show *s, const struct way *way, uint32_t *seed)
-{
-    for (int i = 0; i < ACTORS; i++) {
-        if (stage_random(seed) % 8 == 0)
-            s->on[i] = !s->on[i];
-        if (stage_random(seed) % 16 == 0)
-            enter(&s->actors[i], seed);
-        if (stage_random(seed) % 4 == 0) {
-            s->actors[i].x += stage_uniform(seed, -0.3, 0.3);
-            s->actors[i].yaw += 10;
-        }
-    }
-    struct sheen_rect before = s->view.viewport;
-    if (stage_random(seed) % 16 == 0)
-        s->view.viewport = random_viewport(way, seed);
-    s->viewport_changed = memcmp(&before, &s->view.viewport, sizeof before) != 0;
-    s->background_changed = stage_random(seed) % 16 == 0;
-    if (s->background_changed)
-        s->view.background[1] = (uint8_t)(s->view.background[1] + 64);
-    place_marker(s, (int)(stage_random(seed) % (WIDTH - 9)), (int)(stage_random(seed) % (HEIGHT - 9)));
-}
-
-static int play(struct sheen_frame *frame, struct show *s)
-{
-    int status = sheen_begin(frame, &s->view);
-
-    for (int i = 0; i < ACTORS && status == SHEEN_OK; i++) {
-        struct sheen_draw draw;
-        if (!s->on[i])
-            continue;
-        stage_draw(&stage, &s->actors[i], &draw);
-        status = sheen_draw(frame, &draw);
-    }
-    for (int i = 0; i < 2 && status == SHEEN_OK && s->view.overlay; i++)
-        status = sheen_mark(frame, s->marks[i]);
-    return status == SHEEN_OK ? sheen_end(frame) : status;
-}
-
 /* Outside the viewport the panel belongs to others: both targets keep what they had there. */
 static void assert_same_glass(const struct memory_target *a, const struct memory_target *b, struct sheen_rect r,
                               int frame)
 {
     if (r.x0 >= r.x1 || r.y0 >= r.y1)
-        r = (struct sheen_rect){0, 0, WIDTH, HEIGHT};
+        r = (struct sheen_rect){0, 0, SHOW_WIDTH, SHOW_HEIGHT};
     for (int y = r.y0; y < r.y1; y++) {
         for (int x = r.x0; x < r.x1; x++) {
             if (memory_target_pixel(a, x, y) != memory_target_pixel(b, x, y))
@@ -179,7 +47,7 @@ static void assert_same_glass(const struct memory_target *a, const struct memory
 
 static long viewport_area(struct sheen_rect r)
 {
-    return r.x0 >= r.x1 || r.y0 >= r.y1 ? WIDTH * HEIGHT : (long)(r.x1 - r.x0) * (r.y1 - r.y0);
+    return r.x0 >= r.x1 || r.y0 >= r.y1 ? SHOW_WIDTH * SHOW_HEIGHT : (long)(r.x1 - r.x0) * (r.y1 - r.y0);
 }
 
 /* Counters agree with what arrived, no pixel was sent twice, and all were after what demands it. */
@@ -192,7 +60,7 @@ static void check_counts(const struct memory_target *t, struct sheen_frame *fram
     assert_int_equal(stats.rectangles, t->pushes);
     assert_int_equal(stats.pixels, t->area);
     assert_int_equal(t->bytes, 2 * t->area);
-    for (int i = 0; i < WIDTH * HEIGHT; i++)
+    for (int i = 0; i < SHOW_WIDTH * SHOW_HEIGHT; i++)
         assert_true(t->times[i] <= 1);
     if (all && t->area < viewport_area(s->view.viewport))
         fail_msg("frame %d: %ld px sent where all had to be", number, t->area);
@@ -203,16 +71,16 @@ struct pair {
     struct core_frame changed_frame, full_frame;
 };
 
-static void open_pair(struct pair *p, const struct way *way)
+static void open_pair(struct pair *p, const struct show_way *way)
 {
     struct sheen_config config;
 
-    assert_int_equal(memory_target_init(&p->changed, WIDTH, HEIGHT, way->pixel), 0);
-    assert_int_equal(memory_target_init(&p->full, WIDTH, HEIGHT, way->pixel), 0);
+    assert_int_equal(memory_target_init(&p->changed, SHOW_WIDTH, SHOW_HEIGHT, way->pixel), 0);
+    assert_int_equal(memory_target_init(&p->full, SHOW_WIDTH, SHOW_HEIGHT, way->pixel), 0);
     p->changed.delayed = way->delayed;
     p->changed.target.align_x = (uint8_t)way->align_x;
     p->changed.target.align_y = (uint8_t)way->align_y;
-    stage_config(&config, &p->changed, ACTORS);
+    stage_config(&config, &p->changed, SHOW_ACTORS);
     config.max_clipped = 2000;
     config.band_rows = (uint16_t)way->band_rows;
     config.buffers = (uint8_t)way->buffers;
@@ -245,7 +113,7 @@ static bool play_with_failure(struct pair *p, struct show *s, uint32_t *seed)
     else
         p->changed.fail_push = countdown;
     p->changed.fail_code = -1000 - (int)(stage_random(seed) % 1000);
-    int status = play(p->changed_frame.frame, s);
+    int status = show_play(p->changed_frame.frame, &stage, s);
     if (status == SHEEN_OK)
         status = sheen_wait(p->changed_frame.frame);
     bool came = p->changed.fail_push == 0 && p->changed.fail_wait == 0;
@@ -254,7 +122,7 @@ static bool play_with_failure(struct pair *p, struct show *s, uint32_t *seed)
     return came;
 }
 
-static void play_show(const struct way *way, int frames, uint32_t seed)
+static void play_show(const struct show_way *way, int frames, uint32_t seed)
 {
     struct pair p;
     struct show s = {.painter.pixel = way->pixel};
@@ -265,12 +133,12 @@ static void play_show(const struct way *way, int frames, uint32_t seed)
     open_pair(&p, way);
     stage_view(&s.view);
     s.view.ctx = &s.painter;
-    s.view.underlay = way->underlay ? underlay : NULL;
-    s.view.overlay = way->overlay ? overlay : NULL;
-    for (int i = 0; i < ACTORS; i++)
-        enter(&s.actors[i], &seed);
+    s.view.underlay = way->underlay ? show_underlay : NULL;
+    s.view.overlay = way->overlay ? show_overlay : NULL;
+    for (int i = 0; i < SHOW_ACTORS; i++)
+        show_enter(&s.actors[i], &seed);
     for (int i = 0; i < frames; i++) {
-        change(&s, way, &seed);
+        show_change(&s, way, &seed);
         all |= s.viewport_changed || s.background_changed;
         memory_target_begin(&p.changed);
         if (way->failures && stage_random(&seed) % 4 == 0 && play_with_failure(&p, &s, &seed)) {
@@ -279,11 +147,11 @@ static void play_show(const struct way *way, int frames, uint32_t seed)
             continue;
         }
         if (!way->failures || p.changed.pushes == 0) {
-            assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+            assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
             assert_int_equal(sheen_wait(p.changed_frame.frame), SHEEN_OK);
         }
         sheen_invalidate(p.full_frame.frame);
-        assert_int_equal(play(p.full_frame.frame, &s), SHEEN_OK);
+        assert_int_equal(show_play(p.full_frame.frame, &stage, &s), SHEEN_OK);
         check_counts(&p.changed, p.changed_frame.frame, &s, all, i);
         assert_same_glass(&p.changed, &p.full, s.view.viewport, i);
         all = false;
@@ -300,29 +168,29 @@ static void play_show(const struct way *way, int frames, uint32_t seed)
 static void at_once(void **state)
 {
     (void)state;
-    play_show(&(struct way){.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1}, 200, 1);
+    play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1}, 200, 1);
 }
 
 static void bands_of_all_heights(void **state)
 {
-    static const int rows[] = {1, 7, HEIGHT};
+    static const int rows[] = {1, 7, SHOW_HEIGHT};
 
     (void)state;
     for (uint32_t i = 0; i < 3; i++)
-        play_show(&(struct way){.pixel = SHEEN_RGB565_LE, .band_rows = rows[i], .buffers = 2, .delayed = true}, 200,
-                  5 + i);
+        play_show(&(struct show_way){.pixel = SHEEN_RGB565_LE, .band_rows = rows[i], .buffers = 2, .delayed = true},
+                  200, 5 + i);
 }
 
 static void with_own_2d(void **state)
 {
     (void)state;
     for (int buffers = 1; buffers <= 2; buffers++) {
-        play_show(&(struct way){.pixel = SHEEN_RGB565_BE,
-                                .band_rows = 16,
-                                .buffers = buffers,
-                                .delayed = buffers == 2,
-                                .underlay = true,
-                                .overlay = true},
+        play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE,
+                                     .band_rows = 16,
+                                     .buffers = buffers,
+                                     .delayed = buffers == 2,
+                                     .underlay = true,
+                                     .overlay = true},
                   200, 11);
     }
 }
@@ -330,10 +198,10 @@ static void with_own_2d(void **state)
 static void aligned_rectangles(void **state)
 {
     (void)state;
-    play_show(&(struct way){.pixel = SHEEN_RGB565_BE, .band_rows = 12, .buffers = 1, .align_x = 8, .align_y = 4}, 200,
-              21);
+    play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE, .band_rows = 12, .buffers = 1, .align_x = 8, .align_y = 4},
+              200, 21);
     play_show(
-        &(struct way){
+        &(struct show_way){
             .pixel = SHEEN_RGB565_BE, .band_rows = 5, .buffers = 2, .align_x = 16, .align_y = 8, .overlay = true},
         200, 22);
 }
@@ -342,12 +210,12 @@ static void after_failures(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
-        play_show(&(struct way){.pixel = SHEEN_RGB565_BE,
-                                .band_rows = k % 2 ? 16 : 7,
-                                .buffers = 1 + k / 2,
-                                .delayed = k > 0,
-                                .overlay = true,
-                                .failures = true},
+        play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE,
+                                     .band_rows = k % 2 ? 16 : 7,
+                                     .buffers = 1 + k / 2,
+                                     .delayed = k > 0,
+                                     .overlay = true,
+                                     .failures = true},
                   200, (uint32_t)(31 + k));
     }
 }
@@ -355,7 +223,7 @@ static void after_failures(void **state)
 /* A still picture is sent once; what left is cleared once; a mark is sent as it is. */
 static void nothing_more_than_changed(void **state)
 {
-    struct way way = {.pixel = SHEEN_RGB565_BE, .band_rows = HEIGHT, .buffers = 1};
+    struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = SHOW_HEIGHT, .buffers = 1};
     struct pair p;
     struct show s = {.on = {true}};
     struct sheen_rect mark = {20, 30, 33, 47};
@@ -364,18 +232,18 @@ static void nothing_more_than_changed(void **state)
     open_pair(&p, &way);
     stage_view(&s.view);
     s.actors[0] = (struct actor){STAGE_BALL, 0, SHEEN_PHONG, 0, 0, 5, 1, 0, 0};
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
-    assert_int_equal(p.changed.area, WIDTH * HEIGHT);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
+    assert_int_equal(p.changed.area, SHOW_WIDTH * SHOW_HEIGHT);
 
     /* The ball of radius 1 at depth 5: 1 / sqrt(24) * 60 / tan(25 degrees) = 26.3 px around the centre. */
     memory_target_begin(&p.changed);
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
     assert_in_range(p.changed.area, 48 * 48, 54 * 54);
     assert_int_equal(p.changed.pushes, 1);
     for (int frame = 0; frame < 2; frame++) { /* leaves: cleared, then nothing */
         s.on[0] = false;
         memory_target_begin(&p.changed);
-        assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+        assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
         assert_int_equal(p.changed.pushes, frame == 0);
     }
     memory_target_begin(&p.changed);
@@ -384,18 +252,18 @@ static void nothing_more_than_changed(void **state)
     assert_int_equal(sheen_end(p.changed_frame.frame), SHEEN_OK);
     assert_int_equal(p.changed.pushes, 1);
     assert_int_equal(p.changed.area, 13 * 17);
-    assert_int_equal(p.changed.times[30 * WIDTH + 20] + p.changed.times[46 * WIDTH + 32], 2);
+    assert_int_equal(p.changed.times[30 * SHOW_WIDTH + 20] + p.changed.times[46 * SHOW_WIDTH + 32], 2);
     sheen_invalidate(p.changed_frame.frame);
     memory_target_begin(&p.changed);
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
-    assert_int_equal(p.changed.area, WIDTH * HEIGHT);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
+    assert_int_equal(p.changed.area, SHOW_WIDTH * SHOW_HEIGHT);
     close_pair(&p);
 }
 
 /* The last push of a frame fails in flight: the next begin says so, and the one after it sends everything. */
 static void error_in_flight(void **state)
 {
-    struct way way = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};
+    struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};
     struct pair p;
     struct show s = {.on = {true}};
 
@@ -403,18 +271,18 @@ static void error_in_flight(void **state)
     open_pair(&p, &way);
     stage_view(&s.view);
     s.actors[0] = (struct actor){STAGE_BALL, 0, SHEEN_PHONG, 0, 0, 5, 1, 0, 0};
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
     assert_int_equal(sheen_wait(p.changed_frame.frame), SHEEN_OK);
     memory_target_begin(&p.changed);
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
     assert_true(p.changed.in_flight); /* of the second frame's rectangles the last one has not been waited for */
     p.changed.fail_wait = 1;
     p.changed.fail_code = -1234;
-    assert_int_equal(play(p.changed_frame.frame, &s), -1234);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), -1234);
     memory_target_begin(&p.changed);
-    assert_int_equal(play(p.changed_frame.frame, &s), SHEEN_OK);
+    assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
     assert_int_equal(sheen_wait(p.changed_frame.frame), SHEEN_OK);
-    assert_int_equal(p.changed.area, WIDTH * HEIGHT);
+    assert_int_equal(p.changed.area, SHOW_WIDTH * SHOW_HEIGHT);
     close_pair(&p);
 }
 

@@ -1,0 +1,48 @@
+/*
+ * frame_show.h - a stage on which things move, leave and come back, with a user's own 2D.
+ */
+#ifndef FRAME_SHOW_H
+#define FRAME_SHOW_H
+
+#include "frame_stage.h"
+
+#define SHOW_WIDTH 160 /* px, of the target */
+#define SHOW_HEIGHT 120
+#define SHOW_ACTORS 4
+
+/* A user's 2D: a pattern below and a marker above, drawn in the target's bytes. */
+struct show_painter {
+    enum sheen_pixel pixel;
+    int marker_x, marker_y; /* px, 9x9 */
+};
+
+/* How a show is drawn and sent. */
+struct show_way {
+    enum sheen_pixel pixel;
+    int band_rows, buffers, align_x, align_y;
+    bool delayed, underlay, overlay, failures;
+};
+
+/* What a frame shows; changed a little from frame to frame. */
+struct show {
+    struct actor actors[SHOW_ACTORS];
+    bool on[SHOW_ACTORS];
+    struct sheen_view view;
+    struct show_painter painter;
+    struct sheen_rect marks[2]; /* where the marker was and is */
+    bool viewport_changed, background_changed;
+};
+
+void show_enter(struct actor *actor, uint32_t *seed);
+
+/* The next frame: some move, some leave or come, now and then another viewport or background. */
+void show_change(struct show *show, const struct show_way *way, uint32_t *seed);
+
+/* Begin, draw what is on, mark where the marker was and is, end. 0 or the first negative code. */
+int show_play(struct sheen_frame *frame, const struct stage *stage, const struct show *show);
+
+/* Callbacks of the view; ctx is a struct show_painter. */
+void show_underlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+void show_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+
+#endif

@@ -1,0 +1,162 @@
+/*
+ * test_frame_draws.c - several draws in a frame, and calls out of order.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "frame_stage.h"
+
+#define WIDTH 160
+#define HEIGHT 120
+
+static struct stage stage;
+
+static int make_stage(void **state)
+{
+    (void)state;
+    return stage_make(&stage);
+}
+
+static int free_stage(void **state)
+{
+    (void)state;
+    stage_free(&stage);
+    return 0;
+}
+
+/* ---- several draws ---- */
+
+static void draw_actors(struct memory_target *target, const struct actor *actors, int count)
+{
+    struct sheen_config config;
+    struct core_frame f;
+    struct sheen_view view;
+
+    stage_config(&config, target, 3);
+    stage_view(&view);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    assert_int_equal(stage_frame(f.frame, &view, &stage, actors, count), SHEEN_OK);
+    core_frame_free(&f);
+}
+
+/* One mesh twice, apart: the picture is both pictures; and one behind the other, in either order. */
+static void two_draws_of_one_mesh(void **state)
+{
+    struct actor a = {STAGE_TORUS, 0, SHEEN_PHONG, -0.9, 0, 4, 0.8, 30, 40};
+    struct actor b = {STAGE_TORUS, 1, SHEEN_GOURAUD, 1, 0.2, 5, 0.8, 80, 10}, behind = a;
+    struct memory_target both, only_a, only_b, turned;
+    int of_a = 0, of_b = 0;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&both, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_a, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_b, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&turned, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    draw_actors(&both, (struct actor[]){a, b}, 2);
+    draw_actors(&only_a, &a, 1);
+    draw_actors(&only_b, &b, 1);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            unsigned p = memory_target_pixel(&only_a, x, y), q = memory_target_pixel(&only_b, x, y);
+            assert_true(p == 4 || q == 4); /* background 000020: they stand apart */
+            assert_int_equal(memory_target_pixel(&both, x, y), p == 4 ? q : p);
+            of_a += p != 4;
+            of_b += q != 4;
+        }
+    }
+    assert_true(of_a > 500 && of_b > 500);
+
+    behind.depth = 6;
+    behind.material = 2;
+    draw_actors(&both, (struct actor[]){a, behind}, 2);
+    draw_actors(&turned, (struct actor[]){behind, a}, 2);
+    assert_memory_equal(both.memory, turned.memory, HEIGHT * both.row_bytes);
+    assert_memory_not_equal(both.memory, only_a.memory, HEIGHT * both.row_bytes);
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            if (memory_target_pixel(&only_a, x, y) != 4)
+                assert_int_equal(memory_target_pixel(&both, x, y), memory_target_pixel(&only_a, x, y));
+        }
+    }
+    memory_target_free(&both);
+    memory_target_free(&only_a);
+    memory_target_free(&only_b);
+    memory_target_free(&turned);
+}
+
+/* Of triangles at the same depth the first drawn stays. */
+static void first_drawn_stays(void **state)
+{
+    struct actor a = {STAGE_CUBE, 0, SHEEN_FLAT, 0, 0, 4, 1, 30, 40}, b = a;
+    struct memory_target both, only_a;
+
+    (void)state;
+    b.material = 2;
+    assert_int_equal(memory_target_init(&both, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    assert_int_equal(memory_target_init(&only_a, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    draw_actors(&both, (struct actor[]){a, b, b}, 3);
+    draw_actors(&only_a, &a, 1);
+    assert_memory_equal(both.memory, only_a.memory, HEIGHT * both.row_bytes);
+    memory_target_free(&both);
+    memory_target_free(&only_a);
+}
+
+/* ---- calls out of order ---- */
+
+static void out_of_order(void **state)
+{
+    const struct actor actor = {STAGE_BALL, 0, SHEEN_GOURAUD, -0.8, 0, 4, 1, 30, 20};
+    struct memory_target target;
+    struct sheen_config config;
+    struct core_frame f;
+    struct sheen_view view, bad;
+    struct sheen_draw draw;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 1);
+    stage_view(&view);
+    stage_draw(&stage, &actor, &draw);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_mark(f.frame, (struct sheen_rect){0, 0, 1, 1}), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_end(f.frame), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_finish(f.frame), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_band(f.frame, 0, 0), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_wait(f.frame), SHEEN_OK);
+    for (int k = 0; k < 5; k++) {
+        bad = view;
+        bad.near = k == 0 ? 0 : bad.near;
+        bad.far = k == 1 ? bad.near : bad.far;
+        bad.fov = k == 2 ? 0 : k == 3 ? SHEEN_DEGREES(151) : bad.fov;
+        if (k == 4)
+            bad.viewport = (struct sheen_rect){0, 0, WIDTH + 1, HEIGHT};
+        if (sheen_begin(f.frame, &bad) != SHEEN_ERR_ARGUMENT)
+            fail_msg("bad view %d was taken", k);
+    }
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    assert_int_equal(sheen_band(f.frame, 1, 0), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_band(f.frame, 0, sheen_band_count(f.frame)), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    assert_int_equal(sheen_end(f.frame), SHEEN_ERR_STATE);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_draws_of_one_mesh),
+        cmocka_unit_test(first_drawn_stays),
+        cmocka_unit_test(out_of_order),
+    };
+
+    return cmocka_run_group_tests_name("frame_draws", tests, make_stage, free_stage);
+}
