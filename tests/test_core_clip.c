@@ -14,8 +14,6 @@
 #include "frame_stage.h"
 #include "stages.h"
 
-#define WIDTH 48
-#define HEIGHT 32
 #define MOST 40
 #define UNIT 16777216.0
 
@@ -29,16 +27,19 @@ struct clip_case {
     struct sheen_material material;
     double eye[4][3];
     double focal;
+    int width, height; /* px */
 };
 
-static void case_make(struct clip_case *c)
+static void case_make(struct clip_case *c, int width, int height)
 {
     memset(c, 0, sizeof *c);
+    c->width = width;
+    c->height = height;
     c->material.shininess = 8;
     c->material.base[0] = 255;
     c->material.diffuse = 65536;
     assert_int_equal(sheen_material_prepare(&c->material), SHEEN_OK);
-    assert_int_equal(memory_target_init(&c->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
+    assert_int_equal(memory_target_init(&c->target, width, height, SHEEN_RGB565_LE), 0);
     const struct sheen_config config = {
         .target = &c->target.target, .max_vertices = 4, .max_triangles = MOST, .max_clipped = MOST};
     assert_int_equal(core_frame_make(&c->frame, &config), SHEEN_OK);
@@ -62,7 +63,7 @@ static int case_draw(struct clip_case *c, enum sheen_shading shading, int two_si
                               .two_sided = (uint8_t)two_sided};
 
     sheen_pose_identity(&draw.pose);
-    c->focal = HEIGHT / 2.0 / tan(c->view.fov / 4294967296.0 * 3.14159265358979323846);
+    c->focal = c->height / 2.0 / tan(c->view.fov / 4294967296.0 * 3.14159265358979323846);
     for (int i = 0; i < c->mesh.vertices; i++)
         for (int k = 0; k < 3; k++)
             c->eye[i][k] = (c->mesh.offset[k] + (double)c->mesh.scale * c->position[3 * i + k] / 32768) / UNIT;
@@ -85,7 +86,7 @@ static void cross(const double a[3], const double b[3], double out[3])
  */
 static double depth_inside(const struct clip_case *c, int t, int px, int py, int but)
 {
-    const double ray[3] = {(px + 0.5 - WIDTH / 2.0) / c->focal, (HEIGHT / 2.0 - py - 0.5) / c->focal, -1};
+    const double ray[3] = {(px + 0.5 - c->width / 2.0) / c->focal, (c->height / 2.0 - py - 0.5) / c->focal, -1};
     double line[5][4] = {{0}}, normal[3] = {0, 0, 0}, volume = 0, least = INFINITY;
     const double *p[3];
 
@@ -152,14 +153,15 @@ struct clip_count {
     long sure, cut, wrong;
 };
 
-/* Compares pixels of the picture; says what was wrong first. */
+/* Compares every so many pixels of the picture; says what was wrong first. */
 static void compare(const struct clip_case *c, struct clip_count *count, int most, int number)
 {
+    const int step = 1 + c->width / 64;
     const struct sheen_frame *f = c->frame.frame;
 
     count->cut += f->pieces > 0;
-    for (int y = 0; y < HEIGHT; y++)
-        for (int x = 0; x < WIDTH; x++) {
+    for (int y = number % step; y < c->height; y += step)
+        for (int x = 0; x < c->width; x += step) {
             int expected = expected_at(c, x, y), covered = covered_at(f, x, y);
             count->sure += expected > 0;
             if (covered <= most && (expected < 0 || covered == expected))
@@ -201,15 +203,14 @@ static void random_mesh(struct clip_case *c, uint32_t *state, int triangles)
                                   .offset = {0, 0, SHEEN_Q24(-2)}};
 }
 
-static void test_one_triangle(void **unused)
+static void one_triangle(int width, int height, int cases, long least)
 {
     struct clip_count count = {0, 0, 0};
     struct clip_case c;
     uint32_t state = 1;
 
-    (void)unused;
-    case_make(&c);
-    for (int i = 0; i < 1500; i++) {
+    case_make(&c, width, height);
+    for (int i = 0; i < cases; i++) {
         random_view(&c, &state, 0.05);
         random_mesh(&c, &state, 1);
         assert_int_equal(case_draw(&c, SHEEN_FLAT, 1), SHEEN_OK);
@@ -218,8 +219,21 @@ static void test_one_triangle(void **unused)
     }
     print_message("           %ld pixels inside, %ld triangles cut\n", count.sure, count.cut);
     assert_int_equal(count.wrong, 0);
-    assert_true(count.sure > 50000 && count.cut > 500);
+    assert_true(count.sure > least && count.cut > cases / 3);
     case_free(&c);
+}
+
+static void test_one_triangle(void **unused)
+{
+    (void)unused;
+    one_triangle(48, 32, 1500, 50000);
+}
+
+/* The largest picture: what the guard band cuts off lies outside it. */
+static void test_one_triangle_on_640x480(void **unused)
+{
+    (void)unused;
+    one_triangle(640, 480, 600, 50000);
 }
 
 /* Both seen from the front: they meet in the shared edge and nowhere else, so no pixel twice, none missing between them. */
@@ -231,7 +245,7 @@ static void test_two_triangles_that_share_an_edge(void **unused)
     int both = 0;
 
     (void)unused;
-    case_make(&c);
+    case_make(&c, 48, 32);
     for (int i = 0; i < 3000; i++) {
         random_view(&c, &state, 0.05);
         random_mesh(&c, &state, 2);
@@ -251,39 +265,53 @@ static void test_two_triangles_that_share_an_edge(void **unused)
     case_free(&c);
 }
 
-/* A near plane so close that a raw step of the eye is pixels wide: coarse, but nothing wraps to the other side. */
+/*
+ * A near plane so close that a raw step of the eye is pixels wide, and triangles that pass close by the eye: coarse,
+ * but corners stay in the guard band, between near and far, and on the sides of the axis where the triangle is.
+ */
+static long out_of_place(const struct clip_case *c, const struct vertex *v)
+{
+    int side[4] = {0, 0, 0, 0}; /* right, left, up, down: where the triangle's corners are */
+
+    for (int k = 0; k < 3; k++)
+        for (int s = 0; s < 4; s++)
+            side[s] |= (s % 2 == 0 ? 1 : -1) * c->eye[k][s / 2] > -1 / UNIT;
+    return abs(v->x) > GUARD_BAND || abs(v->y) > GUARD_BAND || v->z < DEPTH_FAR || (v->x > 64 && !side[0]) ||
+           (v->x < -64 && !side[1]) || (v->y < -64 && !side[2]) || (v->y > 64 && !side[3]);
+}
+
 static void test_near_planes_of_a_few_raw_steps(void **unused)
 {
     struct clip_case c;
     uint32_t state = 3;
-    long listed = 0, far_off = 0;
+    long corners = 0, wrong = 0;
 
     (void)unused;
-    case_make(&c);
-    for (int i = 0; i < 20000; i++) {
+    case_make(&c, 48, 32);
+    for (int i = 0; i < 50000; i++) {
         random_view(&c, &state, 0.05);
         c.view.near = 1 + (int32_t)(stage_random(&state) >> (12 + stage_random(&state) % 20));
         random_mesh(&c, &state, 1);
+        c.mesh.scale = 1 << (15 + i % 15);
+        for (int k = 0; k < 3; k++) {
+            double share = stage_uniform(&state, 0, 1);
+            c.mesh.offset[k] = i % 2 == 0 ? 0 : (int32_t)(stage_random(&state) % 200) - 100;
+            if (i % 4 != 0) /* the plane goes through the mesh's origin but for rounding */
+                c.position[6 + k] = (int16_t)(-share * c.position[k] - (1 - share) * c.position[3 + k]);
+        }
         assert_int_equal(case_draw(&c, SHEEN_FLAT, 1), SHEEN_OK);
         const struct sheen_frame *f = c.frame.frame;
-        int sides[4] = {0, 0, 0, 0}; /* of the eye's axis that the triangle's corners lie on: right, left, up, down */
-        for (int k = 0; k < 3; k++)
-            for (int s = 0; s < 4; s++)
-                sides[s] |= (s % 2 == 0 ? 1 : -1) * c.position[3 * k + s / 2] > 0;
         for (uint32_t e = 0; e < f->entries; e++) {
-            struct corners corners;
-            sheen_entry_corners(f, f->draw, e, &corners);
-            for (int k = 0; k < 3; k++) {
-                const struct vertex *v = corners.v[k];
-                listed++;
-                far_off += abs(v->x) > GUARD_BAND || abs(v->y) > GUARD_BAND || (v->x > 64 && !sides[0]) ||
-                           (v->x < -64 && !sides[1]) || (v->y < -64 && !sides[2]) || (v->y > 64 && !sides[3]);
-            }
+            struct corners listed;
+            sheen_entry_corners(f, f->draw, e, &listed);
+            for (int k = 0; k < 3; k++, corners++)
+                wrong += out_of_place(&c, listed.v[k]);
         }
         assert_int_equal(sheen_end(c.frame.frame), SHEEN_OK);
     }
-    assert_true(listed > 10000);
-    assert_int_equal(far_off, 0);
+    print_message("           %ld corners\n", corners);
+    assert_true(corners > 10000);
+    assert_int_equal(wrong, 0);
     case_free(&c);
 }
 
@@ -312,7 +340,7 @@ static void test_attributes_of_pieces(void **unused)
     uint32_t state = 4;
 
     (void)unused;
-    case_make(&c);
+    case_make(&c, 48, 32);
     for (int i = 0; i < 20000; i++) {
         random_view(&c, &state, 0.2);
         random_mesh(&c, &state, 1);
@@ -336,6 +364,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_one_triangle),
+        cmocka_unit_test(test_one_triangle_on_640x480),
         cmocka_unit_test(test_two_triangles_that_share_an_edge),
         cmocka_unit_test(test_near_planes_of_a_few_raw_steps),
         cmocka_unit_test(test_attributes_of_pieces),

@@ -53,6 +53,7 @@ WRONG(turned_over_pose, draw->pose.scale = -65536)
 WRONG(zero_rotation, memset(draw->pose.rotation, 0, sizeof draw->pose.rotation))
 WRONG(huge_rotation, memset(draw->pose.rotation, 0x7f, sizeof draw->pose.rotation))
 WRONG(stretched_rotation, draw->pose.rotation[0] += draw->pose.rotation[0] > 0 ? 1 << 23 : -(1 << 23))
+WRONG(shrunken_rotation, for (int k = 0; k < 9; k++) draw->pose.rotation[k] -= draw->pose.rotation[k] / 1000)
 WRONG(beyond_reach, draw->pose.translation[0] = INT32_MAX)
 WRONG(beyond_reach_below, draw->pose.translation[2] = INT32_MIN)
 
@@ -76,6 +77,7 @@ static const struct wrong wrongs[] = {
     {"a rotation of zeros", zero_rotation, SHEEN_ERR_ARGUMENT},
     {"a rotation of large numbers", huge_rotation, SHEEN_ERR_ARGUMENT},
     {"a rotation that stretches", stretched_rotation, SHEEN_ERR_ARGUMENT},
+    {"a rotation that shrinks", shrunken_rotation, SHEEN_ERR_ARGUMENT},
     {"beyond 128 units", beyond_reach, SHEEN_ERR_ARGUMENT},
     {"behind -128 units", beyond_reach_below, SHEEN_ERR_ARGUMENT},
 };

@@ -4,7 +4,7 @@
  * Tolerances in raw steps of Q1.30: sine and cosine 3, a part of a unit vector 4 (both as sheen.h says), of a
  * polygon's normal 4, whatever its number of corners.
  */
-#include <string.h>
+#include <stdlib.h>
 
 #include "test_core_worst.h"
 
@@ -186,6 +186,28 @@ static void test_polygons_at_the_ends_of_the_range(void **unused)
     worst_assert(&many, 4, "more corners, +-2^28");
 }
 
+/* A square wound round and round, its corners at the ends of the range: every term has the same sign. */
+static void test_polygons_that_wind_many_times(void **unused)
+{
+    const int32_t end = 1 << 28;
+    struct polygon p;
+
+    (void)unused;
+    for (uint32_t axis = 0; axis < 3; axis++)
+        for (p.count = 4; p.count <= MOST; p.count += 4) {
+            sheen_q30_t normal[3];
+            for (uint32_t k = 0; k < p.count; k++) {
+                p.corner[k] = k;
+                p.point[3 * k + axis] = end;
+                p.point[3 * k + (axis + 1) % 3] = k % 4 == 1 || k % 4 == 2 ? end : -end;
+                p.point[3 * k + (axis + 2) % 3] = k % 4 >= 2 ? end : -end;
+            }
+            assert_int_equal(sheen_polygon_normal(p.point, p.corner, p.count, normal), SHEEN_OK);
+            for (uint32_t k = 0; k < 3; k++)
+                assert_true(abs(normal[k] - (k == axis ? 1 << 30 : 0)) <= 4);
+        }
+}
+
 static void test_orientation_and_collinear_corners(void **unused)
 {
     /* an L, its first three corners on one line; seen from +z counter-clockwise */
@@ -215,6 +237,7 @@ int main(void)
         cmocka_unit_test(test_zero_has_no_direction),
         cmocka_unit_test(test_polygons_of_every_size),
         cmocka_unit_test(test_polygons_at_the_ends_of_the_range),
+        cmocka_unit_test(test_polygons_that_wind_many_times),
         cmocka_unit_test(test_orientation_and_collinear_corners),
     };
 
