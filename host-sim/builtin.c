@@ -1,13 +1,14 @@
 /*
  * builtin.c - meshes that need no file.
  *
- * Points are computed in double precision and rounded to 32-bit floats, as a
- * file would hold them, so the last bit of a sine does not matter.
+ * Points are rounded to 32-bit floats, as a file would hold them.
  */
 #include "builtin.h"
 
-#include <math.h>
 #include <string.h>
+
+#include "host_vector.h"
+#include "sheen.h"
 
 void sheen_builtin_grid(struct sheen_polygons *polygons, size_t base, unsigned rows, unsigned columns, int reverse)
 {
@@ -37,20 +38,24 @@ static int grid_alloc(struct sheen_polygons *polygons, unsigned rows, unsigned c
     return error;
 }
 
-/* cos and sin of a part of a turn; whole quarters exactly, so that seams and poles close. */
+/*
+ * cos and sin of a part of a turn, by the core: integers, so the same on every
+ * machine, and within 3e-9, a twentieth of a float's step. Quarters are exact, so
+ * seams and poles close.
+ */
 static void on_circle(unsigned part, unsigned parts, double *cosine, double *sine)
 {
-    double angle = 2 * acos(-1.0) * (part % parts) / parts;
+    sheen_angle_t angle = (sheen_angle_t)(((uint64_t)(part % parts) << 32) / parts);
 
-    *cosine = 4 * part % (2 * parts) == parts ? 0 : cos(angle);
-    *sine = 2 * part % parts == 0 ? 0 : sin(angle);
+    *cosine = sheen_cos(angle) / 1073741824.0;
+    *sine = sheen_sin(angle) / 1073741824.0;
 }
 
 static void set_point(double point[3], double x, double y, double z)
 {
-    point[0] = (float)x + 0.0; /* no -0 */
-    point[1] = (float)y + 0.0;
-    point[2] = (float)z + 0.0;
+    point[0] = as_float(x);
+    point[1] = as_float(y);
+    point[2] = as_float(z);
 }
 
 /* Unit sphere, 32 rings of 64 quads, y = cos(pi ring / 32); triangles at the poles. */

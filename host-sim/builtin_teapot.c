@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "builtin.h"
+#include "host_vector.h"
 
 enum {
     STEPS = 4,
@@ -107,7 +108,7 @@ static void evaluate(const patch_t patch, unsigned row, unsigned column, double 
             for (int j = 0; j < 4; j++)
                 sum += u[i] * v[j] * patch[i][j][k];
         }
-        point[k] = (float)sum + 0.0; /* as a file holds it; no -0 */
+        point[k] = as_float(sum); /* as a file would hold it */
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "host_build.h"
 #include "host_vector.h"
+#include "sheen.h"
 
 /*
  * An area below this part of the squared extent is rounding: the points are
@@ -16,8 +17,8 @@
 /* Unit normals that cancel leave at most this, times the polygons around a vertex. */
 #define CANCELLED 1e-9
 
-/* Rounding of the dot product of two unit vectors, so that "within 90 degrees" keeps a right angle. */
-#define CREASE_SLACK 1e-12
+/* Rounding of a cosine (of the core, the same on every machine: 3e-9), so that "within 60 degrees" keeps 60. */
+#define CREASE_SLACK 1e-8
 
 /*
  * Newell's sum over the edges is that of the cross products of neighbouring
@@ -90,7 +91,8 @@ static void sum_around(const struct sheen_host_build *build, const struct around
 static void average(struct sheen_host_build *build, const struct around *around)
 {
     const double *file = build->from->normals && !build->options->average ? build->from->normals[0] : NULL;
-    double least = cos(build->options->crease * acos(-1.0) / 180) - CREASE_SLACK;
+    double turns = build->options->crease / 360; /* 0..1/2 */
+    double least = sheen_cos((sheen_angle_t)(turns * 4294967296.0)) / 1073741824.0 - CREASE_SLACK;
 
     for (uint32_t w = 0; w < build->weld_count; w++) {
         double shared[3]; /* without a crease the sum is the same for every corner here */

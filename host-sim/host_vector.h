@@ -6,6 +6,17 @@
 
 #include <math.h>
 
+/*
+ * The nearest 32-bit float; -0 becomes 0. Volatile, because gcc 12.2 at -O2 leaves
+ * (double)(float)x out where it computes two at once.
+ */
+static inline double as_float(double x)
+{
+    volatile float nearest = (float)x;
+
+    return (double)nearest + 0.0;
+}
+
 static inline double dot3(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "host_vector.h"
 #include "obj_check.h"
 #include "ply_check.h"
 
@@ -43,7 +44,7 @@ static void transform_point(const double m[16], const struct aiVector3D *v, doub
 {
     for (int k = 0; k < 3; k++) {
         double sum = m[4 * k] * (double)v->x + m[4 * k + 1] * (double)v->y + m[4 * k + 2] * (double)v->z + m[4 * k + 3];
-        out[k] = (float)sum + 0.0; /* a 32-bit float; -0 becomes 0 */
+        out[k] = as_float(sum);
     }
 }
 

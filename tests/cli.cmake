@@ -1,11 +1,11 @@
 # Mesh files, pictures, and the command sheen.
-sheen_test(test_import unit SOURCES test_import.c test_import_files.c LIBRARIES sheen::host m)
+sheen_test(test_import unit SOURCES test_import.c test_import_files.c LIBRARIES sheen::host sheen::core m)
 sheen_test(test_import_reference unit SOURCES test_import_reference.c LIBRARIES sheen::host sheen::core reference m)
-sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host)
+sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)
 sheen_script(cli_render cli COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/data/egg.obj)
-sheen_test(test_import_confined unit SOURCES test_import_confined.c test_import_files.c LIBRARIES sheen::host)
+sheen_test(test_import_confined unit SOURCES test_import_confined.c test_import_files.c LIBRARIES sheen::host sheen::core)
 sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen> TIMEOUT 300)
 sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m
   TIMEOUT 300)
@@ -25,3 +25,6 @@ sheen_baked(baked_box.h data/box.obj --groups)
 sheen_test(test_bake unit SOURCES test_bake.c ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
   ${baked}/baked_box.h LIBRARIES sheen::host sheen::core m)
 target_include_directories(test_bake PRIVATE ${baked})
+
+# The baker without assimp, on other processors.
+sheen_script(same_bake cross COMMAND tests/checks/cross tests/cli/same_bake)

@@ -85,6 +85,27 @@ static void meshes_in_every_way(void **state)
     }
 }
 
+/* As the header of polygons.h promises, whatever the compiler makes of a conversion there and back. */
+static void points_are_floats(void **state)
+{
+    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "data/egg.obj"};
+    struct sheen_polygons polygons;
+    struct sheen_problem problem;
+
+    (void)state;
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(sheen_polygons_load(&polygons, names[i], &problem), 0);
+        for (size_t p = 0; p < polygons.point_count; p++) {
+            for (int k = 0; k < 3; k++) {
+                volatile float nearest = (float)polygons.points[p][k];
+                if (polygons.points[p][k] != (double)nearest || (nearest == 0 && signbit(nearest)))
+                    fail_msg("%s, point %zu: %a is no 32-bit float", names[i], p, polygons.points[p][k]);
+            }
+        }
+        sheen_polygons_free(&polygons);
+    }
+}
+
 /* xorshift: the same polygons on every machine. */
 static uint32_t seed = 2463534242u;
 static double noise(void)
@@ -180,10 +201,8 @@ static void quantised_mesh(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes_in_every_way),
-        cmocka_unit_test(random_polygons),
-        cmocka_unit_test(quantised_error),
-        cmocka_unit_test(quantised_mesh),
+        cmocka_unit_test(meshes_in_every_way), cmocka_unit_test(points_are_floats), cmocka_unit_test(random_polygons),
+        cmocka_unit_test(quantised_error),     cmocka_unit_test(quantised_mesh),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
