@@ -95,19 +95,20 @@ make_initrd() {
 machine=(-M virt,accel=tcg -cpu cortex-a53 -m 256 -smp 1 -nodefaults -display none)
 
 # Boots; ends when the guest powers off, or after $1 seconds. What the guest prints is
-# in $work/console. Further words are for QEMU.
+# in $work/console. Further words are for QEMU. norandmaps: programs at the same
+# addresses each time need not be translated again, which makes short ones 5 times as fast.
 boot() {
     local seconds=$1 status=0
 
     shift
     timeout "$seconds" qemu-system-aarch64 "${machine[@]}" -no-reboot -serial stdio -monitor none \
         -kernel "$work"/v1/boot/vmlinuz-* -initrd "$work/initrd.gz" -dtb "$work/board.dtb" \
-        -append 'console=ttyAMA0 quiet panic=-1' \
+        -append 'console=ttyAMA0 quiet panic=-1 norandmaps' \
         -fsdev local,id=host,path="$work/share",security_model=none -device virtio-9p-device,fsdev=host,mount_tag=host \
         "$@" </dev/null >"$work/console" 2>"$work/qemu.log" || status=$?
     tr -d '\r' <"$work/console" >"$work/console.txt"
     if [ "$status" -ne 0 ] || ! grep -q '^guest: done$' "$work/console.txt"; then
-        cat "$work/console.txt" "$work/qemu.log" >&2
+        tail -n 40 "$work/console.txt" "$work/qemu.log" >&2
         die "the guest did not come to its end (status $status, limit $seconds s)"
     fi
 }
