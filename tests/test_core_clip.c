@@ -2,8 +2,8 @@
  * test_core_clip.c - triangles that leave the view volume, against rays through pixels' centres in double precision.
  *
  * Tolerances: a pixel more than 1/8 px inside a triangle's part between near and far is covered by its pieces exactly
- * once, more than 1/8 px outside not at all, and any pixel at most once; a side that two triangles share is no side. Corners of
- * pieces: normals, given as a linear function of position, within 2 raw steps and what snapping moves them.
+ * once, more than 1/8 px outside not at all, and any pixel at most once; a side that two triangles share is no side.
+ * Corners of pieces: normals, given as a linear function of position, within 2 raw steps and what snapping moves them.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -236,7 +236,7 @@ static void test_one_triangle_on_640x480(void **unused)
     one_triangle(640, 480, 600, 50000);
 }
 
-/* Both seen from the front: they meet in the shared edge and nowhere else, so no pixel twice, none missing between them. */
+/* Both seen from the front: they meet in the shared edge and nowhere else, so no pixel twice, none left out. */
 static void test_two_triangles_that_share_an_edge(void **unused)
 {
     struct clip_count count = {0, 0, 0};

@@ -2,7 +2,8 @@
  * test_core_colour.c - from intensities to channels and pixels of every format.
  *
  * Tolerances: a channel (2^15 + 2) / 2^fraction levels, the rounding of two factors of UQ1.15 intensities, and 2^-15
- * of its highest level, that of material times lights; grey backgrounds exact but within 1/500 level of a tie, where the weights' 16 bits decide; all else exact.
+ * of its highest level, that of material times lights; grey backgrounds exact but within 1/500 level of a tie, where
+ * the weights' 16 bits decide; all else exact.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -43,7 +43,7 @@ static void test_right_shifts_floor(void **unused)
     (void)unused;
     for (int i = 0; i < CASES; i++) {
         int32_t x = sample(&state, i, 0);
-        int64_t wide = (int64_t)x << 32 | (uint32_t)sample(&state, i, 1);
+        int64_t wide = (int64_t)x * ((int64_t)1 << 32) + (uint32_t)sample(&state, i, 1);
         for (unsigned n = 0; n < 32; n++)
             assert_true(asr32(x, n) == floor_shift(x, n));
         unsigned n = (unsigned)i % 64;

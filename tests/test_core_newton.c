@@ -22,7 +22,7 @@
 
 static uint32_t stride = 4099;
 
-/* x r - 1 for x: UQ0.32, r: UQ1.31; and x r^2 - 1. The first is exact but for one rounding, the second for a few of 2^-53. */
+/* x r - 1 for x: UQ0.32, r: UQ1.31; and x r^2 - 1. Exact but for a rounding or two to 53 bits. */
 static double reciprocal_residual(uint32_t x, uint32_t r)
 {
     return (double)(int64_t)((uint64_t)x * r - (UINT64_C(1) << 63)) * 0x1p-63;

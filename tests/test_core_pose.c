@@ -57,7 +57,7 @@ static double dot(const sheen_q30_t *a, const sheen_q30_t *b)
     return ((double)a[0] * b[0] + (double)a[1] * b[1] + (double)a[2] * b[2]) / ONE;
 }
 
-/* The eye comes to the origin, the target onto the axis before it, up stays in the upper half: rows stay unit vectors. */
+/* The eye comes to the origin, the target onto the axis before it, up into the upper half; rows stay unit vectors. */
 static void test_look_at(void **unused)
 {
     struct worst rows = {0}, place = {0};
