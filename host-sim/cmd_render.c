@@ -4,12 +4,23 @@
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "builtin.h"
 #include "commands.h"
 #include "frame_name.h"
+#include "gif_file.h"
 #include "png_file.h"
 #include "stats_json.h"
+
+#define GIF_DELAY_CS 5 /* 20 frames a second */
+
+static int is_gif(const char *path)
+{
+    size_t length = strlen(path);
+
+    return length >= 4 && strcasecmp(path + length - 4, ".gif") == 0;
+}
 
 /* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
@@ -24,32 +35,54 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
                              choice->height);
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o OUT.png)");
-    if (options->frames > 1 && !sheen_frame_name_varies(options->out))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %d frames need one %%d or %%0Nd in the name",
+    if (options->frames > 1 && !is_gif(options->out) && !sheen_frame_name_varies(options->out))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %d frames need one %%d or %%0Nd in the name, or a .gif",
                              options->out, options->frames);
     return sheen_builtin_check(options->mesh, problem);
 }
 
-static int write_frame(const struct sheen_turntable *table, int number, struct sheen_problem *problem)
+/* A frame into the animation, or to a file of its own. */
+static int put_frame(const struct sheen_turntable *table, struct sheen_gif *gif, int number,
+                     struct sheen_problem *problem)
 {
+    const char *out = table->options->out;
     char path[4096];
 
-    if (sheen_frame_name(path, sizeof path, table->options->out, number) != 0)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", table->options->out, strerror(ENAMETOOLONG));
+    if (gif) {
+        int error = sheen_gif_add(gif, table->rgb);
+        return error ? sheen_problem(problem, error, "%s: not enough memory", out) : SHEEN_OK;
+    }
+    if (sheen_frame_name(path, sizeof path, out, number) != 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", out, strerror(ENAMETOOLONG));
     return sheen_png_write(path, table->rgb, table->choice.width, table->choice.height, problem);
 }
 
-static int render(struct sheen_turntable *table, struct sheen_problem *problem)
+static int draw_frames(struct sheen_turntable *table, struct sheen_gif *gif, struct sheen_problem *problem)
 {
     int error = SHEEN_OK;
 
     for (int number = 0; !error && number < table->options->frames; number++) {
         error = sheen_turntable_draw(table, number, problem);
         if (!error)
-            error = write_frame(table, number, problem);
+            error = put_frame(table, gif, number, problem);
         if (!error && table->options->stats && sheen_stats_json(stdout, table, number) != 0)
             error = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "standard output: %s", strerror(errno));
     }
+    return error;
+}
+
+static int render(struct sheen_turntable *table, struct sheen_problem *problem)
+{
+    const char *out = table->options->out;
+    struct sheen_gif *gif = NULL;
+
+    if (!is_gif(out))
+        return draw_frames(table, NULL, problem);
+    int error = sheen_gif_open(&gif, table->choice.width, table->choice.height, GIF_DELAY_CS);
+    error = error ? sheen_problem(problem, error, "%s: not enough memory", out) : draw_frames(table, gif, problem);
+    if (!error)
+        error = sheen_gif_write(gif, out, problem);
+    sheen_gif_close(gif);
     return error;
 }
 

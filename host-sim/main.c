@@ -9,7 +9,7 @@
 #include "commands.h"
 
 const struct sheen_command sheen_command_table[] = {
-    {"render", "MESH [options] -o OUT.png",
+    {"render", "MESH [options] -o OUT.png|OUT.gif",
      "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
      "controller, and writes what the glass shows.",
      SHEEN_RENDER, sheen_cmd_render},

@@ -11,8 +11,8 @@
 #define ANY 1e300 /* an angle may be any finite number */
 
 const struct sheen_option sheen_option_table[] = {
-    {"output", "FILE", NULL, "the picture; with several frames %d or %0Nd stands for the frame", SHEEN_OPTION_TEXT,
-     SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
+    {"output", "FILE", NULL, "the picture; of several frames %d or %0Nd is the number, or a .gif takes all",
+     SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
     {"output", "FILE.h", NULL, "the header", SHEEN_OPTION_TEXT, SHEEN_BAKE, AT(out), 0, 0, 'o'},
     {"name", "NAME", NULL, "what the mesh is called in C [from the output's name]", SHEEN_OPTION_TEXT, SHEEN_BAKE,
      AT(name), 0, 0, 0},

@@ -1,6 +1,8 @@
 # Mesh files, pictures, and the command sheen.
 sheen_test(test_import unit SOURCES test_import.c test_import_files.c LIBRARIES sheen::host sheen::core m)
 sheen_test(test_import_reference unit SOURCES test_import_reference.c LIBRARIES sheen::host sheen::core reference m)
+find_package(GIF REQUIRED)
+sheen_test(test_gif unit SOURCES test_gif.c LIBRARIES sheen::host sheen::core GIF::GIF)
 sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)
@@ -10,6 +12,7 @@ sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen> 
 sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m
   TIMEOUT 300)
 sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
+sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models)
 
 # Headers baked while building, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
