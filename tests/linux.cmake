@@ -1,12 +1,17 @@
 # The Linux board: the pin watcher, and what of hal/linux and sheen-panel needs no GPIO.
 sheen_test(test_pin_watcher sim SOURCES test_pin_watcher.c LIBRARIES sheen::sim)
 sheen_test(test_panel_off panel SOURCES test_panel_off.c LIBRARIES sheen::sim)
+if(TARGET sheen_linux)
+  # In a part that the thread sanitizer sees.
+  sheen_test(test_sender frames SOURCES test_sender.c LIBRARIES sheen::linux)
+endif()
 
 # A stock Debian kernel in an emulator (tests/kernel/common.sh). All build in BUILD/kernel, so one at a time.
 add_executable(kernel_replay kernel/replay.c)
 target_link_libraries(kernel_replay PRIVATE sheen::sim sheen::host)
 sheen_script(kernel kernel COMMAND tests/kernel/run ${PROJECT_BINARY_DIR} TIMEOUT 300)
 sheen_script(linux_builds kernel COMMAND tests/kernel/builds ${PROJECT_BINARY_DIR} TIMEOUT 300)
+sheen_script(linux_page kernel COMMAND tests/checks/readme firmware/linux/README.md)
 sheen_script(faults_linux faults-linux COMMAND tests/kernel/faults ${PROJECT_BINARY_DIR} TIMEOUT 600)
 sheen_script(linux_options faults-linux COMMAND tests/kernel/options ${PROJECT_BINARY_DIR}/firmware/linux/sheen-panel)
 set_tests_properties(kernel linux_builds faults_linux PROPERTIES RESOURCE_LOCK guest)

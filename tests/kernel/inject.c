@@ -4,6 +4,7 @@
  *   INJECT="EIO@7"            the seventh
  *   INJECT="EINTR@7,EIO@27"   the seventh and the 27th
  *   INJECT="EINTR@1+2"        the first and every second after it
+ *   INJECT="SHORT@1+1"        no failure: of every SPI transfer only the first half is made
  *   INJECT_LOG=FILE           at the end, FILE holds the number of ioctls, of the last one that was made to
  *                             fail (0: none), and the bytes of the longest SPI transfer
  */
@@ -16,7 +17,7 @@
 #include <string.h>
 
 struct fault {
-    int error;
+    int error; /* 0: SHORT */
     unsigned long at, step; /* step 0: once */
 };
 
@@ -38,7 +39,7 @@ __attribute__((constructor)) static void read_plan(void)
             fprintf(stderr, "inject: INJECT=%s is not understood\n", text);
             _Exit(99);
         }
-        fault->error = strcmp(name, "EINTR") == 0 ? EINTR : strcmp(name, "EAGAIN") == 0 ? EAGAIN : EIO;
+        fault->error = strcmp(name, "EINTR") == 0 ? EINTR : strcmp(name, "SHORT") == 0 ? 0 : EIO;
         fault_count++;
     }
 }
@@ -52,6 +53,13 @@ __attribute__((destructor)) static void write_log(void)
         fprintf(file, "%lu %lu %lu\n", calls, last, longest);
         fclose(file);
     }
+}
+
+/* A controller that gives up half way: the kernel is asked for half, and says what it has sent. */
+static void halve(unsigned long request, struct spi_ioc_transfer *transfer)
+{
+    if (request == SPI_IOC_MESSAGE(1) && transfer->len > 1)
+        transfer->len /= 2;
 }
 
 int ioctl(int fd, unsigned long request, ...)
@@ -73,6 +81,10 @@ int ioctl(int fd, unsigned long request, ...)
 
         if (calls == fault->at || (fault->step && calls > fault->at && (calls - fault->at) % fault->step == 0)) {
             last = calls;
+            if (fault->error == 0) {
+                halve(request, value);
+                continue;
+            }
             errno = fault->error;
             return -1;
         }
