@@ -13,7 +13,7 @@
 #define FIRST_LIGHT_HZ 1000000u
 
 static uint64_t arena[BOARD_ARENA_BYTES / 8];
-static uint8_t line[1280]; /* first light's: two rows of 320 pixels */
+static uint8_t line[640]; /* first light's: a row of 320 pixels, two of 128 greys */
 
 static struct sheen_panel panel;
 static struct sheen_target panel_target, target;

@@ -108,7 +108,7 @@ void board_put(char c)
 static int pad_key(void)
 {
     static const char keys[5] = {'s', 'l', '0', 'n', 'h'};
-    static uint8_t before;
+    static uint8_t before = 0xFF; /* what is down at the start does not count */
     uint8_t down = (uint8_t)(~GPIO_DATA(PORT_E, 0x0F) & 0x0Fu) | (uint8_t)((~GPIO_DATA(PORT_F, 2) & 2u) << 3);
     uint8_t pressed = down & (uint8_t)~before;
 

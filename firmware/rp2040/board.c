@@ -61,7 +61,7 @@ static int bus_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t coun
 static void bus_restart(void)
 {
     DMA_ABORT = 1;
-    while (DMA_ABORT & 1u)
+    while (DMA_TRIGGER & DMA_BUSY)
         ;
     SET(RESETS) = RESET_SPI0;
     CLEAR(RESETS) = RESET_SPI0;
@@ -140,7 +140,7 @@ void board_put(char c)
 static int pad_key(void)
 {
     static const char keys[4] = {'s', 'l', 'n', 'h'};
-    static uint8_t before;
+    static uint8_t before = 0xFF; /* what is down at the start does not count */
     uint8_t down = (uint8_t)(~SIO_IN >> PIN_KEYS & 15u), pressed = down & (uint8_t)~before;
 
     before = down;
