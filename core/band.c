@@ -91,7 +91,23 @@ static void shade(const struct tile *t, const struct setup *s)
 {
     switch (s->way) {
     case SHEEN_WAY_GOURAUD_LINEAR:
+    case SHEEN_WAY_PHONG_LINEAR:
         sheen_shade_gouraud_linear(t, s);
+        break;
+    case SHEEN_WAY_GOURAUD_QUADRATIC:
+        if (s->highlight)
+            sheen_shade_quadratic_specular(t, s);
+        else
+            sheen_shade_quadratic_diffuse(t, s);
+        break;
+    case SHEEN_WAY_PHONG_QUADRATIC:
+        if (s->highlight)
+            sheen_shade_quadratic_power(t, s);
+        else
+            sheen_shade_quadratic_diffuse(t, s);
+        break;
+    case SHEEN_WAY_PHONG_BLOCKS:
+        sheen_shade_phong_blocks(t, s);
         break;
     case SHEEN_WAY_GOURAUD_QUOTIENT:
         sheen_shade_gouraud_quotient(t, s);

@@ -58,6 +58,21 @@ struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s)
     return p;
 }
 
+/*
+ * A polynomial given at the origin pixel (value, first and second differences)
+ * about pixel (0, 0) of the target; exact modulo 2^32.
+ */
+struct quadric sheen_quadric(const struct gradients *g, uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
+                             uint32_t dxy, uint32_t dyy)
+{
+    int32_t ox = -g->origin[0], oy = -g->origin[1];
+    uint32_t x = (uint32_t)ox, y = (uint32_t)oy;
+    struct quadric q = {0, dx + x * dxx + y * dxy, dy + y * dyy + x * dxy, dxx, dxy, dyy};
+
+    q.base = base + x * dx + y * dy + pairs(ox) * dxx + x * y * dxy + pairs(oy) * dyy;
+    return q;
+}
+
 struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up)
 {
     struct slope s;

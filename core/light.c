@@ -72,6 +72,7 @@ void sheen_light_normal(const struct lighting *l, const struct sheen_material *m
                         struct lit *out)
 {
     int32_t nv = cosine(normal, l->view);
+    struct power power = power_of(m);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
     for (unsigned i = 0; i < l->count; i++) {
@@ -80,8 +81,7 @@ void sheen_light_normal(const struct lighting *l, const struct sheen_material *m
             continue;
         diffuse += l->diffuse_weight[i] * (uint32_t)ln;
         /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V); a product of two Q0.15 is half of it in Q2.29 */
-        uint32_t power = power_at(m, (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv)));
-        specular += l->specular_weight[i] * ((power + 1) >> 1);
+        specular += l->specular_weight[i] * power_at(power, (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv)));
     }
     out->diffuse = (diffuse + (1u << 14)) >> 15;
     out->specular = (specular + (1u << 14)) >> 15;

@@ -13,7 +13,7 @@ static uint32_t multiply(uint32_t a, uint32_t b)
 }
 
 /* s^n by repeated squaring, UQ0.32; error below n * 2^-32. */
-static uint32_t power_of(uint32_t s, unsigned n)
+static uint32_t raised(uint32_t s, unsigned n)
 {
     uint32_t result = UINT32_MAX;
 
@@ -42,12 +42,12 @@ int sheen_material_prepare(struct sheen_material *m)
         return SHEEN_ERR_ARGUMENT;
 
     unsigned shift = 0;
-    while (shift < 3 && power_of(UINT32_MAX - (UINT32_MAX >> (shift + 1)), m->shininess) < 1u << 16)
+    while (shift < 3 && raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), m->shininess) < 1u << 16)
         shift++;
     m->power_shift = (uint8_t)shift;
     for (uint32_t i = 0; i < SHEEN_POWER_ENTRIES; i++) {
-        uint32_t power = power_of(UINT32_MAX - (i << (24 - shift)), m->shininess);
-        m->power[i] = (uint16_t)(power >= 0xffff8000u ? 0xffffu : (power + 0x8000u) >> 16);
+        uint32_t power = raised(UINT32_MAX - (i << (24 - shift)), m->shininess);
+        m->power[i] = (uint16_t)((power >> 17) + (power >> 16 & 1u));
     }
     m->power[SHEEN_POWER_ENTRIES] = 0;
     return SHEEN_OK;

@@ -85,13 +85,21 @@ static struct quadric square_quadric(const struct gradients *g, const struct slo
     uint32_t dyy = (uint32_t)round_shift64(yy, 26);
     uint32_t dx = (uint32_t)round_shift64(nx, 26) + (uint32_t)round_shift64(xx, 27);
     uint32_t dy = (uint32_t)round_shift64(ny, 26) + (uint32_t)round_shift64(yy, 27);
-    int32_t ox = -g->origin[0], oy = -g->origin[1];
-    uint32_t x = (uint32_t)ox, y = (uint32_t)oy;
 
-    /* The polynomial about pixel (0, 0) of the target, (ox, oy) from the origin pixel; exact modulo 2^32. */
-    struct quadric q = {0, dx + x * dxx + y * dxy, dy + y * dyy + x * dxy, dxx, dxy, dyy};
-    q.base = (uint32_t)round_shift64(nn, 27) + x * dx + y * dy + pairs(ox) * dxx + x * y * dxy + pairs(oy) * dyy;
-    return q;
+    return sheen_quadric(g, (uint32_t)round_shift64(nn, 27), dx, dy, dxx, dxy, dyy);
+}
+
+/* Blocks of 16 px to 1/4 degree a px, of 8 px to 1/2 (with |N| = 1/2; twice that with 1); 0: neither. Steps: Q2.29. */
+static uint8_t block_shift(const struct slope slope[3])
+{
+    const int64_t half_degree = 4685000; /* 2^29 * pi / 360 */
+    int64_t steepest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int64_t step = slope[i].dx < 0 ? -slope[i].dx : slope[i].dx;
+        steepest = step > steepest ? step : steepest;
+    }
+    return steepest <= half_degree / 4 ? 4 : steepest <= half_degree / 2 ? 3 : 0;
 }
 
 /* Returns 0 where the normal's steps do not fit. */
@@ -102,6 +110,8 @@ int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct
     int32_t n[3][3];
     struct slope slope[3];
 
+    if (l->count == 1 && sheen_setup_phong_nodes(f, s, c, g))
+        return 1;
     weighted_normals(c, n);
     if (!normal_slopes(g, n, slope))
         return 0;
@@ -112,7 +122,9 @@ int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct
             s->shade.normal[i] = normal_plane(g, &slope[i]);
         return 1;
     }
-    s->way = SHEEN_WAY_PHONG_ROOT;
+    s->block_shift = block_shift(slope);
+    s->way = s->block_shift != 0 && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_BLOCKS) ? SHEEN_WAY_PHONG_BLOCKS
+                                                                                      : SHEEN_WAY_PHONG_ROOT;
     s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
     s->shade.phong.light = dot_plane(g, l->to[0], slope);
     s->shade.phong.view = dot_plane(g, l->view, slope);

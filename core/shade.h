@@ -22,14 +22,58 @@ SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
     return (uint32_t)(y - t->rect.y0) * t->pitch + (uint32_t)(x - t->rect.x0);
 }
 
+/* A plane along the rows of a triangle: its value in column 0, a row at a time. */
+struct plane_row {
+    uint32_t value, dx, dy;
+};
+
+SPECIALISED struct plane_row plane_row_at(const struct plane *p, int32_t y)
+{
+    struct plane_row r = {p->base + (uint32_t)y * p->dy, p->dx, p->dy};
+
+    return r;
+}
+
+/* A quadric likewise: value in column 0, first difference there in x and to the next row. */
+struct quadric_row {
+    uint32_t value, dx, dy, dxx, dxy, dyy;
+};
+
+SPECIALISED struct quadric_row quadric_row_at(const struct quadric *q, int32_t y)
+{
+    struct quadric_row r = {q->base + (uint32_t)y * q->dy + pairs(y) * q->dyy,
+                            q->dx + (uint32_t)y * q->dxy,
+                            q->dy + (uint32_t)y * q->dyy,
+                            q->dxx,
+                            q->dxy,
+                            q->dyy};
+
+    return r;
+}
+
+SPECIALISED void quadric_row_next(struct quadric_row *r)
+{
+    r->value += r->dy;
+    r->dy += r->dyy;
+    r->dx += r->dxy;
+}
+
+/* Where the run of pixels from column x begins: value and first difference. */
+SPECIALISED void quadric_run(const struct quadric_row *r, int32_t x, uint32_t *value, uint32_t *difference)
+{
+    *value = r->value + (uint32_t)x * r->dx + pairs(x) * r->dxx;
+    *difference = r->dx + (uint32_t)x * r->dxx;
+}
+
 /* Nearer than what is there? Then it is there. z: UQ16.16 of z16; on a tie the first drawn stays. */
-SPECIALISED int depth_test(const struct tile *t, uint32_t at, uint32_t z)
+SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
 {
     uint32_t z16 = z >> 16;
 
-    if (z16 <= t->depth[at])
+    (void)t;
+    if (z16 <= *depth)
         return 0;
-    t->depth[at] = (uint16_t)z16;
+    *depth = (uint16_t)z16;
     COUNT_SHADED(t);
     return 1;
 }
@@ -84,10 +128,9 @@ SPECIALISED void put_general(const struct tile *t, const struct colour_terms *te
 }
 
 /* floor of channels that rounding was added to and that no corner takes above the highest level. */
-SPECIALISED void put_fast(const struct tile *t, uint32_t at, uint32_t r, uint32_t g, uint32_t b, unsigned fraction,
-                          unsigned swap)
+SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, enum put put)
 {
-    ((uint16_t *)t->pixels)[at] = pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
+    return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, put == PUT_FAST_SWAP);
 }
 
 /* max(0, x) for a sum that rounding may have taken below 0. */

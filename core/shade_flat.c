@@ -15,7 +15,7 @@ SPECIALISED void flat_rows(const struct tile *t, const struct setup *s, enum put
         struct rounding rounding = rounding_of(t, &s->draw->colour, y);
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
         for (; x < x1; x++, at++, z += s->depth.dx) {
-            if (!depth_test(t, at, z))
+            if (!nearer(t, t->depth + at, z))
                 continue;
             if (put == PUT_GENERAL)
                 put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);

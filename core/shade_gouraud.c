@@ -8,27 +8,57 @@
 #include "newton.h"
 #include "shade.h"
 
+/* A run of 565 pixels without clamp or dither; rounding is in the channels. */
+SPECIALISED void linear_run(const struct tile *t, uint32_t at, uint32_t count, uint32_t z, const struct setup *s,
+                            const uint32_t start[3], enum put put)
+{
+    uint16_t *pixels = (uint16_t *)t->pixels + at, *end = pixels + count, *depth = t->depth + at;
+    const struct plane *c = s->shade.gouraud.channel;
+    const uint32_t dz = s->depth.dx, dr = c[0].dx, dg = c[1].dx, db = c[2].dx;
+    const unsigned fraction = s->draw->colour.fraction;
+    uint32_t r = start[0], g = start[1], b = start[2];
+
+    do {
+        if (nearer(t, depth, z))
+            *pixels = fast_pixel(r, g, b, fraction, put);
+        depth++;
+        z += dz;
+        r += dr;
+        g += dg;
+        b += db;
+    } while (++pixels != end);
+}
+
+/* A run in any format. */
+static void linear_run_general(const struct tile *t, uint32_t at, int32_t x, int32_t x1, int32_t y, uint32_t z,
+                               const struct setup *s, uint32_t channel[3])
+{
+    const struct colour_terms *terms = &s->draw->colour;
+    struct rounding rounding = rounding_of(t, terms, y);
+
+    for (; x < x1; x++, at++, z += s->depth.dx) {
+        if (nearer(t, t->depth + at, z))
+            put_general(t, terms, rounding, at, x, not_negative(channel[0]), not_negative(channel[1]),
+                        not_negative(channel[2]));
+        for (int k = 0; k < 3; k++)
+            channel[k] += s->shade.gouraud.channel[k].dx;
+    }
+}
+
 SPECIALISED void linear_rows(const struct tile *t, const struct setup *s, enum put put)
 {
     const struct plane *c = s->shade.gouraud.channel;
-    const uint32_t dr = c[0].dx, dg = c[1].dx, db = c[2].dx, dz = s->depth.dx;
-    const unsigned fraction = s->draw->colour.fraction;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x >= x1)
             continue;
-        struct rounding rounding = rounding_of(t, &s->draw->colour, y);
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
-        uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
-        for (; x < x1; x++, at++, z += dz, r += dr, g += dg, b += db) {
-            if (!depth_test(t, at, z))
-                continue;
-            if (put == PUT_GENERAL)
-                put_general(t, &s->draw->colour, rounding, at, x, not_negative(r), not_negative(g), not_negative(b));
-            else
-                put_fast(t, at, r, g, b, fraction, put == PUT_FAST_SWAP);
-        }
+        uint32_t channel[3] = {plane_at(&c[0], x, y), plane_at(&c[1], x, y), plane_at(&c[2], x, y)};
+        if (put == PUT_GENERAL)
+            linear_run_general(t, at, x, x1, y, z, s, channel);
+        else
+            linear_run(t, at, (uint32_t)(x1 - x), z, s, channel, put);
     }
 }
 
@@ -78,7 +108,7 @@ void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s)
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y), w = plane_at(weight, x, y);
         uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
         for (; x < x1; x++, at++, z += dz, w += dw, r += dr, g += dg, b += db) {
-            if (!depth_test(t, at, z))
+            if (!nearer(t, t->depth + at, z))
                 continue;
             uint32_t v = w;
             unsigned up = weight_up(&v);

@@ -24,7 +24,7 @@ SPECIALISED void light_step(const struct setup *s, const struct slerp_row *row, 
             diffuse += l->diffuse_weight[i] * (uint32_t)min32((at->light + (1 << 14)) >> 15, 32768);
             /* 1 - R.V, Q2.29 */
             int32_t u = (int32_t)((1u << 29) - (uint32_t)row->light[i].mean - (uint32_t)at->reflected);
-            specular += l->specular_weight[i] * ((power_at(s->draw->material, u) + 1) >> 1);
+            specular += l->specular_weight[i] * power_at(power_of(s->draw->material), u);
         }
         recur(&at->light, &at->light_step, block->light_law, block->light_law_shift);
         recur(&at->reflected, &at->reflected_step, block->reflected_law, block->reflected_law_shift);
@@ -43,7 +43,7 @@ void sheen_shade_arc(const struct tile *t, const struct setup *s, const struct s
 
     for (unsigned i = 0; i < length; i++, x++, at++, z += s->depth.dx) {
         struct lit lit;
-        int seen = depth_test(t, at, z);
+        int seen = nearer(t, t->depth + at, z);
         light_step(s, row, block, seen, &lit);
         if (seen)
             put_general(t, terms, rounding, at, x, colour_channel(terms, 0, &lit), colour_channel(terms, 1, &lit),

@@ -288,6 +288,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
     d->material = draw->material;
     d->shading = draw->shading;
     d->two_sided = draw->two_sided;
+    d->forced = draw->way;
     d->first_vertex = f->vertices;
     if (!orthonormal(draw->pose.rotation))
         return SHEEN_ERR_ARGUMENT;

@@ -82,7 +82,7 @@ struct sheen_material {
     sheen_q16_t specular;                    /* Ip ks, 0..4 */
     uint8_t shininess;                       /* n, 1..128 */
     uint8_t power_shift;                     /* made by sheen_material_prepare: */
-    uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ0.16 s^n over u = 1 - s in [0, 2^-shift] */
+    uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ1.15 s^n over u = 1 - s in [0, 2^-shift] */
 };
 
 /* A light at infinity. `to` points to it, in eye space, any length but zero. */
@@ -115,6 +115,8 @@ struct sheen_draw {
     uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS */
     uint8_t shading;                  /* enum sheen_shading */
     uint8_t two_sided;                /* 1: back faces are drawn too, with their normals negated */
+    uint8_t way;                      /* 0: chosen for each triangle; 1 + enum sheen_way: that one where it is
+                                         good enough, else the exact one (for tests and measurements) */
     struct sheen_pose pose;
 };
 
@@ -194,23 +196,31 @@ int sheen_wait(struct sheen_frame *frame);
 /* The next frame sends everything (the panel was written to by others, or lost power). */
 void sheen_invalidate(struct sheen_frame *frame);
 
+/* How a triangle was shaded: the cheapest way whose error stays below what a level shows. */
+enum sheen_way {
+    SHEEN_WAY_FLAT = 0,          /* one colour; also triangles too flat for gradients, or out of the light */
+    SHEEN_WAY_GOURAUD_LINEAR,    /* linear on the screen */
+    SHEEN_WAY_GOURAUD_QUADRATIC, /* quadratic on the screen, through the middles of the edges */
+    SHEEN_WAY_GOURAUD_QUOTIENT,  /* Blinn's I/m over 1/m, a reciprocal a pixel */
+    SHEEN_WAY_PHONG_LINEAR,      /* normals nearly agree, no highlight: intensities linear */
+    SHEEN_WAY_PHONG_QUADRATIC,   /* diffuse part and R.V quadratic over the triangle, power by table */
+    SHEEN_WAY_PHONG_BLOCKS,      /* quadratic over blocks of 8 or 16 px with exact nodes */
+    SHEEN_WAY_PHONG_ROOT,        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
+    SHEEN_WAY_PHONG_LIGHTS,      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
+    SHEEN_WAY_SLERP,             /* L.N and R.V by recurrences along great arcs */
+    SHEEN_WAYS
+};
+
 /* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
 struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
-    uint32_t by_way[8];                        /* set-ups by enum sheen_way */
+    uint32_t by_way[SHEEN_WAYS];               /* set-ups by enum sheen_way */
     uint32_t setups, spans;
     uint32_t covered, shaded;                               /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels;                            /* pushes and their area */
     uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
 };
-enum sheen_way {
-    SHEEN_WAY_FLAT = 0,
-    SHEEN_WAY_GOURAUD_LINEAR,   /* linear on the screen */
-    SHEEN_WAY_GOURAUD_QUOTIENT, /* Blinn's I/m over 1/m, a reciprocal a pixel */
-    SHEEN_WAY_PHONG_ROOT,       /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
-    SHEEN_WAY_PHONG_LIGHTS,     /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
-    SHEEN_WAY_SLERP             /* L.N and R.V by recurrences along great arcs */
-};
+
 void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
 
 /* ---- making what is drawn ---- */

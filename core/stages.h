@@ -107,20 +107,32 @@ int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw);
 void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
                         struct lit *out);
 
-/*
- * s^n for u = 1 - s in Q2.29, u any int32: UQ0.16 by the material's table.
- * Range: index < 256; drop <= 65535 and the fraction < 2^16, so the product fits 32 bits unsigned.
- */
-static inline uint32_t power_at(const struct sheen_material *m, int32_t u)
+/* A material's power table, ready for a loop. */
+struct power {
+    const uint16_t *table;
+    unsigned shift; /* 18..21: an entry is 2^shift of u in Q2.29 */
+};
+
+static inline struct power power_of(const struct sheen_material *m)
 {
-    unsigned shift = 21u - m->power_shift; /* 18..21 */
-    uint32_t at = (uint32_t)max32(u, 0), index = at >> shift;
+    struct power p = {m->power, 21u - m->power_shift};
+
+    return p;
+}
+
+/*
+ * s^n for u = 1 - s in Q2.29, u any int32: UQ1.15.
+ * Range: index < 256; drop <= 32768 and the fraction < 2^16, so the product fits 32 bits unsigned.
+ */
+static inline uint32_t power_at(struct power p, int32_t u)
+{
+    uint32_t at = (uint32_t)max32(u, 0), index = at >> p.shift;
 
     if (index >= SHEEN_POWER_ENTRIES)
         return 0;
-    uint32_t drop = (uint32_t)(m->power[index] - m->power[index + 1]);
-    uint32_t fraction = (at >> (shift - 16u)) & 0xffffu;
-    return m->power[index] - ((drop * fraction) >> 16);
+    uint32_t entry = p.table[index], drop = entry - p.table[index + 1];
+    uint32_t fraction = (at >> (p.shift - 16u)) & 0xffffu;
+    return entry - ((drop * fraction + 0x8000u) >> 16);
 }
 
 /* ---- colour: intensities -> channels of the target ---- */
@@ -188,9 +200,9 @@ struct draw_record {
     const struct sheen_material *material;
     struct lighting light;
     struct colour_terms colour;
-    uint32_t first_vertex; /* of the mesh in the frame's store */
-    uint32_t end_entry;    /* entries of this draw end here */
-    uint8_t shading, two_sided;
+    uint32_t first_vertex;              /* of the mesh in the frame's store */
+    uint32_t end_entry;                 /* entries of this draw end here */
+    uint8_t shading, two_sided, forced; /* forced: 1 + enum sheen_way, or 0 */
 };
 
 /* A visible triangle, in submission order; `next` links those that begin in the same band. */
@@ -241,6 +253,8 @@ struct setup {
     uint8_t way;                      /* enum sheen_way */
     int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
     uint8_t long_right;               /* the long edge is the right one */
+    uint8_t highlight;                /* by quadrics: there is a second one */
+    uint8_t block_shift;              /* blocks: the logarithm of their length, px */
     uint8_t fast;                     /* 565, no dither, no clamp: rounding is in the planes */
     struct edge left, right;
     int16_t middle_x, middle_y, bottom_x, bottom_y; /* the lower short edge, as in struct vertex */
@@ -259,6 +273,10 @@ struct setup {
             struct plane light, view; /* L.N and V.N, Q1.30 */
             struct quadric square;    /* N.N, UQ1.31 */
         } phong;
+        struct {
+            struct quadric diffuse; /* Q1.30 */
+            struct quadric second;  /* Gouraud: specular, Q1.30; Phong: 1 - R.V, Q2.29 */
+        } quadratic;
         struct plane normal[3]; /* Phong under several lights: N, Q1.30 */
         struct {
             int16_t normal[3][3]; /* of the corners, as seen, Q0.15 */
@@ -348,6 +366,12 @@ static inline uint8_t sheen_rounds_early(const struct sheen_frame *f)
     return !f->format.grey && !f->view.dither;
 }
 
+/* 1 where a way is not ruled out by a draw that forces another. */
+static inline int sheen_way_wanted(const struct draw_record *d, enum sheen_way way)
+{
+    return d->forced == 0 || d->forced == 1 + (unsigned)way;
+}
+
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
     const struct vertex *v[3];
@@ -430,6 +454,14 @@ int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32
                 struct setup *s);
 void sheen_setup_lower_edge(const struct sheen_frame *f, struct setup *s);
 
+/* Corners in the order of the gradients, and what shading needs of them. */
+struct surface_corners {
+    struct corners at;
+    uint32_t weight[3];  /* UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
+    uint8_t back;        /* a back face: normals are negated */
+    uint8_t flat_weight; /* all weights are equal */
+};
+
 /*
  * gradient.c: attributes that are linear on the screen. With barycentric
  * coordinates b1, b2 of corners 1 and 2, f = f0 + b1 (f1 - f0) + b2 (f2 - f0).
@@ -449,6 +481,36 @@ struct slope {
     int64_t value, dx, dy;
 };
 
+/*
+ * What six nodes add to the plane through the corners: with f's excess k = 4 middle -
+ * 2 (end + end) on an edge, f = plane + k01 b0 b1 + k02 b0 b2 + k12 b1 b2. The nine
+ * products of steps and six of first order, for one triangle and any f on it; setup_quadratic.c.
+ */
+struct node_products {
+    int32_t xx[3], xy[3], yy[3]; /* by edge 01, 02, 12: value = raw / 2^(2 scale - 14) */
+    int32_t x[3], y[3];          /* value = raw / 2^(scale - 2) */
+    int32_t constant[3];         /* Q18.13 */
+    int scale;
+};
+
+/* A function's values at corners 0, 1, 2 and its excess on edges 01, 02, 12; same format, excess below 1/4 in Q1.30. */
+struct nodes {
+    int32_t corner[3], excess[3];
+};
+
+/* Ratios that the three edges' middles on the screen have in space: share of the first end, UQ1.15. */
+struct middles {
+    int32_t share[3];
+};
+
+int sheen_node_products(struct node_products *p, const struct gradients *g);
+struct quadric sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n);
+void sheen_middles(const struct surface_corners *c, struct middles *m);
+struct quadric sheen_quadric(const struct gradients *g, uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
+                             uint32_t dxy, uint32_t dyy);
+/* Largest of the weights over the smallest, less 1: UQ16.16, 65535 at the most. */
+uint32_t sheen_weight_spread(const struct surface_corners *c);
+
 int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3], uint32_t area);
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s);
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s);
@@ -461,19 +523,12 @@ unsigned sheen_spans(const struct sheen_frame *f, struct setup *s, struct sheen_
 /* band.c: collect the push of a worker that may still be under way; its result. */
 int sheen_worker_wait(struct sheen_frame *f, struct worker *w);
 
-/*
- * shade_*.c: set-up and rows, a file a shading. `corner` is in the order of the gradients;
- * g is NULL where the triangle is too flat for gradients.
- */
-struct surface_corners {
-    struct corners at;
-    uint32_t weight[3];  /* UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
-    uint8_t back;        /* a back face: normals are negated */
-    uint8_t flat_weight; /* all weights are equal */
-};
+/* setup_*.c and shade_*.c: set-up and rows. g is NULL where the triangle is too flat for gradients. */
 void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
 void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                          const struct gradients *g);
+int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                            const struct gradients *g);
 int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                       const struct gradients *g);
 void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
@@ -483,6 +538,10 @@ void sheen_shade_flat(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s);
 void sheen_shade_phong_root(const struct tile *t, const struct setup *s);
+void sheen_shade_phong_blocks(const struct tile *t, const struct setup *s);
+void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s);
+void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s);
+void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s);
 void sheen_shade_phong_lights(const struct tile *t, const struct setup *s);
 
 /* slerp.c: normals that follow great arcs (lecture, "Spherical Linear Interpolation"). */

@@ -6,7 +6,16 @@
 #include <inttypes.h>
 
 /* By enum sheen_way. */
-static const char *const way_names[] = {"flat", "gouraud_linear", "gouraud_quotient", "phong_root"};
+static const char *const way_names[SHEEN_WAYS] = {"flat",
+                                                  "gouraud_linear",
+                                                  "gouraud_quadratic",
+                                                  "gouraud_quotient",
+                                                  "phong_linear",
+                                                  "phong_quadratic",
+                                                  "phong_blocks",
+                                                  "phong_root",
+                                                  "phong_lights",
+                                                  "slerp"};
 
 static void print_triangles(FILE *stream, const struct sheen_stats *stats)
 {
