@@ -82,9 +82,9 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
     switch (error) {
     case EACCES:
     case EPERM:
-        return sheen_failed(
-            bus->why, SHEEN_ERR_BUS,
-            "%s: no permission; become a member of the group that owns it (usually spi) and log in again", bus->path);
+        return sheen_failed(bus->why, SHEEN_ERR_BUS,
+                            "%s: no permission; become a member of its group (usually spi) and log in again",
+                            bus->path);
     case ENOENT:
         return sheen_failed(
             bus->why, SHEEN_ERR_ARGUMENT,

@@ -19,9 +19,8 @@ int sheen_chip_fail(struct sheen_failure *why, const char *path, int error)
     switch (error) {
     case EACCES:
     case EPERM:
-        return sheen_failed(
-            why, SHEEN_ERR_BUS,
-            "%s: no permission; become a member of the group that owns it (usually gpio) and log in again", path);
+        return sheen_failed(why, SHEEN_ERR_BUS,
+                            "%s: no permission; become a member of its group (usually gpio) and log in again", path);
     case ENOENT:
         return sheen_failed(why, SHEEN_ERR_ARGUMENT, "%s: no such chip; " SHEEN_LIST_THEM, path);
     case ENODEV:

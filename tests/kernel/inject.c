@@ -17,7 +17,7 @@
 #include <string.h>
 
 struct fault {
-    int error; /* 0: SHORT */
+    int error;              /* 0: SHORT */
     unsigned long at, step; /* step 0: once */
 };
 
