@@ -98,7 +98,7 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
     }
 }
 
-/* Mode, word size and clock. A line of our own selects the panel: then the controller is asked to keep its own still. */
+/* Mode, word size, clock. Where a line of our own selects the panel, the controller is asked to keep its own still. */
 static int set_up(struct sheen_linux_bus *bus, int own_cs)
 {
     uint8_t mode = bus->spi_mode, quiet = (uint8_t)(mode | SPI_NO_CS), bits = 8;
