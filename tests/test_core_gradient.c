@@ -289,6 +289,7 @@ static void test_phong_set_up(void **unused)
     (void)unused;
     core_raster_begin(&r, WIDTH, HEIGHT);
     r.draw.shading = SHEEN_PHONG;
+    r.draw.forced = 1 + SHEEN_WAY_PHONG_ROOT; /* the others take nodes in their place */
     r.frame.view = (struct sheen_view){.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(10)};
     assert_int_equal(sheen_project_begin(&r.frame.projection, &r.frame.view, HEIGHT), SHEEN_OK);
     for (int i = 0; i < TRIANGLES; i++) {
