@@ -107,11 +107,17 @@ static void draw(const struct sheen_mesh *mesh, enum sheen_shading shading, uint
 {
     struct sheen_target target = {.ctx = picture, .push = store, .width = SIZE, .height = SIZE};
     struct sheen_config config = {.target = &target, .max_vertices = mesh->vertices, .max_triangles = mesh->triangles};
-    struct sheen_material material = {
-        {200, 160, 80}, {255, 255, 255}, SHEEN_Q16(.1), SHEEN_Q16(.6), SHEEN_Q16(.3), 32, 0, {0}};
-    struct sheen_light light = {{-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, SHEEN_Q16(1), 1};
+    struct sheen_material material = {.base = {200, 160, 80},
+                                      .highlight = {255, 255, 255},
+                                      .ambient = SHEEN_Q16(.1),
+                                      .diffuse = SHEEN_Q16(.6),
+                                      .specular = SHEEN_Q16(.3),
+                                      .shininess = 32};
+    struct sheen_light light = {
+        .to = {-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
     struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05)};
-    struct sheen_draw scene = {mesh, &material, &light, 1, (uint8_t)shading, 0, {{0}, 0, {0}}};
+    struct sheen_draw scene = {
+        .mesh = mesh, .material = &material, .lights = &light, .light_count = 1, .shading = (uint8_t)shading};
     struct sheen_frame *frame;
     size_t size = sheen_arena_size(&config);
     void *arena = malloc(size);
