@@ -23,6 +23,10 @@ const struct sheen_command sheen_command_table[] = {
      SHEEN_FIRST_LIGHT, sheen_cmd_first_light},
     {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames a second.", SHEEN_PANELS,
      sheen_cmd_panels},
+    {"lecture", "-o DIR",
+     "Draws a figure for each claim of the lecture on shading that the core is built on, and a\n"
+     "contact sheet of all; prints the numbers that the figures show.",
+     SHEEN_LECTURE, sheen_cmd_lecture},
     {NULL, NULL, NULL, 0, NULL},
 };
 

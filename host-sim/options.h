@@ -69,6 +69,7 @@ enum sheen_command_bit {
     SHEEN_FIRST_LIGHT = 2,
     SHEEN_PANELS = 4,
     SHEEN_BAKE = 8,
+    SHEEN_LECTURE = 16,
     SHEEN_TAKES_MESH = SHEEN_RENDER | SHEEN_BAKE
 };
 

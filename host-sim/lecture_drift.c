@@ -1,0 +1,100 @@
+/*
+ * lecture_drift.c - the lecture's N_new = (N_old + dN) / |N_old + dN| read as a recursion.
+ *
+ * dN was made for unnormalised normals. Renormalised at each step the normal falls behind:
+ * with a its angle to the chord d = N2 - N1, many small steps obey da = -sin(a) ds over the
+ * chord's length, so tan(a/2) ends at tan(a0/2) exp(-|d|): at 60 degrees 5 too few. The core
+ * keeps N unnormalised and brings a copy to unit length.
+ */
+#include <math.h>
+
+#include "lecture.h"
+#include "sheen.h"
+
+#define PI 3.14159265358979323846
+#define STEPS 120 /* px from one normal to the other */
+#define SPANS 91  /* whole degrees 0..90 */
+
+/* In the plane of both normals; angle[i] after i steps, degrees. */
+static void naive(double degrees, int steps, double *angle)
+{
+    double phi = degrees * PI / 180, x = 1, y = 0;
+
+    angle[0] = 0;
+    for (int i = 1; i <= steps; i++) {
+        x += (cos(phi) - 1) / steps;
+        y += sin(phi) / steps;
+        double length = hypot(x, y);
+        x /= length;
+        y /= length;
+        angle[i] = atan2(y, x) * 180 / PI;
+    }
+}
+
+/* Where many small steps end. */
+static double naive_limit(double degrees)
+{
+    double phi = degrees * PI / 180, start = PI / 2 + phi / 2;
+
+    return (start - 2 * atan(tan(start / 2) * exp(-2 * sin(phi / 2)))) * 180 / PI;
+}
+
+static int draw_steps(struct sheen_page *page)
+{
+    struct sheen_axes axes = {92, 118, 400, 330, 0, STEPS, 0, 65};
+    double x[STEPS + 1], wrong[STEPS + 1], core[STEPS], centre[STEPS];
+    int error = sheen_lecture_angles(SHEEN_PHONG, 60, STEPS, core);
+
+    if (error)
+        return error;
+    naive(60, STEPS, wrong);
+    for (int i = 0; i <= STEPS; i++)
+        x[i] = i;
+    for (int i = 0; i < STEPS; i++)
+        centre[i] = i + 0.5;
+    double end = core[STEPS - 1] + (core[STEPS - 1] - core[STEPS - 2]) / 2; /* half a pixel on */
+    sheen_page_axes(page, &axes, 20, 0, 15, 0);
+    sheen_page_axis_names(page, &axes, "px", "angle from the first normal, the second being at 60°");
+    sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 2.2, x, wrong, STEPS + 1);
+    sheen_page_curve(page, &axes, SHEEN_INK_PHONG, 2.2, centre, core, STEPS);
+    sheen_page_dot(page, &axes, SHEEN_INK_WRONG, STEPS, wrong[STEPS]);
+    sheen_page_dot(page, &axes, SHEEN_INK_PHONG, STEPS, end);
+    sheen_page_number(page, 36, 524, SHEEN_INK_WRONG, "renormalised at each of %d steps: ends at %.2f°", STEPS,
+                      wrong[STEPS]);
+    sheen_page_number(page, 36, 550, SHEEN_INK_FLAT, "in endless small steps: %.2f°", naive_limit(60));
+    sheen_page_number(page, 36, 576, SHEEN_INK_PHONG, "kept unnormalised, as the core's pixels show: %.2f°", end);
+    return SHEEN_OK;
+}
+
+static void draw_spans(struct sheen_page *page)
+{
+    static const int steps[3] = {4, 16, 256};
+    struct sheen_axes axes = {592, 118, 370, 330, 0, 90, -18, 0};
+    double degrees[SPANS], missing[SPANS], angle[257];
+
+    sheen_page_axes(page, &axes, 15, 0, 3, 0);
+    sheen_page_axis_names(page, &axes, "degrees between the normals",
+                          "degrees missing at the end, in 4, 16, 256 steps");
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < SPANS; i++) {
+            degrees[i] = i;
+            naive(i, steps[k], angle);
+            missing[i] = angle[steps[k]] - i;
+        }
+        sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 1 + 0.6 * k, degrees, missing, SPANS);
+        sheen_page_number(page, 560, 524 + 26 * k, SHEEN_INK_WRONG,
+                          "%d steps: %.2f° at 30°, %.2f° at 60°, %.2f° at 90°", steps[k], missing[30], missing[60],
+                          missing[90]);
+    }
+}
+
+int sheen_lecture_drift(struct sheen_page *page)
+{
+    sheen_page_title(page, "The drift of the naive recursion",
+                     "A normal that is renormalised at each step and stepped on from there never arrives.");
+    int error = draw_steps(page);
+
+    if (!error)
+        draw_spans(page);
+    return error;
+}

@@ -1,0 +1,91 @@
+/*
+ * lecture_plot.h - figures: text, axes, curves and pictures on a page. Private to lecture*.c.
+ *
+ * Lines and letters are cairo's: they are no part of what sheen is about, and letters of
+ * our own would only be worse. A page is recorded, so that it can be drawn twice: as a
+ * file of its own and, smaller, on the contact sheet.
+ */
+#ifndef SHEEN_LECTURE_PLOT_H
+#define SHEEN_LECTURE_PLOT_H
+
+#include <cairo.h>
+#include <stdint.h>
+
+#include "problem.h"
+
+/* Size of a page, px. */
+#define SHEEN_PAGE_WIDTH 1000
+#define SHEEN_PAGE_HEIGHT 640
+
+struct sheen_page {
+    const char *name; /* of the file, and before each line on standard output */
+    cairo_surface_t *record;
+    cairo_t *cr;
+};
+
+/* 0, or SHEEN_ERR_MEMORY. Close in either case. */
+int sheen_page_open(struct sheen_page *page, const char *name);
+void sheen_page_close(struct sheen_page *page);
+/* 1 where the machine has a font to write with. */
+int sheen_page_has_font(void);
+
+/* ---- what a page is made of; all coordinates px from the top left ---- */
+
+enum sheen_ink {
+    SHEEN_INK_TEXT = 0,
+    SHEEN_INK_FAINT, /* what is compared with */
+    SHEEN_INK_FLAT,
+    SHEEN_INK_GOURAUD,
+    SHEEN_INK_PHONG,
+    SHEEN_INK_SLERP,
+    SHEEN_INK_WRONG
+};
+
+enum sheen_align {
+    SHEEN_LEFT,
+    SHEEN_CENTRE,
+    SHEEN_RIGHT
+};
+
+void sheen_page_ink(struct sheen_page *page, enum sheen_ink ink);
+/* The lecture's claim that the page shows. */
+void sheen_page_title(struct sheen_page *page, const char *title, const char *claim);
+void sheen_page_text(struct sheen_page *page, double x, double y, enum sheen_align align, enum sheen_ink ink,
+                     const char *format, ...) __attribute__((format(printf, 6, 7)));
+/* A line of figures, on the page and, with the page's name before it, on standard output. */
+void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_ink ink, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* width * height pixels, each `scale` px wide: of 3 bytes r, g, b, or of one intensity 0..1. */
+void sheen_page_picture(struct sheen_page *page, double x, double y, double scale, const uint8_t *rgb, int width,
+                        int height);
+void sheen_page_intensity(struct sheen_page *page, double x, double y, double scale, const double *intensity, int width,
+                          int height);
+
+/* A plot's box on the page and what its edges mean. */
+struct sheen_axes {
+    double x, y, width, height; /* px */
+    double x0, x1, y0, y1;
+};
+
+/* Box, grid every x_step and y_step, and labels with that many decimals; -1: without. */
+void sheen_page_axes(struct sheen_page *page, const struct sheen_axes *axes, double x_step, int x_decimals,
+                     double y_step, int y_decimals);
+/* What the axes measure: below, and above on the left. Either may be NULL. */
+void sheen_page_axis_names(struct sheen_page *page, const struct sheen_axes *axes, const char *below,
+                           const char *above);
+/* Clipped to the box; count points. */
+void sheen_page_curve(struct sheen_page *page, const struct sheen_axes *axes, enum sheen_ink ink, double line_width,
+                      const double *x, const double *y, int count);
+void sheen_page_dot(struct sheen_page *page, const struct sheen_axes *axes, enum sheen_ink ink, double x, double y);
+/* In px of the page. */
+void sheen_page_line(struct sheen_page *page, enum sheen_ink ink, double line_width, double x0, double y0, double x1,
+                     double y1);
+
+/* ---- to files ---- */
+
+int sheen_page_write(const struct sheen_page *page, const char *path, struct sheen_problem *problem);
+/* Two pages a row, each made smaller. */
+int sheen_page_write_sheet(const struct sheen_page *pages, int count, const char *path, struct sheen_problem *problem);
+
+#endif

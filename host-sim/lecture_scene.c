@@ -1,0 +1,189 @@
+/*
+ * lecture_scene.c - scenes of the lecture, drawn by the core into plain memory.
+ */
+#include "lecture_scene.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "glass.h"
+
+#define PI 3.14159265358979323846
+#define DITHER 8 /* px: the pattern repeats */
+
+static sheen_angle_t to_angle(double degrees)
+{
+    return (sheen_angle_t)(int64_t)llround(fmod(degrees, 360) / 360 * 4294967296.0);
+}
+
+void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *mesh)
+{
+    *scene = (struct sheen_lecture_scene){.mesh = mesh,
+                                          .shading = SHEEN_GOURAUD,
+                                          .ortho = 1,
+                                          .distance = 4,
+                                          .reach = 1,
+                                          .light = {0, 0, 1},
+                                          .diffuse = 1,
+                                          .shininess = 1,
+                                          .base = {255, 255, 255}};
+}
+
+void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees)
+{
+    double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180), x = scene->light[0], y = scene->light[1];
+
+    scene->light[0] = c * x - s * y;
+    scene->light[1] = s * x + c * y;
+}
+
+/* A target that keeps its pixels. */
+struct memory {
+    struct sheen_target target;
+    uint8_t *bytes;
+    size_t pixel_bytes;
+};
+
+static int push(void *ctx, struct sheen_rect rect, const void *pixels)
+{
+    struct memory *memory = ctx;
+    size_t row = (size_t)(rect.x1 - rect.x0) * memory->pixel_bytes;
+    const uint8_t *from = pixels;
+
+    for (int y = rect.y0; y < rect.y1; y++, from += row)
+        memcpy(memory->bytes + ((size_t)y * memory->target.width + (size_t)rect.x0) * memory->pixel_bytes, from, row);
+    return SHEEN_OK;
+}
+
+static int memory_init(struct memory *memory, int width, int height, enum sheen_pixel pixel)
+{
+    *memory = (struct memory){.target = {.ctx = memory,
+                                         .push = push,
+                                         .width = (uint16_t)width,
+                                         .height = (uint16_t)height,
+                                         .pixel = (uint8_t)pixel},
+                              .pixel_bytes = sheen_pixel_bits(pixel) / 8};
+    memory->bytes = calloc((size_t)width * (size_t)height, memory->pixel_bytes);
+    return memory->bytes ? SHEEN_OK : SHEEN_ERR_MEMORY;
+}
+
+static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view *view)
+{
+    sheen_q24_t distance = (sheen_q24_t)lround(scene->distance * 16777216);
+
+    *view = (struct sheen_view){.fov = to_angle(2 * atan(scene->reach / scene->distance) * 180 / PI),
+                                .near = SHEEN_Q24(0.5),
+                                .far = SHEEN_Q24(20),
+                                .orthographic = scene->ortho ? distance : 0,
+                                .affine = (uint8_t)scene->affine};
+}
+
+static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_material *material, struct sheen_light *light,
+                    struct sheen_draw *draw)
+{
+    double largest = fmax(fabs(scene->light[0]), fmax(fabs(scene->light[1]), fabs(scene->light[2])));
+
+    *material = (struct sheen_material){.highlight = {255, 255, 255},
+                                        .ambient = (sheen_q16_t)lround(scene->ambient * 65536),
+                                        .diffuse = (sheen_q16_t)lround(scene->diffuse * 65536),
+                                        .specular = (sheen_q16_t)lround(scene->specular * 65536),
+                                        .shininess = (uint8_t)scene->shininess};
+    memcpy(material->base, scene->base, sizeof material->base);
+    *light = (struct sheen_light){.intensity = SHEEN_Q16(1), .highlight = 1};
+    for (int k = 0; k < 3; k++)
+        light->to[k] = (sheen_q30_t)lround(scene->light[k] / largest * (1 << 30));
+    *draw = (struct sheen_draw){.mesh = &scene->mesh->mesh,
+                                .material = material,
+                                .lights = light,
+                                .light_count = 1,
+                                .shading = (uint8_t)scene->shading};
+    sheen_pose_orbit(&draw->pose, to_angle(scene->yaw), 0, to_angle(scene->roll),
+                     (sheen_q24_t)lround(scene->distance * 16777216));
+    return sheen_material_prepare(material);
+}
+
+/* A scene's frame and all that it borrows. */
+struct stage {
+    struct memory memory;
+    struct sheen_material material;
+    struct sheen_light light;
+    struct sheen_draw draw;
+    struct sheen_view view;
+    struct sheen_frame *frame;
+    void *arena;
+};
+
+/* Close in either case. */
+static int stage_open(struct stage *stage, const struct sheen_lecture_scene *scene, int margin, enum sheen_pixel pixel)
+{
+    struct sheen_config config = {.target = &stage->memory.target,
+                                  .band_rows = (uint16_t)(scene->height + margin),
+                                  .max_vertices = scene->mesh->mesh.vertices,
+                                  .max_triangles = scene->mesh->mesh.triangles};
+
+    memset(stage, 0, sizeof *stage);
+    set_view(scene, &stage->view);
+    int error = set_draw(scene, &stage->material, &stage->light, &stage->draw);
+    if (!error)
+        error = memory_init(&stage->memory, scene->width + margin, scene->height + margin, pixel);
+    if (error)
+        return error;
+    size_t size = sheen_arena_size(&config);
+    stage->arena = malloc(size);
+    return stage->arena ? sheen_init(&stage->frame, stage->arena, &size, &config) : SHEEN_ERR_MEMORY;
+}
+
+static void stage_close(struct stage *stage)
+{
+    free(stage->arena);
+    free(stage->memory.bytes);
+}
+
+static int stage_draw(struct stage *stage)
+{
+    int error = sheen_begin(stage->frame, &stage->view);
+
+    if (!error)
+        error = sheen_draw(stage->frame, &stage->draw);
+    return error ? error : sheen_end(stage->frame);
+}
+
+int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *intensity)
+{
+    struct sheen_lecture_scene white = *scene;
+    int width = scene->width, height = scene->height;
+    struct stage stage;
+
+    memset(white.base, 255, sizeof white.base);
+    memset(intensity, 0, sizeof *intensity * (size_t)(width * height));
+    int error = stage_open(&stage, &white, DITHER, SHEEN_GREY256);
+    stage.view.dither = 1;
+    /* The picture at each place of the dither's pattern. */
+    for (int shift = 0; !error && shift < DITHER * DITHER; shift++) {
+        int x0 = shift % DITHER, y0 = shift / DITHER;
+        stage.view.viewport =
+            (struct sheen_rect){(int16_t)x0, (int16_t)y0, (int16_t)(x0 + width), (int16_t)(y0 + height)};
+        error = stage_draw(&stage);
+        for (int i = 0; !error && i < width * height; i++)
+            intensity[i] +=
+                stage.memory.bytes[(y0 + i / width) * (width + DITHER) + x0 + i % width] / (DITHER * DITHER * 255.0);
+    }
+    stage_close(&stage);
+    return error;
+}
+
+int sheen_lecture_picture(const struct sheen_lecture_scene *scene, uint8_t *rgb)
+{
+    struct stage stage;
+    int error = stage_open(&stage, scene, 0, SHEEN_RGB565_BE);
+
+    if (!error)
+        error = stage_draw(&stage);
+    for (int i = 0; !error && i < scene->width * scene->height; i++) {
+        const uint8_t *byte = stage.memory.bytes + 2 * i;
+        sheen_sim_expand((uint16_t)(byte[0] << 8 | byte[1]), 0, rgb + 3 * i);
+    }
+    stage_close(&stage);
+    return error;
+}
