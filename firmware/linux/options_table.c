@@ -1,0 +1,143 @@
+/*
+ * options_table.c - the options, and a value into its field.
+ */
+#include "options_table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FIELD(name) offsetof(struct options, name)
+
+const struct option_row option_rows[] = {
+    {NULL, TEXT, 0, 0, 0, NULL,
+     "Wiring. A line is chip:offset (gpiochip0:25) or its name (GPIO25); --list shows them."},
+    {"panel", TEXT, FIELD(panel), 0, 0, "NAME", "controller and glass, st7789-240x240; --panels shows them"},
+    {"orientation", WHOLE, FIELD(orientation), 0, 7, "0..7", "quarter turns, 4..7 mirrored [landscape]"},
+    {"spi", TEXT, FIELD(spi), 0, 0, "PATH", "SPI device, /dev/spidev0.0"},
+    {"clock", WHOLE, FIELD(clock), 1000, 200e6, "HZ", "its clock [the panel's rated one]"},
+    {"spi-mode", WHOLE, FIELD(spi_mode), 0, 3, "0..3", "its mode [the panel's; 3 for ST7789 modules without CS]"},
+    {"sclk", TEXT, FIELD(sclk), 0, 0, "LINE", "in place of --spi: SPI by hand, its clock (SCL)"},
+    {"mosi", TEXT, FIELD(mosi), 0, 0, "LINE", "and its data (SDA)"},
+    {"cs", TEXT, FIELD(cs), 0, 0, "LINE", "chip select [the SPI device's; none by hand]"},
+    {"dc", TEXT, FIELD(dc), 0, 0, "LINE", "data/command (also RS, A0)"},
+    {"reset", TEXT, FIELD(reset), 0, 0, "LINE", "reset (RST) [reset by command]"},
+    {"backlight", TEXT, FIELD(backlight), 0, 0, "LINE", "backlight (BL), on while the program runs"},
+    {"te", TEXT, FIELD(te), 0, 0, "LINE", "tearing effect (TE), an input: frames begin at its rising edge"},
+    {NULL, TEXT, 0, 0, 0, NULL, "Running."},
+    {"first-light", SWITCH, FIELD(first_light), 0, 0, NULL, "a test picture: border, corner marks, colour bars"},
+    {"frames", WHOLE, FIELD(frames), 1, 1000000000, "N", "end after N frames [never]"},
+    {"fps", NUMBER, FIELD(fps), 0.01, 1000, "N", "at most N frames a second [as fast as it goes]"},
+    {"buffers", WHOLE, FIELD(buffers), 1, 2, "1|2", "2: draw a band while the last one is sent [2]"},
+    {"quiet", SWITCH, FIELD(quiet), 0, 0, NULL, "no statistics on standard error"},
+    {"config", ONLY_HERE, 0, 0, 0, "FILE", "read options from a file first: lines of `name = value`"},
+    {NULL, TEXT, 0, 0, 0, NULL, "Other."},
+    {"list", SWITCH, FIELD(list), 0, 0, NULL, "show GPIO chips, their lines and who holds them"},
+    {"panels", SWITCH, FIELD(panels), 0, 0, NULL, "show the panels"},
+    {"help", SWITCH, FIELD(help), 0, 0, NULL, "show this"},
+    {"version", SWITCH, FIELD(version), 0, 0, NULL, "show the version of sheen and of libgpiod"},
+    {NULL, TEXT, 0, 0, 0, NULL, NULL},
+};
+
+/* Of the command's table, what the panel itself, the file and the rows above decide. */
+int option_is_view(const struct sheen_option *option)
+{
+    static const char *const others[] = {"output", "panel", "size", "orientation", "buffers", "frames", "stats"};
+
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
+        if (strcmp(option->name, others[i]) == 0)
+            return 0;
+    return (option->commands & SHEEN_RENDER) != 0;
+}
+
+static const struct sheen_option *view_of(const char *name)
+{
+    for (const struct sheen_option *option = sheen_option_table; option->name; option++)
+        if (strcmp(option->name, name) == 0 && option_is_view(option))
+            return option;
+    return NULL;
+}
+
+static const struct option_row *row_of(const char *name)
+{
+    for (const struct option_row *row = option_rows; row->help; row++)
+        if (row->name && strcmp(row->name, name) == 0)
+            return row;
+    return NULL;
+}
+
+static int set_text(struct options *options, const struct option_row *row, const char *value, struct sheen_failure *why)
+{
+    if (value[0] == '\0' || strlen(value) >= OPTIONS_TEXT)
+        return sheen_failed(why, -1, "%s: from 1 to %d characters", row->name, OPTIONS_TEXT - 1);
+    strcpy((char *)options + row->field, value);
+    return 0;
+}
+
+static int set_number(struct options *options, const struct option_row *row, const char *value,
+                      struct sheen_failure *why)
+{
+    char *end;
+    double number = strtod(value, &end);
+
+    if (end == value || *end != '\0' || !isfinite(number) || (row->kind == WHOLE && number != floor(number)))
+        return sheen_failed(why, -1, "%s: '%s' is not a %snumber", row->name, value,
+                            row->kind == WHOLE ? "whole " : "");
+    if (number < row->min || number > row->max)
+        return sheen_failed(why, -1, "%s: %s is not in %.12g..%.12g", row->name, value, row->min, row->max);
+    if (row->kind == WHOLE)
+        *(long *)(void *)((char *)options + row->field) = (long)number;
+    else
+        *(double *)(void *)((char *)options + row->field) = number;
+    return 0;
+}
+
+int option_set_row(struct options *options, const struct option_row *row, const char *value, struct sheen_failure *why)
+{
+    switch (row->kind) {
+    case TEXT:
+        return set_text(options, row, value, why);
+    case WHOLE:
+    case NUMBER:
+        return set_number(options, row, value, why);
+    case SWITCH:
+        if (value && strcmp(value, "yes") != 0 && strcmp(value, "no") != 0)
+            return sheen_failed(why, -1, "%s: '%s' is neither yes nor no", row->name, value);
+        *(long *)(void *)((char *)options + row->field) = !value || value[0] == 'y';
+        return 0;
+    case ONLY_HERE:
+        break;
+    }
+    return 0;
+}
+
+int option_set_view(struct options *options, const struct sheen_option *option, const char *value,
+                    struct sheen_failure *why)
+{
+    struct sheen_problem problem;
+
+    if (sheen_option_set(&options->view, option, value, &problem) == 0)
+        return 0;
+    return sheen_failed(why, -1, "%s", problem.text + strspn(problem.text, "-"));
+}
+
+int options_set(struct options *options, const char *name, const char *value, struct sheen_failure *why)
+{
+    const struct option_row *row = row_of(name);
+    const struct sheen_option *view = view_of(name);
+
+    if (strcmp(name, "mesh") == 0) {
+        snprintf(options->mesh, sizeof options->mesh, "%s", value);
+        return 0;
+    }
+    if (row && row->kind != ONLY_HERE)
+        return option_set_row(options, row, value, why);
+    if (!view)
+        return sheen_failed(why, -1, "there is no option '%.60s'", name);
+    if (view->argument)
+        return option_set_view(options, view, value, why);
+    if (strcmp(value, "yes") != 0)
+        return strcmp(value, "no") == 0 ? 0 : sheen_failed(why, -1, "%s: '%s' is neither yes nor no", name, value);
+    return option_set_view(options, view, NULL, why);
+}
