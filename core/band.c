@@ -106,12 +106,10 @@ static void shade(const struct tile *t, const struct setup *s)
         else
             sheen_shade_quadratic_diffuse(t, s);
         break;
-    case SHEEN_WAY_PHONG_BLOCKS:
-        sheen_shade_phong_blocks(t, s);
-        break;
     case SHEEN_WAY_GOURAUD_QUOTIENT:
         sheen_shade_gouraud_quotient(t, s);
         break;
+    case SHEEN_WAY_PHONG_BLOCKS:
     case SHEEN_WAY_PHONG_ROOT:
         sheen_shade_phong_root(t, s);
         break;

@@ -52,8 +52,6 @@ static void cut_edge(const struct projection *p, const struct clip_corner *a, co
     int32_t t = 0; /* a corner inside by its flags may lie beyond the cut: then it is the point */
 
     if (da > 0) {
-        if (db > 0)
-            db = 0;
         unsigned bits = 64 - clz64((uint64_t)(da - db)), drop = bits > 32 ? bits - 32 : 0;
         t = (int32_t)(((da >> drop) << 30) / ((da - db) >> drop));
     }
@@ -115,15 +113,20 @@ static int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
     return (int32_t)round_shift64((int64_t)share[0] * a + (int64_t)share[1] * b + (int64_t)share[2] * c, 30);
 }
 
+/* A corner as pieces store it; unit: slerp goes from unit vector to unit vector. */
 static void piece_corner(const struct clip_corner *from, const int16_t *const normal[3], const struct lit lit[3],
-                         struct vertex *v, int16_t out[3])
+                         int unit, struct vertex *v, int16_t out[3])
 {
     *v = from->v;
     v->flags = LIT | LIT_AS_SEEN;
     if (normal[0] == NULL)
         return;
+    int32_t n[3];
     for (int i = 0; i < 3; i++)
-        out[i] = (int16_t)shared(from->share, normal[0][i], normal[1][i], normal[2][i]);
+        n[i] = out[i] = (int16_t)shared(from->share, normal[0][i], normal[1][i], normal[2][i]);
+    if (unit && sheen_normalize(n, n) == SHEEN_OK)
+        for (int i = 0; i < 3; i++)
+            out[i] = (int16_t)min32(asr32(n[i] + (1 << 14), 15), 32767);
     v->diffuse = (uint16_t)max32(
         0, shared(from->share, (int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse));
     v->specular = (uint16_t)max32(
@@ -159,7 +162,7 @@ static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint1
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
         for (int k = 0; k < 3; k++)
-            piece_corner(fan[k], normal, lit, &piece->corner[k], piece->normal[k]);
+            piece_corner(fan[k], normal, lit, d->shading == SHEEN_SLERP, &piece->corner[k], piece->normal[k]);
     }
     return SHEEN_OK;
 }

@@ -118,8 +118,11 @@ static void shading_begin(const struct sheen_frame *f, struct setup *s, const st
         sheen_setup_gouraud(f, s, c, g);
     else if (shading == SHEEN_FLAT)
         sheen_setup_flat(f, s, c);
-    else if (g == NULL || s->draw->light.count == 0 ||
-             !(shading == SHEEN_SLERP ? sheen_setup_slerp(s, c) : sheen_setup_phong(f, s, c, g)))
+    else if (g == NULL || s->draw->light.count == 0)
+        sheen_setup_mean_normal(f, s, c);
+    else if (shading == SHEEN_SLERP)
+        sheen_setup_slerp(s, c);
+    else if (!(s->draw->light.count == 1 && sheen_setup_phong_nodes(f, s, c, g)) && !sheen_setup_phong(s, c, g))
         sheen_setup_mean_normal(f, s, c);
 }
 

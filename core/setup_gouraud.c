@@ -20,17 +20,29 @@ static void corner_lit(const struct setup *s, const struct surface_corners *c, i
     sheen_light_normal(&s->draw->light, s->draw->material, negated, lit);
 }
 
-/* Largest difference of a channel between corners, in 1/16 level, 0xffff at the most. */
-static uint32_t difference_of(int32_t channel[3][3], unsigned fraction)
-{
-    int32_t difference = 0;
+/* Of the corners' channels: the largest difference, in 1/16 level, 0xffff at the most; and whether one exceeds 1.0. */
+struct survey {
+    uint32_t difference;
+    int over;
+};
 
-    for (int k = 0; k < 3; k++) {
-        int32_t least = min32(channel[k][0], min32(channel[k][1], channel[k][2]));
-        int32_t most = max32(channel[k][0], max32(channel[k][1], channel[k][2]));
-        difference = max32(difference, most - least);
+static struct survey survey_of(const struct colour_terms *terms, const struct lit lit[3])
+{
+    struct survey survey = {0, 0};
+
+    for (int i = 0; i < 3; i++) {
+        uint32_t least = UINT32_MAX, most = 0;
+        for (int k = 0; k < 3; k++) {
+            uint32_t channel = colour_channel(terms, i, &lit[k]);
+            least = channel < least ? channel : least;
+            most = channel > most ? channel : most;
+        }
+        uint32_t difference = ((most - least) >> (terms->fraction - 4)) + 1;
+        survey.difference = difference > survey.difference ? difference : survey.difference;
+        survey.over |= terms->clamp && most > terms->top[i];
     }
-    return (uint32_t)min32((difference >> (fraction - 4)) + 1, 0xffff);
+    survey.difference = survey.difference > 0xffff ? 0xffff : survey.difference;
+    return survey;
 }
 
 /*
@@ -52,65 +64,64 @@ static enum sheen_way way_of(const struct setup *s, const struct surface_corners
 }
 
 /* Linear channels, or under quotient channels and 1 times weight. */
-static void channel_planes(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                           int32_t channel[3][3])
+static APART void channel_planes(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                                 const struct lit lit[3])
 {
-    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) {
-        const int32_t half_weight[3] = {(int32_t)(c->weight[0] >> 1), (int32_t)(c->weight[1] >> 1),
-                                        (int32_t)(c->weight[2] >> 1)};
-        for (int i = 0; i < 3; i++)
-            for (int k = 0; k < 3; k++)
-                channel[i][k] = (int32_t)mul_high((uint32_t)channel[i][k], c->weight[k]);
-        s->shade.gouraud.weight = sheen_gradient_plane(g, half_weight, 1);
-    }
+    const struct colour_terms *terms = &s->draw->colour;
+    int quotient = s->way == SHEEN_WAY_GOURAUD_QUOTIENT;
+    int32_t value[3]; /* < 2^31 */
+
     for (int i = 0; i < 3; i++) {
-        s->shade.gouraud.channel[i] = sheen_gradient_plane(g, channel[i], 0);
+        for (int k = 0; k < 3; k++) {
+            uint32_t channel = colour_channel(terms, i, &lit[k]);
+            value[k] = (int32_t)(quotient ? mul_high(channel, c->weight[k]) : channel);
+        }
+        s->shade.gouraud.channel[i] = sheen_gradient_plane(g, value, 0);
         if (s->fast) /* + 1/2 once for all pixels */
-            s->shade.gouraud.channel[i].base += 1u << (s->draw->colour.fraction - 1);
+            s->shade.gouraud.channel[i].base += 1u << (terms->fraction - 1);
     }
+    for (int k = 0; k < 3 && quotient; k++)
+        value[k] = (int32_t)(c->weight[k] >> 1);
+    if (quotient)
+        s->shade.gouraud.weight = sheen_gradient_plane(g, value, 1);
 }
 
 /* An intensity's quadric, Q1.30, rounding added: an edge's excess is (4 share - 2) (first - second). */
-static struct quadric intensity_quadric(const struct gradients *g, const struct node_products *p,
-                                        const struct middles *m, const uint32_t intensity[3])
+static void intensity_quadric(const struct gradients *g, const struct node_products *p, const struct middles *m,
+                              struct nodes *n, struct quadric *q)
 {
-    struct nodes n;
-    struct quadric q;
-
-    for (int k = 0; k < 3; k++)
-        n.corner[k] = (int32_t)(intensity[k] << 15);
-    n.excess[0] = 8 * mul_16_32(m->share[0] - 16384, n.corner[0] - n.corner[1]);
-    n.excess[1] = 8 * mul_16_32(m->share[1] - 16384, n.corner[0] - n.corner[2]);
-    n.excess[2] = 8 * mul_16_32(m->share[2] - 16384, n.corner[1] - n.corner[2]);
-    q = sheen_node_quadric(g, p, &n);
-    q.base += 1u << 14;
-    return q;
+    n->excess[0] = 8 * mul_16_32(m->share[0] - 16384, n->corner[0] - n->corner[1]);
+    n->excess[1] = 8 * mul_16_32(m->share[1] - 16384, n->corner[0] - n->corner[2]);
+    n->excess[2] = 8 * mul_16_32(m->share[2] - 16384, n->corner[1] - n->corner[2]);
+    sheen_node_quadric(g, p, n, q);
+    q->base += 1u << 14;
 }
 
 /* Returns 0 where the triangle is too small for node products. */
-static int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                     const struct lit lit[3])
+static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                           const struct lit lit[3])
 {
-    const uint32_t diffuse[3] = {lit[0].diffuse, lit[1].diffuse, lit[2].diffuse};
-    const uint32_t specular[3] = {lit[0].specular, lit[1].specular, lit[2].specular};
     struct node_products products;
     struct middles middles;
+    struct nodes n;
 
     if (!sheen_node_products(&products, g))
         return 0;
     sheen_middles(c, &middles);
-    s->highlight = (specular[0] | specular[1] | specular[2]) != 0;
-    s->shade.quadratic.diffuse = intensity_quadric(g, &products, &middles, diffuse);
+    for (int k = 0; k < 3; k++)
+        n.corner[k] = (int32_t)(lit[k].diffuse << 15);
+    intensity_quadric(g, &products, &middles, &n, &s->shade.quadratic.diffuse);
+    s->highlight = (lit[0].specular | lit[1].specular | lit[2].specular) != 0;
+    for (int k = 0; k < 3; k++)
+        n.corner[k] = (int32_t)(lit[k].specular << 15);
     if (s->highlight)
-        s->shade.quadratic.second = intensity_quadric(g, &products, &middles, specular);
+        intensity_quadric(g, &products, &middles, &n, &s->shade.quadratic.second);
     return 1;
 }
 
 void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                          const struct gradients *g)
 {
-    const struct colour_terms *terms = &s->draw->colour;
-    int32_t channel[3][3]; /* by channel and corner, < 2^31 */
     struct lit lit[3];
 
     for (int k = 0; k < 3; k++)
@@ -121,19 +132,14 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
         sheen_setup_constant(f, s, &mean);
         return;
     }
-    uint8_t clamp = 0;
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) {
-            channel[i][k] = (int32_t)colour_channel(terms, i, &lit[k]);
-            clamp |= terms->clamp && (uint32_t)channel[i][k] > terms->top[i];
-        }
-    s->way = (uint8_t)way_of(s, c, difference_of(channel, terms->fraction));
-    s->fast = sheen_rounds_early(f) && !clamp && s->way != SHEEN_WAY_GOURAUD_QUOTIENT;
+    struct survey survey = survey_of(&s->draw->colour, lit);
+    s->way = (uint8_t)way_of(s, c, survey.difference);
+    s->fast = sheen_rounds_early(f) && !survey.over && s->way != SHEEN_WAY_GOURAUD_QUOTIENT;
     if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC) {
         if (quadratic(s, c, g, lit))
             return;
         s->way = SHEEN_WAY_GOURAUD_QUOTIENT;
         s->fast = 0;
     }
-    channel_planes(s, c, g, channel);
+    channel_planes(s, c, g, lit);
 }

@@ -103,21 +103,18 @@ static uint8_t block_shift(const struct slope slope[3])
 }
 
 /* Returns 0 where the normal's steps do not fit. */
-int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                      const struct gradients *g)
+int sheen_setup_phong(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     const struct lighting *l = &s->draw->light;
     int32_t n[3][3];
     struct slope slope[3];
 
-    if (l->count == 1 && sheen_setup_phong_nodes(f, s, c, g))
-        return 1;
     weighted_normals(c, n);
     if (!normal_slopes(g, n, slope))
         return 0;
+    s->fast = 0;
     if (l->count > 1) {
         s->way = SHEEN_WAY_PHONG_LIGHTS;
-        s->fast = 0;
         for (int i = 0; i < 3; i++)
             s->shade.normal[i] = normal_plane(g, &slope[i]);
         return 1;
@@ -125,7 +122,6 @@ int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct
     s->block_shift = block_shift(slope);
     s->way = s->block_shift != 0 && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_BLOCKS) ? SHEEN_WAY_PHONG_BLOCKS
                                                                                       : SHEEN_WAY_PHONG_ROOT;
-    s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
     s->shade.phong.light = dot_plane(g, l->to[0], slope);
     s->shade.phong.view = dot_plane(g, l->view, slope);
     s->shade.phong.square = square_quadric(g, slope);

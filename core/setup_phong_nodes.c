@@ -24,7 +24,8 @@ static int32_t widest(const struct surface_corners *c, int32_t e[3])
     for (int k = 0; k < 3; k++) {
         const int16_t *a = c->at.normal[first[k]], *b = c->at.normal[second[k]];
         int32_t dot = asr32(a[0] * b[0], 2) + asr32(a[1] * b[1], 2) + asr32(a[2] * b[2], 2); /* |parts| <= 2^28 */
-        e[k] = max32(0, 4 * (32767 * 32767 / 4 - dot));
+        int32_t quarter = max32(0, 32767 * 32767 / 4 - dot);
+        e[k] = quarter > INT32_MAX / 4 ? INT32_MAX : 4 * quarter;
         most = max32(most, e[k]);
     }
     return (c->at.v[0]->flags & LIT_AS_SEEN) != 0 ? INT32_MAX : most;
@@ -110,7 +111,7 @@ static int nearly_linear(const struct setup *s, const struct nodes *diffuse)
 }
 
 /* Channels at the corners, interpolated like Gouraud's. */
-static void linear_channels(struct setup *s, const struct gradients *g, const struct nodes *diffuse)
+static APART void linear_channels(struct setup *s, const struct gradients *g, const struct nodes *diffuse)
 {
     const struct colour_terms *terms = &s->draw->colour;
 
@@ -139,45 +140,63 @@ static void reflection(const struct lighting *l, const int32_t diffuse[6], const
     excesses(n, middle);
 }
 
+/* The six nodes of both functions; returns the widest angle between normals as 1 - cos, Q1.30. */
+static APART int32_t nodes_of(const struct setup *s, const struct surface_corners *c, struct nodes *diffuse,
+                              struct nodes *reflected)
+{
+    const struct lighting *l = &s->draw->light;
+    int32_t e[3], light[6], view[6];
+    struct middles middles;
+
+    int32_t apart = widest(c, e);
+    if (apart > WIDEST_DIFFUSE || sheen_weight_spread(c) > WIDEST_SPREAD)
+        return INT32_MAX;
+    sheen_middles(c, &middles);
+    corner_dots(c, l->to[0], light);
+    middle_dots(&middles, e, light, light + 3);
+    for (int k = 0; k < 3; k++)
+        diffuse->corner[k] = light[k];
+    excesses(diffuse, light + 3);
+    corner_dots(c, l->view, view);
+    middle_dots(&middles, e, view, view + 3);
+    reflection(l, light, view, reflected);
+    return apart;
+}
+
+/* Returns 0 where the triangle is too small for node products. */
+static APART int quadrics(struct setup *s, const struct gradients *g, const struct nodes *diffuse,
+                          const struct nodes *reflected)
+{
+    struct node_products products;
+
+    if (!sheen_node_products(&products, g))
+        return 0;
+    s->way = SHEEN_WAY_PHONG_QUADRATIC;
+    sheen_node_quadric(g, &products, diffuse, &s->shade.quadratic.diffuse);
+    s->shade.quadratic.diffuse.base += 1u << 14; /* rounding to UQ1.15, once for all pixels */
+    if (s->highlight)
+        sheen_node_quadric(g, &products, reflected, &s->shade.quadratic.second);
+    return 1;
+}
+
 /* Returns 0 where the normals are too far apart, or another way is forced. */
 int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                             const struct gradients *g)
 {
-    const struct lighting *l = &s->draw->light;
-    int32_t e[3], diffuse[6], view[6];
-    struct node_products products;
-    struct middles middles;
-    struct nodes n, reflected;
+    const struct sheen_material *m = s->draw->material;
+    struct nodes diffuse, reflected;
 
-    int32_t apart = widest(c, e);
-    int sharp = s->draw->material->shininess > 32;
-    if (apart > WIDEST_DIFFUSE || sheen_weight_spread(c) > WIDEST_SPREAD)
+    int32_t apart = nodes_of(s, c, &diffuse, &reflected);
+    if (apart == INT32_MAX)
         return 0;
-    sheen_middles(c, &middles);
-    corner_dots(c, l->to[0], diffuse);
-    middle_dots(&middles, e, diffuse, diffuse + 3);
-    for (int k = 0; k < 3; k++)
-        n.corner[k] = diffuse[k];
-    excesses(&n, diffuse + 3);
-    corner_dots(c, l->view, view);
-    middle_dots(&middles, e, view, view + 3);
-    reflection(l, diffuse, view, &reflected);
-
-    int highlight = upper_bound(&n) > 0 && lower_bound(&reflected) < 1 << (29 - s->draw->material->power_shift);
-    if (highlight && apart > (sharp ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
+    int32_t least = lower_bound(&reflected);
+    s->highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
+    if (s->highlight && apart > (m->shininess > 32 ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
         return 0;
-    s->fast = sheen_rounds_early(f) && !exceeds(s->draw, &n, highlight ? lower_bound(&reflected) : INT32_MAX);
-    if (!highlight && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_LINEAR) && nearly_linear(s, &n)) {
-        linear_channels(s, g, &n);
+    s->fast = sheen_rounds_early(f) && !exceeds(s->draw, &diffuse, s->highlight ? least : INT32_MAX);
+    if (!s->highlight && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_LINEAR) && nearly_linear(s, &diffuse)) {
+        linear_channels(s, g, &diffuse);
         return 1;
     }
-    if (!sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_node_products(&products, g))
-        return 0;
-    s->way = SHEEN_WAY_PHONG_QUADRATIC;
-    s->highlight = (uint8_t)highlight;
-    s->shade.quadratic.diffuse = sheen_node_quadric(g, &products, &n);
-    s->shade.quadratic.diffuse.base += 1u << 14; /* rounding to UQ1.15, once for all pixels */
-    if (highlight)
-        s->shade.quadratic.second = sheen_node_quadric(g, &products, &reflected);
-    return 1;
+    return sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) && quadrics(s, g, &diffuse, &reflected);
 }

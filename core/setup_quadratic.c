@@ -58,7 +58,8 @@ static int32_t weighted(const int32_t excess[3], const int32_t product[3])
     return excess[0] * product[0] + excess[1] * product[1] + excess[2] * product[2];
 }
 
-struct quadric sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n)
+void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
+                        struct quadric *q)
 {
     struct slope plane;
     int32_t k[3];
@@ -70,10 +71,10 @@ struct quadric sheen_node_quadric(const struct gradients *g, const struct node_p
     int32_t xx = weighted(k, p->xx), xy = weighted(k, p->xy), yy = weighted(k, p->yy);
     uint32_t qxx = shifted(xx, second), qyy = shifted(yy, second);
 
-    return sheen_quadric(g, (uint32_t)plane.value + shifted(weighted(k, p->constant), 2),
-                         (uint32_t)plane.dx + shifted(weighted(k, p->x), first) + qxx,
-                         (uint32_t)plane.dy + shifted(weighted(k, p->y), first) + qyy, shifted(xx, second + 1),
-                         shifted(xy, second), shifted(yy, second + 1));
+    *q = sheen_quadric(g, (uint32_t)plane.value + shifted(weighted(k, p->constant), 2),
+                       (uint32_t)plane.dx + shifted(weighted(k, p->x), first) + qxx,
+                       (uint32_t)plane.dy + shifted(weighted(k, p->y), first) + qyy, shifted(xx, second + 1),
+                       shifted(xy, second), shifted(yy, second + 1));
 }
 
 /* At an edge's middle on the screen the first end counts w1 / (w1 + w2). */

@@ -4,6 +4,7 @@
 #ifndef SHEEN_SHADE_H
 #define SHEEN_SHADE_H
 
+#include "newton.h"
 #include "stages.h"
 
 /* Loops are written once and specialised by constant arguments. */
@@ -78,13 +79,6 @@ SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
     return 1;
 }
 
-/* How a loop writes its pixels; a constant argument. */
-enum put {
-    PUT_FAST,      /* 565 in this machine's order, rounding in the channels, no clamp */
-    PUT_FAST_SWAP, /* the same, bytes change places */
-    PUT_GENERAL    /* any format: clamp, threshold, order */
-};
-
 /* A row's thresholds, and what they are shifted by to the draw's fraction. */
 struct rounding {
     const uint8_t *threshold;
@@ -98,9 +92,9 @@ SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colou
     return r;
 }
 
-/* Test builds look at the unrounded colours here. */
+/* What the dithering test compares with: a test build defines it and sees each pixel's unrounded channels. */
 #ifndef SHEEN_TEST_TAP
-#define SHEEN_TEST_TAP(x, y, r, g, b, fraction) ((void)0)
+#define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
 #endif
 
 SPECIALISED uint32_t clamped(uint32_t x, uint32_t top)
@@ -128,15 +122,27 @@ SPECIALISED void put_general(const struct tile *t, const struct colour_terms *te
 }
 
 /* floor of channels that rounding was added to and that no corner takes above the highest level. */
-SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, enum put put)
+SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, unsigned swap)
 {
-    return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, put == PUT_FAST_SWAP);
+    return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
 }
 
 /* max(0, x) for a sum that rounding may have taken below 0. */
 SPECIALISED uint32_t not_negative(uint32_t x)
 {
     return (int32_t)x < 0 ? 0 : x;
+}
+
+/* D inside the root table: UQ1.31 from 1/4 to 1 + 1/512. */
+#define ROOT_LOWEST (1u << 29)
+#define ROOT_RANGE ((3u << 29) + (1u << 22))
+
+#define HALF (1u << 14) /* rounding: floors would darken highlights of n = 128 by a tenth of a level */
+
+/* A dot product with N over |N|: Q1.30 times UQ1.15 to Q0.15; modulo 2^32, should a sliver's rounding part the two. */
+SPECIALISED int32_t normalised(int32_t dot, uint32_t root)
+{
+    return asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)dot + HALF), 15) * root + HALF), 15);
 }
 
 #endif

@@ -3,10 +3,9 @@
  */
 #include "shade.h"
 
-SPECIALISED void flat_rows(const struct tile *t, const struct setup *s, enum put put)
+void sheen_shade_flat(const struct tile *t, const struct setup *s)
 {
     const uint32_t *channel = s->shade.flat.channel;
-    const uint16_t pixel = s->shade.flat.pixel;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
@@ -17,18 +16,10 @@ SPECIALISED void flat_rows(const struct tile *t, const struct setup *s, enum put
         for (; x < x1; x++, at++, z += s->depth.dx) {
             if (!nearer(t, t->depth + at, z))
                 continue;
-            if (put == PUT_GENERAL)
-                put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);
+            if (s->fast)
+                ((uint16_t *)t->pixels)[at] = s->shade.flat.pixel;
             else
-                ((uint16_t *)t->pixels)[at] = pixel;
+                put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);
         }
     }
-}
-
-void sheen_shade_flat(const struct tile *t, const struct setup *s)
-{
-    if (s->fast)
-        flat_rows(t, s, PUT_FAST);
-    else
-        flat_rows(t, s, PUT_GENERAL);
 }

@@ -9,18 +9,18 @@
 #include "shade.h"
 
 /* A run of 565 pixels without clamp or dither; rounding is in the channels. */
-SPECIALISED void linear_run(const struct tile *t, uint32_t at, uint32_t count, uint32_t z, const struct setup *s,
-                            const uint32_t start[3], enum put put)
+static void linear_run(const struct tile *t, uint32_t at, uint32_t count, uint32_t z, const struct setup *s,
+                       const uint32_t start[3])
 {
     uint16_t *pixels = (uint16_t *)t->pixels + at, *end = pixels + count, *depth = t->depth + at;
     const struct plane *c = s->shade.gouraud.channel;
     const uint32_t dz = s->depth.dx, dr = c[0].dx, dg = c[1].dx, db = c[2].dx;
-    const unsigned fraction = s->draw->colour.fraction;
+    const unsigned fraction = s->draw->colour.fraction, swap = t->format->swap;
     uint32_t r = start[0], g = start[1], b = start[2];
 
     do {
         if (nearer(t, depth, z))
-            *pixels = fast_pixel(r, g, b, fraction, put);
+            *pixels = fast_pixel(r, g, b, fraction, swap);
         depth++;
         z += dz;
         r += dr;
@@ -45,7 +45,7 @@ static void linear_run_general(const struct tile *t, uint32_t at, int32_t x, int
     }
 }
 
-SPECIALISED void linear_rows(const struct tile *t, const struct setup *s, enum put put)
+void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s)
 {
     const struct plane *c = s->shade.gouraud.channel;
 
@@ -55,21 +55,11 @@ SPECIALISED void linear_rows(const struct tile *t, const struct setup *s, enum p
             continue;
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
         uint32_t channel[3] = {plane_at(&c[0], x, y), plane_at(&c[1], x, y), plane_at(&c[2], x, y)};
-        if (put == PUT_GENERAL)
-            linear_run_general(t, at, x, x1, y, z, s, channel);
+        if (s->fast)
+            linear_run(t, at, (uint32_t)(x1 - x), z, s, channel);
         else
-            linear_run(t, at, (uint32_t)(x1 - x), z, s, channel, put);
+            linear_run_general(t, at, x, x1, y, z, s, channel);
     }
-}
-
-void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s)
-{
-    if (!s->fast)
-        linear_rows(t, s, PUT_GENERAL);
-    else if (t->format->swap)
-        linear_rows(t, s, PUT_FAST_SWAP);
-    else
-        linear_rows(t, s, PUT_FAST);
 }
 
 /* The weight brought up to [1/2, 1) by a power of two: once at the most where the ratio over the triangle is <= 2. */

@@ -8,7 +8,7 @@
  */
 #include "shade.h"
 
-/* What the second quadric is; a constant argument. */
+/* What the second quadric is; a constant argument of the fast loops. */
 enum second {
     SECOND_NONE,     /* no highlight on this triangle */
     SECOND_SPECULAR, /* Gouraud: the specular intensity, Q1.30 */
@@ -39,7 +39,7 @@ struct run {
 
 /* The loop's numbers are locals: no store of a pixel can be thought to change them. */
 SPECIALISED void fast_run(const struct tile *t, const struct setup *s, const struct colour_terms *terms, uint32_t at,
-                          uint32_t count, struct run run, enum second kind, enum put put)
+                          uint32_t count, struct run run, enum second kind)
 {
     uint16_t *pixels = (uint16_t *)t->pixels + at, *end = pixels + count, *depth = t->depth + at;
     const struct power power = power_of(s->draw->material);
@@ -47,7 +47,7 @@ SPECIALISED void fast_run(const struct tile *t, const struct setup *s, const str
     const uint32_t ar = terms->a[0], ag = terms->a[1], ab = terms->a[2];
     const uint32_t br = terms->b[0], bg = terms->b[1], bb = terms->b[2];
     const uint32_t cr = terms->c[0], cg = terms->c[1], cb = terms->c[2];
-    const unsigned fraction = terms->fraction;
+    const unsigned fraction = terms->fraction, swap = t->format->swap;
 
     do {
         if (nearer(t, depth, run.z)) {
@@ -58,7 +58,7 @@ SPECIALISED void fast_run(const struct tile *t, const struct setup *s, const str
                 g += cg * lit.specular;
                 b += cb * lit.specular;
             }
-            *pixels = fast_pixel(r, g, b, fraction, put);
+            *pixels = fast_pixel(r, g, b, fraction, swap);
         }
         depth++;
         run.z += dz;
@@ -90,13 +90,13 @@ SPECIALISED void general_run(const struct tile *t, const struct setup *s, const 
     }
 }
 
-SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enum second kind, enum put put)
+SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enum second kind, int fast)
 {
     struct colour_terms terms = s->draw->colour;
     struct quadric_row diffuse = quadric_row_at(&s->shade.quadratic.diffuse, t->first_row);
     struct quadric_row second = quadric_row_at(&s->shade.quadratic.second, t->first_row);
 
-    if (put != PUT_GENERAL) /* + 1/2 once for all pixels */
+    if (fast) /* + 1/2 once for all pixels */
         for (int k = 0; k < 3; k++)
             terms.a[k] += 1u << (terms.fraction - 1);
     for (unsigned row = 0; row < t->rows; row++) {
@@ -107,10 +107,10 @@ SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enu
             quadric_run(&diffuse, x, &run.diffuse, &run.diffuse_step);
             if (kind != SECOND_NONE)
                 quadric_run(&second, x, &run.second, &run.second_step);
-            if (put == PUT_GENERAL)
-                general_run(t, s, &terms, at, x, x1, y, run, kind);
+            if (fast)
+                fast_run(t, s, &terms, at, (uint32_t)(x1 - x), run, kind);
             else
-                fast_run(t, s, &terms, at, (uint32_t)(x1 - x), run, kind, put);
+                general_run(t, s, &terms, at, x, x1, y, run, kind);
         }
         quadric_row_next(&diffuse);
         if (kind != SECOND_NONE)
@@ -118,27 +118,32 @@ SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enu
     }
 }
 
-SPECIALISED void quadratic(const struct tile *t, const struct setup *s, enum second kind)
+/* One loop for every format, clamp and dither. */
+static APART void general_rows(const struct tile *t, const struct setup *s, enum second kind)
 {
-    if (!s->fast)
-        quadratic_rows(t, s, kind, PUT_GENERAL);
-    else if (t->format->swap)
-        quadratic_rows(t, s, kind, PUT_FAST_SWAP);
-    else
-        quadratic_rows(t, s, kind, PUT_FAST);
+    quadratic_rows(t, s, kind, 0);
 }
 
 void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s)
 {
-    quadratic(t, s, SECOND_NONE);
+    if (s->fast)
+        quadratic_rows(t, s, SECOND_NONE, 1);
+    else
+        general_rows(t, s, SECOND_NONE);
 }
 
 void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s)
 {
-    quadratic(t, s, SECOND_SPECULAR);
+    if (s->fast)
+        quadratic_rows(t, s, SECOND_SPECULAR, 1);
+    else
+        general_rows(t, s, SECOND_SPECULAR);
 }
 
 void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s)
 {
-    quadratic(t, s, SECOND_POWER);
+    if (s->fast)
+        quadratic_rows(t, s, SECOND_POWER, 1);
+    else
+        general_rows(t, s, SECOND_POWER);
 }

@@ -68,8 +68,9 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->scratch = take(base, &used, c->max_clipped > 0, sheen_clip_scratch_bytes());
     if (c->max_clipped == 0)
         f->cut = NULL;
+    f->worker = take(base, &used, c->workers, sizeof(struct worker));
     for (unsigned i = 0; i < c->workers; i++) {
-        struct worker *w = &f->worker[i];
+        struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
         w->carried = take(base, &used, c->max_carried + 1u, sizeof(struct setup));
         w->pending = take(base, &used, bits, sizeof(uint32_t));
         w->spans = take(base, &used, c->band_rows, sizeof(struct span));
@@ -101,7 +102,7 @@ int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const stru
     }
 
     struct sheen_frame *f = arena;
-    memset(f, 0, sizeof *f);
+    memset(f, 0, needed);
     f->config = *config;
     (void)config_complete(&f->config);
     f->target = config->target;

@@ -122,7 +122,7 @@ struct sheen_draw {
 
 /* What the eye sees, a frame long. */
 struct sheen_view {
-    struct sheen_rect viewport; /* px on the target; empty: all of it */
+    struct sheen_rect viewport; /* px on the target, edges on its alignment; empty: all of it */
     sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken) */
     sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
     sheen_q24_t orthographic;   /* 0: perspective; else the depth at which fov measures: x, y do not depend on m */

@@ -87,23 +87,23 @@ static uint32_t in_space(uint32_t t, uint32_t w1, uint32_t w2, uint32_t *weight)
 /* slerp of the normals of corners a and b, t in space. Q1.30. */
 static void edge_normal(const int16_t a[3], const int16_t b[3], uint32_t angle, uint32_t t, int32_t out[3])
 {
-    int32_t ka, kb; /* Q1.30 */
+    int32_t ka, kb; /* Q11.20: 1/sine reaches 1300 before the ends count as opposite */
 
     if (angle < TINY_ANGLE) {
-        kb = (int32_t)(t >> 2);
-        ka = (1 << 30) - kb;
+        kb = (int32_t)(t >> 12);
+        ka = (1 << 20) - kb;
     } else if (angle > HALF_TURN - TINY_ANGLE) {
-        kb = t < HALF_TURN ? 0 : 1 << 30;
-        ka = (1 << 30) - kb;
+        kb = t < HALF_TURN ? 0 : 1 << 20;
+        ka = (1 << 20) - kb;
     } else {
         uint32_t part = mul_high(angle, t), sine = (uint32_t)sheen_sin(angle);
         unsigned zeros = clz32(sine);
         int64_t scale = sheen_reciprocal(sine << zeros); /* 1/sine = scale * 2^(zeros - 33) */
-        ka = (int32_t)round_shift64(sheen_sin(angle - part) * scale, 33 - zeros);
-        kb = (int32_t)round_shift64(sheen_sin(part) * scale, 33 - zeros);
+        ka = (int32_t)round_shift64(sheen_sin(angle - part) * scale, 43 - zeros);
+        kb = (int32_t)round_shift64(sheen_sin(part) * scale, 43 - zeros);
     }
-    for (int i = 0; i < 3; i++) /* Q0.15 times Q1.30; 1.0 of the normals is 32767 */
-        out[i] = (int32_t)asr64(((int64_t)a[i] * ka + (int64_t)b[i] * kb) * 32769, 30);
+    for (int i = 0; i < 3; i++) /* Q0.15 times Q11.20; 1.0 of the normals is 32767 */
+        out[i] = (int32_t)asr64(((int64_t)a[i] * ka + (int64_t)b[i] * kb) * 32769, 20);
 }
 
 /* Where row y crosses the edge from corner a down to corner b: x, weight and normal there. */
@@ -152,18 +152,26 @@ static int32_t sine_factor(struct ends e, const struct arc *arc)
     return (int32_t)round_shift64(over * scale, 33 - zeros);
 }
 
+/* At most +-1.0, though normals may be rounded outwards. */
+static int32_t held(int64_t x)
+{
+    const int64_t one = 1 << 30;
+
+    return (int32_t)(x > one ? one : x < -one ? -one : x);
+}
+
 static void light_row(const struct setup *s, const int32_t left[3], const int32_t right[3], const struct arc *arc,
                       struct slerp_row *row)
 {
     const struct lighting *l = &s->draw->light;
     int flat = arc->angle < TINY_ANGLE >> 6 || row->opposite; /* the left end's normal throughout */
     struct ends v = dots(left, right, l->view);
-    int32_t c = (int32_t)v.left, d = flat ? 0 : sine_factor(v, arc);
+    int32_t c = held(v.left), d = flat ? 0 : sine_factor(v, arc);
 
     for (unsigned i = 0; i < l->count; i++) {
         struct arc_light *at = &row->light[i];
         struct ends e = dots(left, right, l->to[i]);
-        at->a = (int32_t)e.left;
+        at->a = held(e.left);
         at->b = flat ? 0 : sine_factor(e, arc);
         /* 2 (a cos + b sin)(c cos + d sin) = ac + bd + (ac - bd) cos 2w + (ad + bc) sin 2w; Q2.29 */
         int32_t ac = mul_round(at->a, c, 31), bd = mul_round(at->b, d, 31);
@@ -305,7 +313,7 @@ void sheen_shade_slerp(const struct tile *t, const struct setup *s)
 
 /* ---- set-up ---- */
 
-int sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
+void sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
 {
     int32_t unit[3][3]; /* by corner and component, Q1.30 */
 
@@ -323,5 +331,4 @@ int sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
     s->fast = 0;
     for (int k = 0; k < 3; k++)
         s->shade.slerp.angle[k] = arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
-    return 1;
 }

@@ -16,6 +16,13 @@
 #define SHEEN_STATS 0
 #endif
 
+/* Kept out of its caller, whose stack it would stay on: the limit is 1 KB. */
+#ifdef __GNUC__
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
 #define SUBPIXEL_BITS 6 /* vertices are snapped to 1/64 px */
 #define SUBPIXEL_ONE 64
 #define SUBPIXEL_HALF 32                  /* a pixel's centre */
@@ -355,7 +362,7 @@ struct sheen_frame {
     void *scratch; /* two polygons of clip.c */
     struct draw_record *draw;
     struct band *band;
-    struct worker worker[MAX_WORKERS];
+    struct worker *worker; /* config.workers */
     struct sheen_stats stats;
     size_t arena_bytes;
 };
@@ -504,7 +511,8 @@ struct middles {
 };
 
 int sheen_node_products(struct node_products *p, const struct gradients *g);
-struct quadric sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n);
+void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
+                        struct quadric *q);
 void sheen_middles(const struct surface_corners *c, struct middles *m);
 struct quadric sheen_quadric(const struct gradients *g, uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy);
@@ -529,8 +537,7 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
                          const struct gradients *g);
 int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                             const struct gradients *g);
-int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                      const struct gradients *g);
+int sheen_setup_phong(struct setup *s, const struct surface_corners *c, const struct gradients *g);
 void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
 /* One colour from intensities: what flat shading and degenerate triangles use. */
 void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit);
@@ -538,7 +545,21 @@ void sheen_shade_flat(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s);
 void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s);
 void sheen_shade_phong_root(const struct tile *t, const struct setup *s);
-void sheen_shade_phong_blocks(const struct tile *t, const struct setup *s);
+/* L.N, V.N and N.N at a pixel of a row, and the last one's step. */
+struct normal_run {
+    uint32_t ln, nv, d, d_step;
+};
+
+/* A quadratic along a row, a step a pixel. */
+struct parabola {
+    int32_t value, step, bend;
+};
+
+int sheen_rescale(uint32_t *d, int32_t *ln, int32_t *nv);
+void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
+                          struct normal_run run);
+void sheen_shade_block(const struct tile *t, const struct setup *s, int32_t x, int32_t y, struct parabola diffuse,
+                       struct parabola reflected);
 void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s);
 void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s);
 void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s);
@@ -574,7 +595,7 @@ struct arc_block {
 
 void sheen_shade_arc(const struct tile *t, const struct setup *s, const struct slerp_row *row, struct arc_block *block,
                      int32_t x, int32_t y, unsigned length);
-int sheen_setup_slerp(struct setup *s, const struct surface_corners *c);
+void sheen_setup_slerp(struct setup *s, const struct surface_corners *c);
 void sheen_shade_slerp(const struct tile *t, const struct setup *s);
 
 #endif
