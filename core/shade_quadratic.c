@@ -27,7 +27,7 @@ SPECIALISED struct lit lit_of(struct power power, uint32_t diffuse, uint32_t sec
     return lit;
 }
 
-SPECIALISED uint32_t channel_of(const struct colour_terms *t, int k, struct lit lit, enum second kind)
+SPECIALISED uint32_t channel_lit(const struct colour_terms *t, int k, struct lit lit, enum second kind)
 {
     return t->a[k] + t->b[k] * lit.diffuse + (kind == SECOND_NONE ? 0 : t->c[k] * lit.specular);
 }
@@ -79,8 +79,8 @@ SPECIALISED void general_run(const struct tile *t, const struct setup *s, const 
     for (; x < x1; x++, at++) {
         if (nearer(t, t->depth + at, run.z)) {
             struct lit lit = lit_of(power_of(s->draw->material), run.diffuse, run.second, kind);
-            put_general(t, terms, rounding, at, x, channel_of(terms, 0, lit, kind), channel_of(terms, 1, lit, kind),
-                        channel_of(terms, 2, lit, kind));
+            put_general(t, terms, rounding, at, x, channel_lit(terms, 0, lit, kind), channel_lit(terms, 1, lit, kind),
+                        channel_lit(terms, 2, lit, kind));
         }
         run.z += s->depth.dx;
         run.diffuse += run.diffuse_step;
