@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-#define TE_TIMEOUT_US 200000 /* panels refresh 40 to 120 times a second */
+#define TE_TIMEOUT_US 1000000 /* panels refresh 40 to 120 times a second */
 
 static const char *given(const char *text)
 {
