@@ -94,27 +94,23 @@ void accuracy_ortho(struct ref_scene *scene)
     scene->affine = false; /* the same there */
 }
 
-int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,
-                   uint16_t *values)
+int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                   const struct sheen_mesh *mesh, unsigned way)
 {
     struct memory_target target;
-    struct ref_picture picture;
     int status;
 
+    if (scene->width * scene->height > ACCURACY_PIXELS)
+        return SHEEN_ERR_ARGUMENT;
     if (memory_target_init(&target, scene->width, scene->height, SHEEN_RGB565_BE) != 0)
         return SHEEN_ERR_MEMORY;
-    status = core_draw_scene(&target.target, scene, mesh, 16);
-    if (status == SHEEN_OK && ref_render(&picture, scene) != 0)
+    status = core_draw_scene_way(&target.target, scene, mesh, 16, way, &shot->stats);
+    for (int i = 0; i < scene->width * scene->height; i++)
+        shot->values[i] = (uint16_t)memory_target_pixel(&target, i % scene->width, i / scene->width);
+    memset(&shot->score, 0, sizeof shot->score);
+    if (status == SHEEN_OK && ref_compare(&shot->score, scene, picture, shot->values) != 0)
         status = SHEEN_ERR_MEMORY;
-    if (status == SHEEN_OK) {
-        for (int i = 0; i < scene->width * scene->height; i++)
-            values[i] = (uint16_t)memory_target_pixel(&target, i % scene->width, i / scene->width);
-        memset(score, 0, sizeof *score);
-        if (ref_compare(score, scene, &picture, values) != 0)
-            status = SHEEN_ERR_MEMORY;
-        ref_picture_free(&picture);
-    }
-    if (target.breaches > 0)
+    if (status == SHEEN_OK && target.breaches > 0)
         status = SHEEN_ERR_STATE;
     memory_target_free(&target);
     return status;

@@ -36,9 +36,18 @@ void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int ind
 void accuracy_more_lights(struct ref_scene *scene);
 void accuracy_ortho(struct ref_scene *scene);
 
-/* Draw the scene with both and compare. values: width * height of 565, for further use. 0 or a negative code. */
-int accuracy_score(struct ref_score *score, const struct ref_scene *scene, const struct sheen_mesh *mesh,
-                   uint16_t *values);
+#define ACCURACY_PIXELS (320 * 240) /* of the largest picture */
+
+/* A picture of the core's, and how it does against the reference's. */
+struct accuracy_shot {
+    struct ref_score score;
+    struct sheen_stats stats;
+    uint16_t values[ACCURACY_PIXELS]; /* 565, row by row */
+};
+
+/* Draw the scene, of which `picture` is the reference's, by the core; way as in struct sheen_draw. 0 or negative. */
+int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                   const struct sheen_mesh *mesh, unsigned way);
 
 /* True where the score keeps the limit for its shading. */
 bool accuracy_kept(const struct ref_score *score, enum ref_shading shading);

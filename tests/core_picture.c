@@ -185,6 +185,14 @@ void core_frame_free(struct core_frame *f)
 int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows)
 {
+    struct sheen_stats unused;
+
+    return core_draw_scene_way(target, scene, mesh, band_rows, 0, &unused);
+}
+
+int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                        int band_rows, unsigned way, struct sheen_stats *stats)
+{
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)band_rows,
                                   .max_vertices = mesh->vertices,
@@ -198,7 +206,8 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
                               .lights = lights,
                               .light_count = (uint8_t)scene->light_count,
                               .shading = (uint8_t)scene->shading,
-                              .two_sided = scene->two_sided};
+                              .two_sided = scene->two_sided,
+                              .way = (uint8_t)way};
     struct core_frame f;
     int status = core_frame_make(&f, &config);
 
@@ -210,6 +219,7 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
     if ((status = core_material(&material, scene)) == SHEEN_OK && (status = sheen_begin(f.frame, &view)) == SHEEN_OK &&
         (status = sheen_draw(f.frame, &draw)) == SHEEN_OK && (status = sheen_end(f.frame)) == SHEEN_OK)
         status = sheen_wait(f.frame);
+    sheen_frame_stats(f.frame, stats);
     core_frame_free(&f);
     return status;
 }

@@ -38,5 +38,8 @@ void core_frame_free(struct core_frame *f);
 /* Draw the scene with `mesh` to the target, in bands of band_rows. 0, or the code of what failed. */
 int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows);
+/* The same with struct sheen_draw's `way`; then *stats are the frame's. */
+int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                        int band_rows, unsigned way, struct sheen_stats *stats);
 
 #endif

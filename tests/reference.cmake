@@ -13,7 +13,8 @@ target_link_libraries(core_picture PUBLIC reference)
 
 sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_reference_mesh unit SOURCES test_reference_mesh.c LIBRARIES reference)
-sheen_test(test_accuracy accuracy SOURCES test_accuracy.c loaded_mesh.c LIBRARIES core_picture sheen_host sheen::core TIMEOUT 300)
+sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded_mesh.c
+  LIBRARIES core_picture sheen_host sheen::core TIMEOUT 300)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture sheen::core)

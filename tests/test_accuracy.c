@@ -1,113 +1,19 @@
 /*
  * test_accuracy.c - how close the integers come to the picture in double precision.
  *
- * Every picture is judged by itself; a line sums up one mesh, view and shading:
- * both sizes, perspective and affine, shininess 8, 32 and 128. With an argument
- * it writes each picture that fails as PPM files with that prefix: the core's,
- * the reference's, and where they differ.
+ * Every picture is judged by itself; a line sums up one mesh, view and shading: both sizes, perspective and
+ * affine, shininess 8, 32 and 128. There the core chooses how each triangle is shaded. Then each of the ways it
+ * chooses among is forced on all of the mesh's pictures, on every triangle that admits it (struct sheen_draw's
+ * `way`), and has to keep the same limits. With an argument each picture that fails is written as PPM files with
+ * that prefix.
  */
 #include <stdio.h>
-#include <string.h>
 
-#include "accuracy.h"
+#include "accuracy_line.h"
 #include "loaded_mesh.h"
 
 static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 static const char *prefix;
-
-/* The lowest shares and the worst pixel of a line's pictures. */
-struct line {
-    double compared, equal, mean, within_one, highlight;
-    int worst, pictures, failed;
-    char lowest[64]; /* which picture had the lowest equal share */
-};
-
-static void write_ppm(const char *what, const struct ref_scene *scene, const uint16_t *values)
-{
-    static int number;
-    char name[256];
-
-    snprintf(name, sizeof name, "%s%03d-%s.ppm", prefix, number++ / 3, what);
-    FILE *file = fopen(name, "wb");
-    if (!file) {
-        perror(name);
-        return;
-    }
-    fprintf(file, "P6\n%d %d\n255\n", scene->width, scene->height);
-    for (int i = 0; i < scene->width * scene->height; i++) {
-        int r = values[i] >> 11, g = values[i] >> 5 & 63, b = values[i] & 31;
-        fputc(r << 3 | r >> 2, file);
-        fputc(g << 2 | g >> 4, file);
-        fputc(b << 3 | b >> 2, file);
-    }
-    fclose(file);
-}
-
-static void write_difference(const struct ref_scene *scene, uint16_t *values)
-{
-    struct ref_picture picture;
-
-    if (!prefix || ref_render(&picture, scene) != 0)
-        return;
-    write_ppm("core", scene, values);
-    for (int i = 0; i < scene->width * scene->height; i++) {
-        uint16_t core = values[i];
-        values[i] = picture.pixels[i].value;
-        picture.pixels[i].value = core == values[i] ? 0 : 0xffff;
-    }
-    write_ppm("reference", scene, values);
-    for (int i = 0; i < scene->width * scene->height; i++)
-        values[i] = picture.pixels[i].value;
-    write_ppm("differing", scene, values);
-    ref_picture_free(&picture);
-}
-
-static double share(long part, long whole)
-{
-    return whole > 0 ? (double)part / (double)whole : 1;
-}
-
-static void add(struct line *line, const struct ref_score *score, const struct ref_scene *scene)
-{
-    double equal = share(score->equal, score->compared), highlight = share(score->highlight_equal, score->highlight);
-
-    if (line->pictures == 0 || equal < line->equal) {
-        line->equal = equal;
-        snprintf(line->lowest, sizeof line->lowest, "%dx%d %s n %.0f", scene->width, scene->height,
-                 scene->affine ? "affine" : "correct", scene->shininess);
-    }
-    line->mean += equal;
-    line->pictures++;
-    line->compared = line->compared < share(score->compared, score->covered) ? line->compared
-                                                                             : share(score->compared, score->covered);
-    line->within_one = line->within_one < share(score->within_one, score->compared)
-                           ? line->within_one
-                           : share(score->within_one, score->compared);
-    line->highlight = line->highlight < highlight ? line->highlight : highlight;
-    line->worst = line->worst > score->worst ? line->worst : score->worst;
-}
-
-/* One picture: 0 where it keeps the limits, 1 where not, negative where it could not be drawn. */
-static int judge(struct line *line, const struct ref_scene *scene, const struct sheen_mesh *mesh)
-{
-    static uint16_t values[640 * 480];
-    struct ref_score score;
-    int status = accuracy_score(&score, scene, mesh, values);
-
-    if (status < 0) {
-        printf("  not drawn: %s\n", sheen_strerror(status));
-        return status;
-    }
-    add(line, &score, scene);
-    if (accuracy_kept(&score, scene->shading))
-        return 0;
-    printf("  FAILED %dx%d %s n %.0f: %ld covered, %ld compared, %ld equal, %ld within one step, worst %d at (%d, %d) "
-           "of triangle %u\n",
-           scene->width, scene->height, scene->affine ? "affine" : "correct", scene->shininess, score.covered,
-           score.compared, score.equal, score.within_one, score.worst, score.worst_x, score.worst_y, score.cause);
-    write_difference(scene, values);
-    return 1;
-}
 
 /* What a line varies besides. */
 enum variant {
@@ -117,12 +23,106 @@ enum variant {
 };
 static const char *const variant_name[] = {"", "lights", "ortho"};
 
+/* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
+#define FORCED 7
+static const struct forced {
+    enum ref_shading shading;
+    enum sheen_way way, exact;
+    const char *name;
+} forced[FORCED] = {
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud linear"},
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUADRATIC, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quadratic"},
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUOTIENT, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quotient"},
+    {REF_PHONG, SHEEN_WAY_PHONG_LINEAR, SHEEN_WAY_PHONG_ROOT, "phong linear"},
+    {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic"},
+    {REF_PHONG, SHEEN_WAY_PHONG_BLOCKS, SHEEN_WAY_PHONG_ROOT, "phong blocks"},
+    {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root"},
+};
+
+/* Of one mesh and shading: what was chosen, and what was forced. */
+struct mesh_lines {
+    struct accuracy_line chosen, by_force[FORCED];
+};
+
+static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
+
+/* Without perspective linear is exact and the only way; with several lights Phong has one way. */
+static bool has_ways(const struct ref_scene *scene, const struct forced *f)
+{
+    if (f->shading == REF_PHONG)
+        return scene->light_count == 1;
+    return f->way == SHEEN_WAY_GOURAUD_LINEAR || !(scene->affine || scene->ortho);
+}
+
+/* True where no triangle took a way that it should not: one colour is for those too flat, or out of the light. */
+static bool obeyed(const struct sheen_stats *stats, const struct forced *f, const struct ref_scene *scene)
+{
+    bool right = true;
+
+    for (int way = 0; way < SHEEN_WAYS; way++) {
+        bool flat_weight =
+            way == SHEEN_WAY_GOURAUD_LINEAR; /* a triangle at right angles to the view: linear is exact */
+        if (way != SHEEN_WAY_FLAT && way != (int)f->way && way != (int)f->exact && !flat_weight)
+            right = right && stats->by_way[way] == 0;
+    }
+    if (!right)
+        printf("  FAILED %s: ways that were not asked for, %dx%d n %.0f\n", f->name, scene->width, scene->height,
+               scene->shininess);
+    return right;
+}
+
+static int draw_and_add(struct accuracy_line *line, struct accuracy_shot *shot, const struct ref_scene *scene,
+                        const struct ref_picture *picture, const struct sheen_mesh *mesh, int view, unsigned way)
+{
+    int status = accuracy_shoot(shot, scene, picture, mesh, way);
+
+    if (status < 0) {
+        printf("  FAILED not drawn: %s\n", sheen_strerror(status));
+        return 1;
+    }
+    int failed = accuracy_line_add(line, shot, scene, view);
+    if (failed && prefix)
+        accuracy_write_difference(prefix, scene, picture, shot);
+    return failed;
+}
+
+/* One picture, chosen and forced. Pictures that failed. */
+static int judge(struct accuracy_line *line, struct mesh_lines *lines, const struct ref_scene *scene,
+                 const struct sheen_mesh *mesh, int view)
+{
+    static struct accuracy_shot shot;
+    struct ref_picture picture;
+    int failed;
+
+    if (ref_render(&picture, scene) != 0) {
+        printf("  FAILED out of memory\n");
+        return 1;
+    }
+    failed = draw_and_add(line, &shot, scene, &picture, mesh, view, 0);
+    lines->chosen.setups += shot.stats.setups;
+    for (int way = 0; way < SHEEN_WAYS; way++)
+        lines->chosen.by_way[way] += shot.stats.by_way[way];
+    for (int i = 0; i < FORCED; i++) {
+        const struct forced *f = &forced[i];
+        if (f->shading != scene->shading || !has_ways(scene, f))
+            continue;
+        failed += draw_and_add(&lines->by_force[i], &shot, scene, &picture, mesh, view, 1 + f->way);
+        failed += !obeyed(&shot.stats, f, scene);
+    }
+    ref_picture_free(&picture);
+    return failed;
+}
+
 /* A line of the table: 12 pictures. */
-static int judge_line(const struct accuracy_mesh *mesh, int view, enum ref_shading shading, enum variant variant)
+static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh, int view, enum ref_shading shading,
+                      enum variant variant)
 {
     static const double shininess[3] = {8, 32, 128};
-    struct line line = {.compared = 1, .within_one = 1, .highlight = 1};
+    struct accuracy_line line;
+    char what[32];
+    int failed = 0;
 
+    accuracy_line_begin(&line);
     for (int i = 0; i < 12; i++) {
         struct ref_scene scene;
         accuracy_view(&scene, &mesh->reference, view);
@@ -134,30 +134,51 @@ static int judge_line(const struct accuracy_mesh *mesh, int view, enum ref_shadi
             accuracy_more_lights(&scene);
         if (variant == ORTHO)
             accuracy_ortho(&scene);
-        int status = judge(&line, &scene, mesh->mesh);
-        if (status < 0)
-            return status;
-        line.failed += status;
+        failed += judge(&line, lines, &scene, mesh->mesh, view);
     }
-    printf("%-15s %d %-6s %-8s %6.1f %% %7.2f %% %7.2f %% %8.3f %% %3d %8.2f %%  %s\n", mesh->name, view,
-           variant_name[variant], shading_name[shading], 100 * line.compared, 100 * line.mean / line.pictures,
-           100 * line.equal, 100 * line.within_one, line.worst, 100 * line.highlight, line.lowest);
-    return line.failed;
-}
-
-static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading)
-{
-    int failed = 0;
-
-    for (int view = 0; view < ACCURACY_VIEWS; view++)
-        failed += judge_line(mesh, view, shading, PLAIN) != 0;
-    failed += judge_line(mesh, 1, shading, LIGHTS) != 0;
-    failed += judge_line(mesh, 0, shading, ORTHO) != 0;
+    snprintf(what, sizeof what, "%d %s", view, variant_name[variant]);
+    accuracy_line_print(&line, mesh->name, what, shading_name[shading]);
     return failed;
 }
 
-/* The command's own way: its reader, normals, splitting and numbers against the reference's. Flat: too fine. */
-static int judge_loaded(const char *name)
+static void print_ways(const struct mesh_lines *lines, const struct accuracy_mesh *mesh, enum ref_shading shading)
+{
+    for (int i = 0; i < FORCED; i++) {
+        const struct accuracy_line *line = &lines->by_force[i];
+        char what[32];
+        if (forced[i].shading != shading)
+            continue;
+        snprintf(what, sizeof what, "%5.1f %%", 100 * accuracy_line_share(line, forced[i].way));
+        accuracy_line_print(line, mesh->name, what, forced[i].name);
+        took[i] += line->by_way[forced[i].way];
+        allowed[i] += line->setups;
+    }
+    if (shading == REF_GOURAUD || shading == REF_PHONG) {
+        printf("%-14s %s, as chosen: ", mesh->name, shading_name[shading]);
+        accuracy_line_print_ways(&lines->chosen);
+        printf("\n");
+    }
+}
+
+/* Pictures that failed. */
+static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading)
+{
+    struct mesh_lines lines;
+    int failed = 0;
+
+    accuracy_line_begin(&lines.chosen);
+    for (int i = 0; i < FORCED; i++)
+        accuracy_line_begin(&lines.by_force[i]);
+    for (int view = 0; view < ACCURACY_VIEWS; view++)
+        failed += judge_line(&lines, mesh, view, shading, PLAIN);
+    failed += judge_line(&lines, mesh, 1, shading, LIGHTS);
+    failed += judge_line(&lines, mesh, 0, shading, ORTHO);
+    print_ways(&lines, mesh, shading);
+    return failed;
+}
+
+/* The command's own way: its reader, normals, splitting and numbers against the reference's. Flat: if coarse. */
+static int judge_loaded(const char *name, enum ref_shading first)
 {
     struct accuracy_mesh mesh;
     struct loaded_mesh loaded;
@@ -166,7 +187,7 @@ static int judge_loaded(const char *name)
     if (loaded_mesh_make(&loaded, name) != 0)
         return 1;
     mesh = (struct accuracy_mesh){.name = loaded.name, .reference = loaded.reference, .mesh = &loaded.quantised.mesh};
-    for (int shading = REF_GOURAUD; shading <= REF_SLERP; shading++)
+    for (int shading = (int)first; shading <= REF_SLERP; shading++)
         failed += judge_mesh(&mesh, (enum ref_shading)shading);
     loaded_mesh_free(&loaded);
     return failed;
@@ -188,17 +209,35 @@ static int judge_shape(int index)
     return failed;
 }
 
+/* A way that hardly a triangle admits has not been tried. */
+static int judge_shares(void)
+{
+    int failed = 0;
+
+    for (int i = 0; i < FORCED; i++) {
+        printf("forced %-18s taken by %8llu of %8llu set-ups\n", forced[i].name, (unsigned long long)took[i],
+               (unsigned long long)allowed[i]);
+        if (took[i] < allowed[i] / 50) {
+            printf("  FAILED too few for a test\n");
+            failed++;
+        }
+    }
+    return failed;
+}
+
 int main(int argc, char **argv)
 {
     static const char *const loaded[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "data/egg.obj"};
     int failed = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
-    printf("mesh            view     shading compared  equal mean   lowest   within 1  worst  in highl.  lowest at\n");
+    accuracy_line_heading();
     for (size_t i = 0; i < sizeof loaded / sizeof *loaded; i++)
-        failed += judge_loaded(loaded[i]);
+        failed += judge_loaded(loaded[i], REF_GOURAUD);
+    failed += judge_loaded("data/star.obj", REF_FLAT);
     for (int index = 0; index < ACCURACY_SHAPES; index++)
         failed += judge_shape(index);
-    printf("%d lines outside their limits\n", failed);
+    failed += judge_shares();
+    printf("%d pictures outside their limits\n", failed);
     return failed != 0;
 }
