@@ -79,7 +79,7 @@ int main(int argc, char **argv)
         return finish(SHEEN_EXIT_OK);
     }
     if (strcmp(name, "--version") == 0) {
-        printf("sheen %s\n", SHEEN_VERSION);
+        sheen_options_version();
         return finish(SHEEN_EXIT_OK);
     }
     for (const struct sheen_command *command = sheen_command_table; command->name; command++) {

@@ -28,8 +28,9 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(size), 0, 0, 0},
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
      SHEEN_OPTION_WHOLE, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
-    {"shade", "flat|gouraud|phong", "phong", "one normal a polygon, light at the corners, or normals at the pixels",
-     SHEEN_OPTION_CHOICE, SHEEN_RENDER, AT(shade), 0, 0, 0},
+    {"shade", "flat|gouraud|phong|slerp", "phong",
+     "a normal a polygon; light at the corners; normals at the pixels; normals along great arcs", SHEEN_OPTION_CHOICE,
+     SHEEN_RENDER, AT(shade), 0, 0, 0},
     {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw), -ANY, ANY, 0},
     {"pitch", "DEG", "20", "then about x", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(pitch), -ANY, ANY, 0},
     {"roll", "DEG", "0", "then about z", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(roll), -ANY, ANY, 0},
@@ -38,6 +39,8 @@ const struct sheen_option sheen_option_table[] = {
     {"fov", "DEG", "40", "vertical field of view", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(fov), 1, 150, 0},
     {"perspective", "correct|affine", "correct", "shading linear in space, or on the screen", SHEEN_OPTION_CHOICE,
      SHEEN_RENDER, AT(affine), 0, 0, 0},
+    {"ortho", NULL, NULL, "no perspective: sizes as at the mesh's centre", SHEEN_OPTION_FLAG, SHEEN_RENDER, AT(ortho),
+     0, 0, 0},
     {"light", "X,Y,Z", "-0.5,0.7,0.5", "direction to a light, seen from the eye; up to 4 times", SHEEN_OPTION_LIGHT,
      SHEEN_RENDER, AT(lights), 0, 0, 0},
     {"ambient", "K", "0.1", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(ambient), 0, 4, 0},
@@ -47,7 +50,8 @@ const struct sheen_option sheen_option_table[] = {
     {"shininess", "N", "32", "its sharpness, the exponent", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(shininess), 1, 128, 0},
     {"color", "RRGGBB|file", "c8a050", "of the mesh, or as the file's materials say", SHEEN_OPTION_PAINT, SHEEN_RENDER,
      AT(color), 0, 0, 0},
-    {"background", "RRGGBB", "000020", "", SHEEN_OPTION_COLOR, SHEEN_RENDER, AT(background), 0, 0, 0},
+    {"background", "RRGGBB", "000020", "what is behind the mesh", SHEEN_OPTION_COLOR, SHEEN_RENDER, AT(background), 0,
+     0, 0},
     {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
      SHEEN_RENDER, AT(two_sided), 0, 0, 0},
     {"normals", "file|average", "file", "the file's normals where it has them, or always averages of the faces",
@@ -56,12 +60,14 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_RENDER | SHEEN_BAKE, AT(crease), 0, 180, 0},
     {"dither", "off|on", NULL, "ordered 8x8 [on for 2 and 16 grey levels]", SHEEN_OPTION_CHOICE, SHEEN_RENDER,
      AT(dither), 0, 0, 0},
-    {"band", "ROWS", "16", "rows drawn and sent at a time", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(band), 1, 480, 0},
+    {"band", "ROWS", NULL, "rows drawn and sent at a time [16, or all of a lower picture]", SHEEN_OPTION_WHOLE,
+     SHEEN_RENDER, AT(band), 1, 480, 0},
     {"buffers", "1|2", "1", "2: draw a band while the last one is sent", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(buffers),
      1, 2, 0},
-    {"frames", "N", "1", "pictures, the mesh turning by the yaw step from one to the next", SHEEN_OPTION_WHOLE,
-     SHEEN_RENDER, AT(frames), 1, 10000, 0},
-    {"yaw-step", "DEG", "6", "", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw_step), -ANY, ANY, 0},
+    {"frames", "N", "1", "so many pictures of the turning mesh", SHEEN_OPTION_WHOLE, SHEEN_RENDER, AT(frames), 1, 10000,
+     0},
+    {"yaw-step", "DEG", "6", "turn from a picture to the next", SHEEN_OPTION_REAL, SHEEN_RENDER, AT(yaw_step), -ANY,
+     ANY, 0},
     {"stats", NULL, NULL, "a line of JSON a frame on standard output", SHEEN_OPTION_FLAG, SHEEN_RENDER, AT(stats), 0, 0,
      0},
     {NULL, NULL, NULL, NULL, SHEEN_OPTION_FLAG, 0, 0, 0, 0, 0},
@@ -70,6 +76,7 @@ const struct sheen_option sheen_option_table[] = {
 enum {
     MAX_OPTIONS = 64,
     HELP = 1000, /* values of struct option: the number of a table entry plus FIRST */
+    VERSION = 1001,
     FIRST = 2000
 };
 
@@ -89,6 +96,7 @@ static void make_getopt(unsigned command, struct option *longs, char *letters)
             letters += sprintf(letters, "%c%s", option->letter, option->argument ? ":" : "");
     }
     longs[count++] = (struct option){"help", no_argument, NULL, HELP};
+    longs[count++] = (struct option){"version", no_argument, NULL, VERSION};
     longs[count] = (struct option){NULL, 0, NULL, 0};
 }
 
@@ -163,11 +171,20 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
             sheen_options_help(command);
             return 0;
         }
+        if (answer == VERSION) {
+            sheen_options_version();
+            return 0;
+        }
         if (answer == '?' || answer == ':')
             return refuse(answer, argv, problem);
         error = sheen_option_set(options, find_option(answer), optarg, problem);
     }
     return error ? error : take_operand(options, command, argc, argv, problem);
+}
+
+void sheen_options_version(void)
+{
+    printf("sheen %s\n", SHEEN_VERSION);
 }
 
 void sheen_options_help(const struct sheen_command *command)

@@ -53,10 +53,11 @@ struct sheen_options {
     int shininess;
     struct sheen_paint color;
     uint8_t background[3];
-    int two_sided, average, affine;
+    int two_sided, average, affine, ortho;
     double crease; /* degrees; < 0: off */
     int dither;    /* -1: not given */
-    int band, buffers;
+    int band;      /* rows; 0: not given */
+    int buffers;
     int frames;
     int stats;
     const char *name; /* bake: of the mesh, a C identifier; NULL: from the output's name */
@@ -98,10 +99,13 @@ extern const struct sheen_option sheen_option_table[];
 
 /*
  * Defaults, then argv[1..]; options and the operand may stand in any order.
- * 1: go on; 0: help was asked for and printed; SHEEN_ERR_ARGUMENT and *problem.
+ * 1: go on; 0: help or the version was asked for and printed; SHEEN_ERR_ARGUMENT and *problem.
  */
 int sheen_options_parse(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
                         struct sheen_problem *problem);
+
+/* --version, on standard output. */
+void sheen_options_version(void);
 
 /* --help of a command, on standard output. */
 void sheen_options_help(const struct sheen_command *command);

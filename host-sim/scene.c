@@ -91,6 +91,7 @@ static void set_view(struct sheen_scene *scene)
     view->near = to_q24(fmax(options->distance - 1.05, 0.05));
     view->far = to_q24(options->distance + 1.05);
     view->fov = to_angle(options->fov);
+    view->orthographic = options->ortho ? to_q24(options->distance) : 0;
     view->affine = (uint8_t)options->affine;
     view->dither = options->dither < 0 ? scene->target->pixel == SHEEN_GREY2 || scene->target->pixel == SHEEN_GREY16
                                        : (uint8_t)options->dither;
