@@ -7,6 +7,7 @@
  * from its inner end, so two triangles that share it get the same point. The
  * sides cut at 510.5 px, so that the point lies inside the guard band of 511.
  */
+#include "newton.h"
 #include "stages.h"
 
 #define CUT_SIDE (511 * 2 - 1) /* half px */
@@ -53,7 +54,7 @@ static void cut_edge(const struct projection *p, const struct clip_corner *a, co
 
     if (da > 0) {
         unsigned bits = 64 - clz64((uint64_t)(da - db)), drop = bits > 32 ? bits - 32 : 0;
-        t = (int32_t)(((da >> drop) << 30) / ((da - db) >> drop));
+        t = (int32_t)(sheen_ratio((uint32_t)(da >> drop), (uint32_t)((da - db) >> drop)) >> 2);
     }
     for (int k = 0; k < 3; k++) {
         out->eye[k] = between(a->eye[k], b->eye[k], t);

@@ -18,6 +18,14 @@ uint32_t sheen_reciprocal(uint32_t x)
     return result > UINT32_MAX ? UINT32_MAX : (uint32_t)result;
 }
 
+uint32_t sheen_ratio(uint32_t a, uint32_t b)
+{
+    unsigned zeros = clz32(b);
+    uint64_t q = ((uint64_t)a * sheen_reciprocal(b << zeros)) >> (31 - zeros); /* 1/b = reciprocal * 2^(zeros - 63) */
+
+    return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
+}
+
 uint32_t sheen_reciprocal_root(uint32_t x)
 {
     uint32_t seed = root_seed(x >> 1) << 16;    /* UQ1.31 */

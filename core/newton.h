@@ -45,6 +45,9 @@ static inline uint32_t root_seed(uint32_t d)
 /* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */
 uint32_t sheen_reciprocal(uint32_t x);
 
+/* a / b for 0 <= a <= b, b > 0, any common scale: UQ0.32, within 2^-28; 1.0 comes as 0xffffffff. */
+uint32_t sheen_ratio(uint32_t a, uint32_t b);
+
 /* 1/sqrt(x) for x: UQ0.32 in [1/4, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */
 uint32_t sheen_reciprocal_root(uint32_t x);
 

@@ -72,10 +72,16 @@ void sheen_format_begin(struct pixel_format *format, const struct sheen_target *
         format->scale[k] = format->grey ? ((1u << format->level_bits) - 1) * weight[k] : (k == 1 ? 63u : 31u) << 16;
 }
 
-/* scale * colour / 255 * intensity, UQ.32. Range: 2^24 * 2^8 * 2^22 = 2^54. */
+/* A byte of colour as UQ1.16, 255 = 1.0 exactly, within half a step. */
+static uint32_t colour_share(uint8_t colour)
+{
+    return colour * 257u + (colour >> 7);
+}
+
+/* scale * colour * intensity, UQ.32. Range: 2^24 * 2^16 * 2^22 = 2^62. */
 static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
 {
-    return ((uint64_t)format->scale[k] * colour * intensity + 127) / 255;
+    return ((uint64_t)format->scale[k] * colour_share(colour) * intensity) >> 16;
 }
 
 /*
@@ -116,7 +122,7 @@ uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb
     uint32_t channel[3], sum = 0; /* UQ8.16 */
 
     for (int k = 0; k < 3; k++) {
-        channel[k] = (uint32_t)(((uint64_t)format->scale[k] * rgb[k] + 127) / 255);
+        channel[k] = (uint32_t)(((uint64_t)format->scale[k] * colour_share(rgb[k])) >> 16);
         sum += channel[k];
     }
     if (format->grey)

@@ -122,7 +122,7 @@ static void shading_begin(const struct sheen_frame *f, struct setup *s, const st
         sheen_setup_mean_normal(f, s, c);
     else if (shading == SHEEN_SLERP)
         sheen_setup_slerp(s, c);
-    else if (!(s->draw->light.count == 1 && sheen_setup_phong_nodes(f, s, c, g)) && !sheen_setup_phong(s, c, g))
+    else if (!(s->draw->light.count == 1 && sheen_setup_phong_nodes(f, s, c, g)) && !sheen_setup_phong(f, s, c, g))
         sheen_setup_mean_normal(f, s, c);
 }
 

@@ -103,7 +103,8 @@ static uint8_t block_shift(const struct slope slope[3])
 }
 
 /* Returns 0 where the normal's steps do not fit. */
-int sheen_setup_phong(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                      const struct gradients *g)
 {
     const struct lighting *l = &s->draw->light;
     int32_t n[3][3];
@@ -112,7 +113,7 @@ int sheen_setup_phong(struct setup *s, const struct surface_corners *c, const st
     weighted_normals(c, n);
     if (!normal_slopes(g, n, slope))
         return 0;
-    s->fast = 0;
+    s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
     if (l->count > 1) {
         s->way = SHEEN_WAY_PHONG_LIGHTS;
         for (int i = 0; i < 3; i++)

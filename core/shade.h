@@ -8,7 +8,11 @@
 #include "stages.h"
 
 /* Loops are written once and specialised by constant arguments. */
+#if FAST_LOOPS
 #define SPECIALISED static inline __attribute__((always_inline))
+#else
+#define SPECIALISED static inline
+#endif
 
 /* Pixels that pass the depth test, in builds that count them. */
 #if SHEEN_STATS

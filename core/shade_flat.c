@@ -16,7 +16,7 @@ void sheen_shade_flat(const struct tile *t, const struct setup *s)
         for (; x < x1; x++, at++, z += s->depth.dx) {
             if (!nearer(t, t->depth + at, z))
                 continue;
-            if (s->fast)
+            if (FAST_LOOPS && s->fast)
                 ((uint16_t *)t->pixels)[at] = s->shade.flat.pixel;
             else
                 put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);

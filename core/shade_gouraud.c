@@ -55,7 +55,7 @@ void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s)
             continue;
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
         uint32_t channel[3] = {plane_at(&c[0], x, y), plane_at(&c[1], x, y), plane_at(&c[2], x, y)};
-        if (s->fast)
+        if (FAST_LOOPS && s->fast)
             linear_run(t, at, (uint32_t)(x1 - x), z, s, channel);
         else
             linear_run_general(t, at, x, x1, y, z, s, channel);

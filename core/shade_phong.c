@@ -52,15 +52,15 @@ SPECIALISED void light_pixel(struct power power, int32_t lv1, int32_t ln, int32_
     lit->specular = power_at(power, (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)normalised(nv, root)));
 }
 
-/* Pixels x..x1 with a root each. */
-void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
-                          struct normal_run run)
+/* Pixels x..x1 with a root each; fast is a constant argument, rounding then is in the terms. */
+SPECIALISED void root_run(const struct tile *t, const struct setup *s, const struct colour_terms *terms, int32_t x,
+                          int32_t x1, int32_t y, struct normal_run run, int fast)
 {
-    const struct colour_terms *terms = &s->draw->colour;
     const struct power power = power_of(s->draw->material);
     const int32_t lv1 = s->draw->light.lv1[0];
     const uint32_t dz = s->depth.dx, dln = s->shade.phong.light.dx, dnv = s->shade.phong.view.dx;
     const uint32_t ddd = s->shade.phong.square.dxx;
+    const unsigned fraction = terms->fraction, swap = t->format->swap;
     struct rounding rounding = rounding_of(t, terms, y);
     uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
 
@@ -68,14 +68,32 @@ void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x
         if (nearer(t, t->depth + at, z)) {
             struct lit lit;
             light_pixel(power, lv1, (int32_t)run.ln, (int32_t)run.nv, run.d, &lit);
-            put_general(t, terms, rounding, at, x, colour_channel(terms, 0, &lit), colour_channel(terms, 1, &lit),
-                        colour_channel(terms, 2, &lit));
+            uint32_t r = colour_channel(terms, 0, &lit), g = colour_channel(terms, 1, &lit);
+            uint32_t b = colour_channel(terms, 2, &lit);
+            if (fast)
+                ((uint16_t *)t->pixels)[at] = fast_pixel(r, g, b, fraction, swap);
+            else
+                put_general(t, terms, rounding, at, x, r, g, b);
         }
         run.ln += dln;
         run.nv += dnv;
         run.d += run.d_step;
         run.d_step += ddd;
     }
+}
+
+void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
+                          struct normal_run run)
+{
+    struct colour_terms terms = s->draw->colour;
+
+    if (!FAST_LOOPS || !s->fast) {
+        root_run(t, s, &terms, x, x1, y, run, 0);
+        return;
+    }
+    for (int k = 0; k < 3; k++) /* + 1/2 once for all pixels */
+        terms.a[k] += 1u << (terms.fraction - 1);
+    root_run(t, s, &terms, x, x1, y, run, 1);
 }
 
 /* A block from pixel x on: both parabolas stepped. */

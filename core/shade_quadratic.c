@@ -126,7 +126,7 @@ static APART void general_rows(const struct tile *t, const struct setup *s, enum
 
 void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s)
 {
-    if (s->fast)
+    if (FAST_LOOPS && s->fast)
         quadratic_rows(t, s, SECOND_NONE, 1);
     else
         general_rows(t, s, SECOND_NONE);
@@ -134,7 +134,7 @@ void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s)
 
 void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s)
 {
-    if (s->fast)
+    if (FAST_LOOPS && s->fast)
         quadratic_rows(t, s, SECOND_SPECULAR, 1);
     else
         general_rows(t, s, SECOND_SPECULAR);
@@ -142,7 +142,7 @@ void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s)
 
 void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s)
 {
-    if (s->fast)
+    if (FAST_LOOPS && s->fast)
         quadratic_rows(t, s, SECOND_POWER, 1);
     else
         general_rows(t, s, SECOND_POWER);

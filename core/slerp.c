@@ -64,22 +64,13 @@ static struct arc arc_between(const int32_t a[3], const int32_t b[3])
     return arc;
 }
 
-/* a / b for 0 <= a <= b, b > 0, any common scale: UQ0.32, 1.0 as 0xffffffff. */
-static uint32_t ratio(uint32_t a, uint32_t b)
-{
-    unsigned zeros = clz32(b);
-    uint64_t q = ((uint64_t)a * sheen_reciprocal(b << zeros)) >> (31 - zeros);
-
-    return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
-}
-
 /* t from t*: t* w2 / ((1 - t*) w1 + t* w2); weights UQ0.32. */
 static uint32_t in_space(uint32_t t, uint32_t w1, uint32_t w2, uint32_t *weight)
 {
     uint32_t part = mul_high(t, w2), rest = mul_high(~t, w1);
 
     *weight = rest + part;
-    return w1 == w2 ? t : ratio(part, *weight > part ? *weight : part + 1);
+    return w1 == w2 ? t : sheen_ratio(part, *weight > part ? *weight : part + 1);
 }
 
 /* ---- the ends of a row ---- */
@@ -112,7 +103,7 @@ static void cross_edge(const struct tile *t, const struct setup *s, unsigned a, 
 {
     int32_t ya = s->shade.slerp.y[a] + t->centre_y, height = s->shade.slerp.y[b] - s->shade.slerp.y[a];
     int32_t xa = s->shade.slerp.x[a] + t->centre_x, across = s->shade.slerp.x[b] - s->shade.slerp.x[a];
-    uint32_t part = ratio((uint32_t)(y * SUBPIXEL_ONE + SUBPIXEL_HALF - ya), (uint32_t)height);
+    uint32_t part = sheen_ratio((uint32_t)(y * SUBPIXEL_ONE + SUBPIXEL_HALF - ya), (uint32_t)height);
     uint32_t wa = (uint32_t)s->shade.slerp.weight[a] << 16, wb = (uint32_t)s->shade.slerp.weight[b] << 16;
 
     *x = xa * 1024 + (int32_t)asr64((int64_t)across * part, 22); /* Q15.16 px */
@@ -237,7 +228,7 @@ static uint32_t angle_at(const struct slerp_row *row, int32_t x)
 
     if (from <= 0 || row->width <= 0)
         return 0;
-    t = from >= row->width ? UINT32_MAX : ratio((uint32_t)from, (uint32_t)row->width);
+    t = from >= row->width ? UINT32_MAX : sheen_ratio((uint32_t)from, (uint32_t)row->width);
     if (!row->even)
         t = in_space(t, row->weight[0], row->weight[1], &weight);
     if (row->opposite)

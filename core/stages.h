@@ -16,6 +16,18 @@
 #define SHEEN_STATS 0
 #endif
 
+/*
+ * Loops of their own for 565 without clamp or dither; builds for size take the
+ * general ones, which give the same pixels.
+ */
+#ifndef FAST_LOOPS
+#ifdef __OPTIMIZE_SIZE__
+#define FAST_LOOPS 0
+#else
+#define FAST_LOOPS 1
+#endif
+#endif
+
 /* Kept out of its caller, whose stack it would stay on: the limit is 1 KB. */
 #ifdef __GNUC__
 #define APART __attribute__((noinline))
@@ -370,7 +382,7 @@ struct sheen_frame {
 /* 1 where pixels are 565 without dither: the half of the one rounding can be added in advance. */
 static inline uint8_t sheen_rounds_early(const struct sheen_frame *f)
 {
-    return !f->format.grey && !f->view.dither;
+    return FAST_LOOPS && !f->format.grey && !f->view.dither;
 }
 
 /* 1 where a way is not ruled out by a draw that forces another. */
@@ -537,7 +549,8 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
                          const struct gradients *g);
 int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
                             const struct gradients *g);
-int sheen_setup_phong(struct setup *s, const struct surface_corners *c, const struct gradients *g);
+int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                      const struct gradients *g);
 void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
 /* One colour from intensities: what flat shading and degenerate triangles use. */
 void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit);

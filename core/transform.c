@@ -31,6 +31,16 @@ static struct scaled reciprocal_of(sheen_q24_t m)
     return s;
 }
 
+/* The product of two. */
+static struct scaled scaled_times(struct scaled a, struct scaled b)
+{
+    uint64_t product = (uint64_t)a.mantissa * b.mantissa; /* in [2^62, 2^64) */
+    unsigned zeros = clz64(product);
+    struct scaled s = {(uint32_t)((product << zeros) >> 32), a.exponent + b.exponent + 1 - (int)zeros};
+
+    return s;
+}
+
 /* a * b, Q.8. Below 2^41 for depth / m with m >= near. */
 static int64_t product_q8(struct scaled a, struct scaled b)
 {
@@ -68,23 +78,26 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
     if (view->near <= 0 || span <= 0 || span < view->far >> 15 || view->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;
 
-    /* height / 2 / tan(half): cosine and sine in Q1.30, the quotient in Q.21. Range: 480 * 2^50 < 2^59. */
-    p->focal = scaled_of(((uint64_t)height * (uint32_t)sheen_cos(half) << 20) / (uint32_t)sheen_sin(half), 21);
+    /* height / 2 / tan(half); sine and cosine are Q1.30, a reciprocal takes Q7.24: 2^-6 each way */
+    p->focal =
+        scaled_times(scaled_of((uint64_t)height * (uint32_t)sheen_cos(half), 31), reciprocal_of(sheen_sin(half)));
+    p->focal.exponent += 6;
 
     p->near = view->near;
     p->far = view->far;
     p->orthographic = view->orthographic;
     if (p->orthographic != 0) { /* all weights are equal */
         p->fixed = reciprocal_of(p->orthographic);
-        p->depth = scaled_of(((uint64_t)DEPTH_RANGE << 46) / (uint64_t)span, 22); /* DEPTH_RANGE / (far - near) */
+        p->depth = scaled_times(scaled_of(DEPTH_RANGE, 0), reciprocal_of((sheen_q24_t)span));
         p->depth_far = 0;
         p->weight_shift = 0;
         p->weight_offset = 0;
         return SHEEN_OK;
     }
-    /* near * far / (far - near) in Q.24, at most near * 2^15 = 2^46; times DEPTH_RANGE below 2^62. */
-    uint64_t depth = (uint64_t)view->near * (uint64_t)view->far / (uint64_t)span;
-    p->depth = scaled_of((depth > 0 ? depth : 1) * DEPTH_RANGE, 24);
+    /* DEPTH_RANGE * near * far / (far - near), the second factor at most near * 2^15 */
+    p->depth =
+        scaled_times(scaled_of((uint64_t)view->near * (uint64_t)view->far, 48), reciprocal_of((sheen_q24_t)span));
+    p->depth = scaled_times(p->depth, scaled_of(DEPTH_RANGE, 0));
     p->depth_far = product_q8(p->depth, reciprocal_of(view->far));
     weight_begin(p);
     return SHEEN_OK;
