@@ -1,0 +1,20 @@
+# What the lecture says, looked at inside the core: its own unrounded colours.
+get_target_property(core_sources sheen_core SOURCES)
+list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
+add_library(core_tapped STATIC ${core_sources} test_dither_tap.c)
+target_include_directories(core_tapped PUBLIC ${PROJECT_SOURCE_DIR}/core)
+# reference.cmake renames the root table in every core that is built here; this takes its own name back.
+target_compile_definitions(core_tapped PRIVATE shipped_root_table=sheen_root_table)
+target_compile_options(core_tapped PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/test_dither_tap.h)
+
+sheen_test(test_dither accuracy SOURCES test_dither.c LIBRARIES core_picture core_tapped)
+sheen_test(test_turned accuracy SOURCES test_turned.c LIBRARIES core_picture core_tapped)
+
+# The tapped core draws what the core draws.
+add_executable(frame_sum_tapped frame_sum.c frame_sum_mesh.c)
+target_link_libraries(frame_sum_tapped PRIVATE core_tapped m)
+sheen_script(frame_sums_tapped accuracy
+  COMMAND bash -c "diff <($0) <($1) && $1 | wc -l" $<TARGET_FILE:frame_sum> $<TARGET_FILE:frame_sum_tapped>)
+
+# The command: its figures, their numbers, bad folders.
+sheen_script(cli_lecture cli COMMAND tests/cli/lecture $<TARGET_FILE:sheen>)

@@ -1,0 +1,218 @@
+/*
+ * test_dither.c - the one rounding: every pixel is PICTURE.md's formula of the core's own
+ * unrounded colour, exactly, and dithered patches have the mean that they stand for.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "accuracy.h"
+#include "test_dither_tap.h"
+
+#define WIDTH 160
+#define HEIGHT 120
+
+struct format {
+    enum sheen_pixel pixel;
+    int levels;    /* 0: 565 */
+    double top[3]; /* levels that 1.0 of red, green, blue makes */
+};
+static const struct format formats[] = {
+    {SHEEN_GREY2, 2, {0.2126, 0.7152, 0.0722}},
+    {SHEEN_GREY16, 16, {15 * 0.2126, 15 * 0.7152, 15 * 0.0722}},
+    {SHEEN_GREY256, 256, {255 * 0.2126, 255 * 0.7152, 255 * 0.0722}},
+    {SHEEN_RGB565_BE, 0, {31, 63, 31}},
+    {SHEEN_RGB565_LE, 0, {31, 63, 31}},
+};
+enum {
+    FORMATS = sizeof formats / sizeof *formats
+};
+
+/* floor(level + threshold), at most top; without dither the threshold is 1/2. */
+static unsigned round_level(double level, double top, bool dither, int x, int y)
+{
+    double threshold = dither ? (ref_bayer8(x, y) + 0.5) / 64 : 0.5;
+
+    return (unsigned)fmin(floor(level + threshold), top);
+}
+
+/* The value that the formula gives for a tapped colour, `off` levels added to grey. */
+static unsigned formula(const struct format *f, const double level[3], double off, bool dither, int x, int y)
+{
+    double kept[3];
+
+    for (int k = 0; k < 3; k++)
+        kept[k] = fmin(level[k], f->top[k]);
+    if (f->levels)
+        return round_level(kept[0] + kept[1] + kept[2] + off, f->levels - 1, dither, x, y);
+    return round_level(kept[0], 31, dither, x, y) << 11 | round_level(kept[1], 63, dither, x, y) << 5 |
+           round_level(kept[2], 31, dither, x, y);
+}
+
+/*
+ * Exactly the formula's, but for grey with a channel that was clamped: the core clamps to weights of 16 bits, each
+ * within 2^-17 of the real one.
+ */
+static bool is_right(const struct format *f, const double level[3], bool dither, int x, int y, unsigned value)
+{
+    if (value == formula(f, level, 0, dither, x, y))
+        return true;
+    if (!f->levels || (level[0] < f->top[0] && level[1] < f->top[1] && level[2] < f->top[2]))
+        return false;
+    double off = 3 * f->levels / 131072.0;
+    return value == formula(f, level, -off, dither, x, y) || value == formula(f, level, off, dither, x, y);
+}
+
+struct tally {
+    long drawn, background, over, otherwise; /* px; over: brighter than 1; otherwise: what another rule would give */
+};
+
+/* A pixel nothing was drawn on holds the background, any other the formula. */
+static void compare_pixel(struct tally *tally, const struct ref_scene *scene, const struct format *f, int x, int y,
+                          unsigned value)
+{
+    const struct tapped *pixel = &tapped[y][x];
+
+    if (!pixel->seen) {
+        tally->background++;
+        assert_int_equal(value, ref_value(scene, scene->background, x, y, true));
+        return;
+    }
+    tally->drawn++;
+    tally->over += pixel->level[1] > f->top[1];
+    tally->otherwise += value != formula(f, pixel->level, 0, scene->dither, y, x); /* the pattern on its side */
+    if (!is_right(f, pixel->level, scene->dither, x, y, value))
+        fail_msg("%d levels, shading %d, (%d, %d): %u from %.6f %.6f %.6f", f->levels, scene->shading, x, y, value,
+                 pixel->level[0], pixel->level[1], pixel->level[2]);
+}
+
+static void compare(struct tally *tally, struct ref_scene *scene, const struct sheen_mesh *mesh, const struct format *f)
+{
+    struct memory_target target;
+
+    scene->levels = f->levels;
+    assert_int_equal(memory_target_init(&target, scene->width, scene->height, f->pixel), 0);
+    tap_begin();
+    assert_int_equal(core_draw_scene(&target.target, scene, mesh, 16), SHEEN_OK);
+    for (int i = 0; i < scene->width * scene->height; i++) {
+        int x = i % scene->width, y = i / scene->width;
+        compare_pixel(tally, scene, f, x, y, memory_target_pixel(&target, x, y));
+    }
+    assert_int_equal(target.breaches, 0);
+    memory_target_free(&target);
+}
+
+/* Every shape, view, shading and format, with one light and with four, linear on the screen and in space. */
+static void shaded_pictures(void **state)
+{
+    (void)state;
+    for (int k = 0; k < ACCURACY_SHAPES * 4; k++) {
+        struct accuracy_mesh mesh;
+        struct tally tally = {0, 0, 0, 0};
+        assert_int_equal(accuracy_mesh_make(&mesh, k / 4, true), 0);
+        for (int i = 0; i < ACCURACY_VIEWS * FORMATS * 4; i++) {
+            struct ref_scene scene;
+            accuracy_view(&scene, &mesh.reference, i / 4 % ACCURACY_VIEWS);
+            if (i & 1)
+                accuracy_more_lights(&scene);
+            scene.affine = i >> 1 & 1;
+            scene.width = WIDTH;
+            scene.height = HEIGHT;
+            scene.shading = (enum ref_shading)(k % 4);
+            scene.dither = true;
+            compare(&tally, &scene, mesh.mesh, &formats[i / 4 / ACCURACY_VIEWS]);
+        }
+        print_message(
+            "  %-10s shading %d: %ld px drawn, all by the formula; %ld brighter than 1; by the pattern on its "
+            "side %ld would differ\n",
+            mesh.name, k % 4, tally.drawn, tally.over, tally.otherwise);
+        accuracy_mesh_free(&mesh);
+        assert_true(tally.drawn > 100000 && tally.background > 100000);
+        assert_true(tally.otherwise > tally.drawn / 20); /* or the comparison tells nothing */
+    }
+}
+
+/* ---- constant patches ---- */
+
+/* A colour of the 256: red, green and blue run at different paces. */
+static void patch_colour(double base[3], int number)
+{
+    for (int k = 0; k < 3; k++)
+        base[k] = number * (2 * k + 1) % 256 / 255.0;
+}
+
+/* Mean of every 8x8 block against what it stands for, in 1/255; the largest is returned. */
+static double worst_mean(const struct memory_target *target, const struct ref_scene *scene, const struct format *f)
+{
+    double wanted[3], worst = 0;
+
+    for (int k = 0; k < 3; k++)
+        wanted[k] = scene->base[k];
+    if (f->levels)
+        wanted[0] = 0.2126 * scene->base[0] + 0.7152 * scene->base[1] + 0.0722 * scene->base[2];
+    for (int block = 0; block < (WIDTH / 8) * (HEIGHT / 8); block++) {
+        double sum[3] = {0, 0, 0};
+        for (int i = 0; i < 64; i++) {
+            unsigned value =
+                memory_target_pixel(target, block % (WIDTH / 8) * 8 + i % 8, block / (WIDTH / 8) * 8 + i / 8);
+            sum[0] += f->levels ? value / (f->levels - 1.0) : (value >> 11) / 31.0;
+            sum[1] += (value >> 5 & 63) / 63.0;
+            sum[2] += (value & 31) / 31.0;
+        }
+        for (int k = 0; k < (f->levels ? 1 : 3); k++)
+            worst = fmax(worst, 255 * fabs(sum[k] / 64 - wanted[k]));
+    }
+    return worst;
+}
+
+static void constant_patches(void **state)
+{
+    static const struct ref_mesh_options as_is = {.crease = -1};
+    struct shape shape;
+    struct ref_mesh reference;
+    struct core_mesh mesh;
+
+    (void)state;
+    assert_int_equal(shape_screen(&shape), 0);
+    assert_int_equal(ref_mesh_build(&reference, &shape.polygons, &as_is), 0);
+    assert_int_equal(core_mesh_make(&mesh, &reference), 0);
+    for (int k = 0; k < 4 * FORMATS; k++) {
+        const struct format *f = &formats[k / 4];
+        double worst = 0, limit = f->levels == 2 ? 2 : 0.5;
+        for (int number = 0; number < 256; number++) {
+            struct memory_target target;
+            struct ref_scene scene;
+            ref_scene_default(&scene, &reference);
+            ref_scene_orbit(&scene, 0, 0, 0, 2);
+            scene.fov = 60;
+            scene.width = WIDTH;
+            scene.height = HEIGHT;
+            scene.levels = f->levels;
+            scene.dither = true;
+            scene.shading = (enum ref_shading)(k % 4);
+            scene.ambient = 1; /* whatever the normals */
+            scene.light_count = 0;
+            patch_colour(scene.base, number);
+            assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, f->pixel), 0);
+            assert_int_equal(core_draw_scene(&target.target, &scene, &mesh.mesh, 16), SHEEN_OK);
+            worst = fmax(worst, worst_mean(&target, &scene, f));
+            memory_target_free(&target);
+        }
+        print_message("  %3d levels, shading %d: means of 8x8 px within %.4f/255\n", f->levels, k % 4, worst);
+        assert_true(worst <= limit);
+    }
+    core_mesh_free(&mesh);
+    ref_mesh_free(&reference);
+    shape_free(&shape);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(shaded_pictures), cmocka_unit_test(constant_patches)};
+
+    return cmocka_run_group_tests_name("dither", tests, NULL, NULL);
+}
