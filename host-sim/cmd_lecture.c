@@ -53,8 +53,6 @@ static int make_folder(const char *folder, struct sheen_problem *problem)
 
 static int draw_pages(struct sheen_page *pages, int *open, struct sheen_problem *problem)
 {
-    if (!sheen_page_has_font())
-        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "fontconfig finds no font to write the figures with");
     for (int i = 0; i < FIGURES; i++) {
         int error = sheen_page_open(&pages[(*open)++], figures[i].name);
         if (!error)
@@ -69,7 +67,7 @@ static int draw_pages(struct sheen_page *pages, int *open, struct sheen_problem 
 static int write_pages(const struct sheen_page *pages, const char *folder, struct sheen_problem *problem)
 {
     char path[4096];
-    int error = make_folder(folder, problem);
+    int error = SHEEN_OK;
 
     for (int i = 0; !error && i < FIGURES; i++) {
         error = file_name(path, sizeof path, folder, pages[i].name, problem);
@@ -91,7 +89,13 @@ enum sheen_exit sheen_cmd_lecture(struct sheen_options *options)
         sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no output given (-o DIR)");
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     }
-    int error = draw_pages(pages, &open, &problem);
+    int error = SHEEN_OK;
+    if (!sheen_page_has_font())
+        error = sheen_problem(&problem, SHEEN_ERR_UNSUPPORTED, "fontconfig finds no font to write the figures with");
+    if (!error)
+        error = make_folder(options->out, &problem);
+    if (!error)
+        error = draw_pages(pages, &open, &problem);
     if (!error)
         error = write_pages(pages, options->out, &problem);
     while (open > 0)
