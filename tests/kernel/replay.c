@@ -56,7 +56,7 @@ struct run {
 
 static const char *trace_name;
 
-static void die(const char *name, const char *what)
+_Noreturn static void die(const char *name, const char *what)
 {
     fprintf(stderr, "replay: %s: %s: %s\n", trace_name, name, what);
     exit(1);
