@@ -3,6 +3,7 @@
  */
 #include "board.h"
 
+#include "both.h"
 #include "pl011.h"
 #include "pl022.h"
 #include "registers.h"
@@ -64,19 +65,8 @@ static int bus_wait(void *ctx)
     return await(PL022_BUSY, 0);
 }
 
-static int bus_delay(void *ctx, uint32_t us)
-{
-    (void)ctx;
-    for (; us > 1000; us -= 1000) {
-        ticks_delay_us(1000);
-        board_feed();
-    }
-    ticks_delay_us(us);
-    return SHEEN_OK;
-}
-
 /* The board resets the OLED with the processor: there is no line of its own. */
-const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .delay = bus_delay};
+const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .delay = both_delay};
 
 /* ---- serial line, keys, watchdog ---- */
 
@@ -104,24 +94,10 @@ void board_put(char c)
     pl011_put(UART0, c);
 }
 
-/* The key that went down since the last look: up, down, left, right on port E, select on port F. */
-static int pad_key(void)
-{
-    static const char keys[5] = {'s', 'l', '0', 'n', 'h'};
-    static uint8_t before = 0xFF; /* what is down at the start does not count */
-    uint8_t down = (uint8_t)(~GPIO_DATA(PORT_E, 0x0F) & 0x0Fu) | (uint8_t)((~GPIO_DATA(PORT_F, 2) & 2u) << 3);
-    uint8_t pressed = down & (uint8_t)~before;
-
-    before = down;
-    for (unsigned i = 0; i < sizeof keys; i++)
-        if (pressed >> i & 1)
-            return keys[i];
-    return -1;
-}
-
 int board_key(void)
 {
     int c = pl011_get(UART0);
+    uint32_t up = GPIO_DATA(PORT_E, 0x0F) | GPIO_DATA(PORT_F, 2) << 3; /* up, down, left, right; select */
 
-    return c >= 0 ? c : pad_key();
+    return c >= 0 ? c : both_pressed((uint8_t)(~up & 0x1Fu), "sl0nh");
 }

@@ -3,6 +3,7 @@
  */
 #include "board.h"
 
+#include "both.h"
 #include "pl011.h"
 #include "pl022.h"
 #include "registers.h"
@@ -96,18 +97,7 @@ static int bus_reset(void *ctx, int level)
     return SHEEN_OK;
 }
 
-static int bus_delay(void *ctx, uint32_t us)
-{
-    (void)ctx;
-    for (; us > 1000; us -= 1000) {
-        ticks_delay_us(1000);
-        board_feed();
-    }
-    ticks_delay_us(us);
-    return SHEEN_OK;
-}
-
-const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .reset = bus_reset, .delay = bus_delay};
+const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .reset = bus_reset, .delay = both_delay};
 
 /* ---- serial line, keys, watchdog ---- */
 
@@ -136,23 +126,9 @@ void board_put(char c)
     pl011_put(UART0, c);
 }
 
-/* The key that went down since the last look. */
-static int pad_key(void)
-{
-    static const char keys[4] = {'s', 'l', 'n', 'h'};
-    static uint8_t before = 0xFF; /* what is down at the start does not count */
-    uint8_t down = (uint8_t)(~SIO_IN >> PIN_KEYS & 15u), pressed = down & (uint8_t)~before;
-
-    before = down;
-    for (unsigned i = 0; i < sizeof keys; i++)
-        if (pressed >> i & 1)
-            return keys[i];
-    return -1;
-}
-
 int board_key(void)
 {
     int c = pl011_get(UART0);
 
-    return c >= 0 ? c : pad_key();
+    return c >= 0 ? c : both_pressed((uint8_t)(~SIO_IN >> PIN_KEYS & 15u), "slnh");
 }
