@@ -5,6 +5,8 @@ endforeach()
 sheen_test(test_frame_changed frames SOURCES test_frame_changed.c frame_show.c LIBRARIES core_picture sheen::core)
 sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
   LIBRARIES core_picture sheen::core Threads::Threads)
+sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
+  LIBRARIES core_picture sheen_host sheen::core)
 sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)
 # The scenes come from bench.cmake.
 sheen_test(test_frame_ram frames SOURCES test_frame_ram.c LIBRARIES bench_scenes)

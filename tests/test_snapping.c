@@ -18,22 +18,11 @@
 
 #define REACH (1.0 / 8) /* px */
 
-/* Distance of a point from a side of a piece. */
-static double distance(const struct ref_piece *p, int side, double x, double y)
-{
-    int a = side, b = (side + 1) % 3;
-    double dx = p->x[b] - p->x[a], dy = p->y[b] - p->y[a], length = dx * dx + dy * dy;
-    double t = length > 0 ? ((x - p->x[a]) * dx + (y - p->y[a]) * dy) / length : 0;
-
-    t = fmin(fmax(t, 0), 1);
-    return hypot(p->x[a] + t * dx - x, p->y[a] + t * dy - y);
-}
-
 static bool near_edge(const struct ref_piece *pieces, size_t count, double x, double y)
 {
     for (size_t i = 0; i < count; i++) {
         for (int side = 0; side < 3; side++) {
-            if (distance(&pieces[i], side, x, y) <= REACH)
+            if (ref_side_distance(&pieces[i], side, x, y) <= REACH)
                 return true;
         }
     }

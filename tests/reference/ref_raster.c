@@ -41,6 +41,16 @@ bool ref_inside(const struct ref_piece *p, double x, double y)
     return true;
 }
 
+double ref_side_distance(const struct ref_piece *p, int side, double x, double y)
+{
+    int a = side, b = (side + 1) % 3;
+    double dx = p->x[b] - p->x[a], dy = p->y[b] - p->y[a], length = dx * dx + dy * dy;
+    double t = length > 0 ? ((x - p->x[a]) * dx + (y - p->y[a]) * dy) / length : 0;
+
+    t = fmin(fmax(t, 0), 1);
+    return hypot(p->x[a] + t * dx - x, p->y[a] + t * dy - y);
+}
+
 static double screen_linear(const struct ref_piece *p, const double at[3], double x, double y)
 {
     double area = edge(p, 0, 1, p->x[2], p->y[2]);

@@ -146,6 +146,8 @@ void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, dou
 /* Great arc between unit vectors; equal ends: a; opposite ends: a while t < 1/2, else b. */
 void ref_slerp(const double a[3], const double b[3], double t, double out[3]);
 bool ref_inside(const struct ref_piece *piece, double x, double y);
+/* Distance of a point of the screen from side k of a piece, between its corners k and k + 1; px. */
+double ref_side_distance(const struct ref_piece *piece, int side, double x, double y);
 uint16_t ref_565(const double color[3]);
 int ref_bayer8(int x, int y);
 uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background);
