@@ -8,6 +8,7 @@ target_compile_definitions(core_tapped PRIVATE shipped_root_table=sheen_root_tab
 target_compile_options(core_tapped PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/test_dither_tap.h)
 
 sheen_test(test_dither accuracy SOURCES test_dither.c LIBRARIES core_picture core_tapped)
+sheen_test(test_dither_means accuracy SOURCES test_dither_means.c LIBRARIES core_picture sheen::core)
 sheen_test(test_turned accuracy SOURCES test_turned.c LIBRARIES core_picture core_tapped)
 
 # The tapped core draws what the core draws.
