@@ -80,6 +80,7 @@ static double ball(const struct sheen_lecture_scene *scene, int x, int y)
     return scene->ambient + scene->diffuse * ln + scene->specular * pow(fmax(0, rv), scene->shininess);
 }
 
+/* The highlight needs no search for its place: nothing else comes near it. */
 static double brightest(const double *intensity, int count)
 {
     double most = 0;

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+/* Values to px of the page; y grows upwards in a plot. */
 static double place_x(const struct sheen_axes *a, double x)
 {
     return a->x + (x - a->x0) / (a->x1 - a->x0) * a->width;

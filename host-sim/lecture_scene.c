@@ -68,6 +68,7 @@ static int memory_init(struct memory *memory, int width, int height, enum sheen_
     return memory->bytes ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
 
+/* Every scene lies between m = 0.5 and 20; fov is given by what half the picture shows at `distance`. */
 static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view *view)
 {
     sheen_q24_t distance = (sheen_q24_t)lround(scene->distance * 16777216);
@@ -79,6 +80,7 @@ static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view 
                                 .affine = (uint8_t)scene->affine};
 }
 
+/* Light along its largest part to 1.0, as the core takes any length. */
 static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_material *material, struct sheen_light *light,
                     struct sheen_draw *draw)
 {
@@ -149,6 +151,10 @@ static int stage_draw(struct stage *stage)
     return error ? error : sheen_end(stage->frame);
 }
 
+/*
+ * The viewport moves over the dither, not the dither over the picture: a threshold belongs to a place on the target,
+ * and the shift is whole pixels, so what the core interpolates is the same bits in all 64 pictures.
+ */
 int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *intensity)
 {
     struct sheen_lecture_scene white = *scene;

@@ -36,6 +36,7 @@ static void write_text(cairo_t *cr, double x, double y, enum sheen_align align, 
     cairo_show_text(cr, text);
 }
 
+/* Whatever font the machine calls sans-serif: figures are not compared bit by bit. */
 static void set_font(cairo_t *cr, double size, cairo_font_weight_t weight)
 {
     cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
@@ -95,6 +96,7 @@ void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_i
 
 /* ---- pictures ---- */
 
+/* Pixels of 32 bits, 0x00rrggbb in the machine's order, from bytes or, where rgb is NULL, from intensities. */
 static cairo_surface_t *image_of(const uint8_t *rgb, const double *intensity, int width, int height)
 {
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
