@@ -31,6 +31,9 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
     case 4:
         *name = "octahedron";
         return shape_octahedron(shape);
+    case 5: /* triangles as long as the mesh and a few pixels wide */
+        *name = "needles, vn";
+        return coarse ? shape_barrel(shape, 1, 8) : shape_barrel(shape, 1, 90);
     default:
         *name = "ball 12x16";
         return coarse ? shape_sphere(shape, 6, 9) : shape_sphere(shape, 12, 16);

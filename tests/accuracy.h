@@ -7,7 +7,7 @@
 #include "core_picture.h"
 #include "shapes.h"
 
-#define ACCURACY_SHAPES 6
+#define ACCURACY_SHAPES 7
 #define ACCURACY_VIEWS 3
 
 /* The limits of README, "How close the integers come". Shares are of the compared pixels. */
