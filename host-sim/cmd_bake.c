@@ -15,6 +15,7 @@
 #include "builtin.h"
 #include "commands.h"
 #include "out_file.h"
+#include "progress.h"
 
 /* Everything between the mesh file and the header. */
 struct baking {
@@ -179,7 +180,9 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
                                      .by_group = options->groups,
                                      .use_crease = options->crease >= 0,
                                      .crease = options->crease};
+    sheen_progress("reading the mesh", 0, 0);
     int error = sheen_host_mesh_load(&baking->host, options->mesh, &how, problem);
+    sheen_progress_end();
 
     if (error)
         return error;

@@ -11,6 +11,7 @@
 #include "frame_name.h"
 #include "gif_file.h"
 #include "png_file.h"
+#include "progress.h"
 #include "stats_json.h"
 
 #define GIF_DELAY_CS 5 /* 20 frames a second */
@@ -59,15 +60,18 @@ static int put_frame(const struct sheen_turntable *table, struct sheen_gif *gif,
 
 static int draw_frames(struct sheen_turntable *table, struct sheen_gif *gif, struct sheen_problem *problem)
 {
-    int error = SHEEN_OK;
+    int error = SHEEN_OK, frames = table->options->frames;
 
-    for (int number = 0; !error && number < table->options->frames; number++) {
+    for (int number = 0; !error && number < frames; number++) {
+        if (frames > 1 && !table->options->stats) /* whose lines tell as much */
+            sheen_progress("frame", number + 1, frames);
         error = sheen_turntable_draw(table, number, problem);
         if (!error)
             error = put_frame(table, gif, number, problem);
         if (!error && table->options->stats && sheen_stats_json(stdout, table, number) != 0)
             error = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "standard output: %s", strerror(errno));
     }
+    sheen_progress_end();
     return error;
 }
 

@@ -7,12 +7,17 @@
 #include <string.h>
 
 #include "commands.h"
+#include "view_keys.h"
 
 const struct sheen_command sheen_command_table[] = {
     {"render", "MESH [options] -o OUT.png|OUT.gif",
      "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
      "controller, and writes what the glass shows.",
      SHEEN_RENDER, sheen_cmd_render},
+    {"view", "MESH [options]",
+     "Shows a mesh as it turns on a panel's glass, drawn and sent as `render` does, in a window.\n"
+     "Keys:\n" SHEEN_VIEW_KEYS,
+     SHEEN_VIEW, sheen_cmd_view},
     {"bake", "MESH [options] -o mesh.h",
      "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and\n"
      "reports what it takes.",

@@ -62,6 +62,12 @@ struct sheen_options {
     int stats;
     const char *name; /* bake: of the mesh, a C identifier; NULL: from the output's name */
     int groups, no_flat;
+    /* view: */
+    int view_frames; /* 0: not given */
+    int scale;       /* 0: not given */
+    int gap;         /* -1: not given */
+    int theme;       /* enum sheen_theme */
+    int terminal;
 };
 
 /* Bits of the commands that take an option. */
@@ -71,7 +77,9 @@ enum sheen_command_bit {
     SHEEN_PANELS = 4,
     SHEEN_BAKE = 8,
     SHEEN_LECTURE = 16,
-    SHEEN_TAKES_MESH = SHEEN_RENDER | SHEEN_BAKE
+    SHEEN_VIEW = 32,
+    SHEEN_DRAWS = SHEEN_RENDER | SHEEN_VIEW,
+    SHEEN_TAKES_MESH = SHEEN_DRAWS | SHEEN_BAKE
 };
 
 struct sheen_option {

@@ -82,7 +82,7 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
 }
 
-static void set_view(struct sheen_scene *scene)
+void sheen_scene_look(struct sheen_scene *scene)
 {
     const struct sheen_options *options = scene->options;
     struct sheen_view *view = &scene->view;
@@ -138,17 +138,23 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
     return sheen_init(&scene->frame, scene->arena, &size, config);
 }
 
+/* As many pieces as the last frame had to have room for. */
+int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *target)
+{
+    scene->target = target;
+    sheen_scene_look(scene);
+    return make_frame(scene, scene->config.max_clipped);
+}
+
 int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *options, const struct sheen_target *target,
                      struct sheen_problem *problem)
 {
     memset(scene, 0, sizeof *scene);
     scene->options = options;
-    scene->target = target;
     int error = load(scene, problem);
     if (error)
         return error;
-    set_view(scene);
-    error = make_frame(scene, 0);
+    error = sheen_scene_retarget(scene, target);
     return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
 }
 
@@ -184,7 +190,7 @@ static int draw_all(struct sheen_scene *scene, int number)
 }
 
 /* Close to the eye more triangles are cut than the frame has room for: it is made anew with more. */
-int sheen_scene_draw(struct sheen_scene *scene, int number)
+int sheen_scene_begin(struct sheen_scene *scene, int number)
 {
     int error = draw_all(scene, number);
 
@@ -193,5 +199,12 @@ int sheen_scene_draw(struct sheen_scene *scene, int number)
         if (!error)
             error = draw_all(scene, number);
     }
+    return error;
+}
+
+int sheen_scene_draw(struct sheen_scene *scene, int number)
+{
+    int error = sheen_scene_begin(scene, number);
+
     return error ? error : sheen_end(scene->frame);
 }

@@ -33,6 +33,15 @@ int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *opti
                      struct sheen_problem *problem);
 void sheen_scene_close(struct sheen_scene *scene);
 
+/* Another target for the same meshes: the frame is made anew, the next one is sent whole. 0, or a negative code. */
+int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *target);
+
+/* Takes eye, lights and dithering over from the options, which may have changed since the last frame. */
+void sheen_scene_look(struct sheen_scene *scene);
+
+/* Begins frame `number` and draws all meshes into it; sheen_end(scene->frame), or band by band, is left to do. */
+int sheen_scene_begin(struct sheen_scene *scene, int number);
+
 /*
  * Draws frame `number` (yaw + number * yaw_step) and sends it; its last push may
  * still be under way (sheen_wait(scene->frame), or the next draw, collects it).

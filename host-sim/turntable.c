@@ -7,58 +7,94 @@
 #include <string.h>
 
 #include "glass.h"
+#include "progress.h"
 
-int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_options *options,
-                         const struct sheen_sim_choice *choice, struct sheen_problem *problem)
+const char *sheen_turntable_panel_name(const struct sheen_turntable *table)
+{
+    return table->choice.record ? table->choice.record->name : "ideal";
+}
+
+static void close_panel(struct sheen_turntable *table)
+{
+    free(table->values);
+    free(table->rgb);
+    sheen_sim_panel_close(table->panel);
+    table->values = NULL;
+    table->rgb = NULL;
+    table->panel = NULL;
+}
+
+static int open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
+                      struct sheen_problem *problem)
 {
     size_t pixels = (size_t)choice->width * choice->height;
 
-    memset(table, 0, sizeof *table);
-    table->options = options;
     table->choice = *choice;
     table->values = malloc(pixels * sizeof *table->values);
     table->rgb = malloc(pixels * 3);
     int error = table->values && table->rgb ? sheen_sim_panel_open(&table->panel, choice) : SHEEN_ERR_MEMORY;
     if (!error)
         error = sheen_sim_panel_init(table->panel);
+    return error ? sheen_problem(problem, error, "%s: %s", sheen_turntable_panel_name(table), sheen_strerror(error))
+                 : SHEEN_OK;
+}
+
+int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_options *options,
+                         const struct sheen_sim_choice *choice, struct sheen_problem *problem)
+{
+    memset(table, 0, sizeof *table);
+    table->options = options;
+    int error = open_panel(table, choice, problem);
     if (error)
-        return sheen_problem(problem, error, "%s: %s", options->panel, sheen_strerror(error));
-    return sheen_scene_open(&table->scene, options, sheen_sim_panel_target(table->panel), problem);
+        return error;
+    sheen_progress("reading the mesh", 0, 0);
+    error = sheen_scene_open(&table->scene, options, sheen_sim_panel_target(table->panel), problem);
+    sheen_progress_end();
+    return error;
+}
+
+int sheen_turntable_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
+                          struct sheen_problem *problem)
+{
+    close_panel(table);
+    int error = open_panel(table, choice, problem);
+    if (error)
+        return error;
+    error = sheen_scene_retarget(&table->scene, sheen_sim_panel_target(table->panel));
+    return error ? sheen_problem(problem, error, "%s: %s", sheen_turntable_panel_name(table), sheen_strerror(error))
+                 : SHEEN_OK;
 }
 
 void sheen_turntable_close(struct sheen_turntable *table)
 {
     sheen_scene_close(&table->scene);
-    free(table->values);
-    free(table->rgb);
-    if (table->panel)
-        sheen_sim_panel_close(table->panel);
+    close_panel(table);
     memset(table, 0, sizeof *table);
 }
 
-static int read_picture(struct sheen_turntable *table)
+int sheen_turntable_read(struct sheen_turntable *table, struct sheen_problem *problem)
 {
+    const char *panel = sheen_turntable_panel_name(table);
     size_t pixels = (size_t)table->choice.width * table->choice.height;
-    int error = sheen_sim_panel_picture(table->panel, table->values);
 
-    for (size_t i = 0; !error && i < pixels; i++)
+    if (sheen_sim_panel_complaints(table->panel) > 0)
+        return sheen_problem(problem, SHEEN_ERR_BUS, "%s: the controller complains: %s", panel,
+                             sheen_sim_panel_complaint(table->panel));
+    int error = sheen_sim_panel_picture(table->panel, table->values);
+    if (error)
+        return sheen_problem(problem, error, "%s: %s", panel, sheen_strerror(error));
+    for (size_t i = 0; i < pixels; i++)
         sheen_sim_expand(table->values[i], sheen_sim_panel_levels(table->panel), table->rgb + 3 * i);
-    return error;
+    return SHEEN_OK;
 }
 
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem)
 {
-    const char *panel = table->choice.record ? table->choice.record->name : "ideal";
-
     sheen_sim_bus_counters_reset(sheen_sim_panel_bus(table->panel));
     int error = sheen_scene_draw(&table->scene, number);
     if (!error)
         error = sheen_wait(table->scene.frame);
     if (error)
         return sheen_problem(problem, error, "%s: %s", table->options->mesh, sheen_strerror(error));
-    if (sheen_sim_panel_complaints(table->panel) > 0)
-        return sheen_problem(problem, SHEEN_ERR_BUS, "%s: the controller complains: %s", panel,
-                             sheen_sim_panel_complaint(table->panel));
-    error = read_picture(table);
-    return error ? sheen_problem(problem, error, "%s: %s", panel, sheen_strerror(error)) : SHEEN_OK;
+    return sheen_turntable_read(table, problem);
 }

@@ -29,4 +29,14 @@ void sheen_turntable_close(struct sheen_turntable *table);
 /* Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. */
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem);
 
+/* The same meshes on another panel, which is just switched on. As open; on error only close may follow. */
+int sheen_turntable_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
+                          struct sheen_problem *problem);
+
+/* The panel's full name. */
+const char *sheen_turntable_panel_name(const struct sheen_turntable *table);
+
+/* The controller's complaint as an error, else the picture off the glass. Nothing may be under way to the panel. */
+int sheen_turntable_read(struct sheen_turntable *table, struct sheen_problem *problem);
+
 #endif

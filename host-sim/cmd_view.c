@@ -1,0 +1,81 @@
+/*
+ * cmd_view.c - `sheen view`: a mesh that turns on the simulated glass, in a window, as text or in a GIF.
+ */
+#include <stdio.h>
+
+#include "builtin.h"
+#include "commands.h"
+#include "progress.h"
+#include "view.h"
+
+#define GIF_FRAMES 60 /* a whole turn in the default step of 6 degrees */
+
+/* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
+{
+    int error = sheen_sim_choose(choice, options->panel, options->orientation, options->size[0], options->size[1],
+                                 problem->text, sizeof problem->text);
+
+    if (error)
+        return error;
+    if (options->band > choice->height)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
+                             choice->height);
+    if (options->scale && options->gap >= options->scale)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gap '%d': out of range 0..%d", options->gap,
+                             options->scale - 1);
+    if (options->out && options->terminal)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gif and --terminal are two different things");
+    return sheen_builtin_check(options->mesh, problem);
+}
+
+/* Every frame of the animation, then the file. */
+static int write_gif(struct sheen_viewer *viewer, struct sheen_problem *problem)
+{
+    int frames = viewer->options.view_frames ? viewer->options.view_frames : GIF_FRAMES;
+    int error = sheen_viewer_gif_begin(viewer, problem);
+
+    for (int number = 1; !error && number < frames; number++) {
+        sheen_progress("frame", number, frames);
+        error = sheen_viewer_next(viewer, problem);
+        if (!error)
+            error = sheen_viewer_gif_add(viewer, problem);
+    }
+    sheen_progress_end();
+    return error ? error : sheen_viewer_gif_end(viewer, viewer->options.out, problem);
+}
+
+/* The glass in the room that there is. */
+static int find_room(const struct sheen_options *options, unsigned room[2], struct sheen_problem *problem)
+{
+    room[0] = options->terminal ? 1 : 480;
+    room[1] = options->terminal ? 1 : 360;
+    return options->terminal || options->out ? SHEEN_OK : sheen_view_window_room(room, problem);
+}
+
+enum sheen_exit sheen_cmd_view(struct sheen_options *options)
+{
+    struct sheen_viewer viewer;
+    struct sheen_sim_choice choice;
+    struct sheen_problem problem, at_close;
+
+    if (check(options, &choice, &problem) != 0)
+        return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    int error = sheen_viewer_open(&viewer, options, &choice, &problem);
+    if (!error)
+        error = find_room(options, viewer.room, &problem);
+    if (!error) {
+        sheen_viewer_look(&viewer);
+        error = options->out        ? write_gif(&viewer, &problem)
+                : options->terminal ? sheen_view_terminal(&viewer, &problem)
+                                    : sheen_view_window(&viewer, &problem);
+    }
+    if (error && viewer.gif) {
+        sheen_gif_close(viewer.gif); /* half an animation is none */
+        viewer.gif = NULL;
+    }
+    int closed = sheen_viewer_close(&viewer, &at_close);
+    return error    ? sheen_fail(SHEEN_EXIT_FAILURE, &problem)
+           : closed ? sheen_fail(SHEEN_EXIT_FAILURE, &at_close)
+                    : SHEEN_EXIT_OK;
+}

@@ -1,0 +1,104 @@
+/*
+ * view.h - a mesh that turns on a simulated glass, and what keys do to it; in a window or a terminal.
+ *
+ *   view.c          frames and bands          view_keys.c    what keys do
+ *   view_status.c   the lines below           view_files.c   PNG and GIF
+ *   view_window.c   SDL                       view_terminal.c, terminal.c   half blocks
+ */
+#ifndef SHEEN_VIEW_H
+#define SHEEN_VIEW_H
+
+#include "gif_file.h"
+#include "turntable.h"
+#include "view_glass.h"
+
+struct sheen_viewer {
+    struct sheen_options options; /* a copy, which the keys change */
+    struct sheen_turntable table;
+    struct sheen_glass_look look;
+    unsigned room[2]; /* px that the glass may take up where no scale is given; 0: scale 1 */
+    int number;       /* of the frame that is shown */
+    int playing;
+    int band;               /* the next of a frame under way; -1: none is */
+    int shown_band;         /* the last one that was sent by itself; -1: none */
+    struct sheen_rect sent; /* what it sent, px; empty: nothing */
+    struct sheen_gif *gif;  /* being recorded; NULL: none */
+    unsigned gif_size[2];   /* px */
+    int gif_frames;
+    char message[512]; /* what the last key did; "": nothing to tell */
+};
+
+/* Keys are their ASCII characters, and: */
+enum sheen_key {
+    SHEEN_KEY_ESCAPE = 27,
+    SHEEN_KEY_LEFT = 256,
+    SHEEN_KEY_RIGHT,
+    SHEEN_KEY_UP,
+    SHEEN_KEY_DOWN
+};
+
+/*
+ * Loads the mesh, switches the panel on and draws the first frame. choice: as resolved
+ * from the options, which are copied. The viewer MUST stay where it is; its room may be
+ * set afterwards, followed by sheen_viewer_look.
+ * 0, or a negative code and *problem; close in either case.
+ */
+int sheen_viewer_open(struct sheen_viewer *viewer, const struct sheen_options *options,
+                      const struct sheen_sim_choice *choice, struct sheen_problem *problem);
+
+/* Writes a recording that is still going on to its file. 0, or a negative code and *problem. */
+int sheen_viewer_close(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+/* Finishes a frame under way; draws this one again, with the options as they are now; draws the next one. */
+int sheen_viewer_finish(struct sheen_viewer *viewer, struct sheen_problem *problem);
+int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *problem);
+int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+/* Draws and sends one band of the next frame, or of the one under way. */
+int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+/* Another panel or orientation, from the options. The scale, unless given, follows. */
+int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+/* The theme of the options, or the panel's own for auto; scale and gap likewise. */
+void sheen_viewer_look(struct sheen_viewer *viewer);
+
+/* What a key does. 1: the end was asked for; 0: go on; a negative code and *problem: nothing can be shown any more. */
+int sheen_viewer_key(struct sheen_viewer *viewer, int key, struct sheen_problem *problem);
+
+/* ---- view_status.c: lines without newline, cut to size ---- */
+
+/* Panel, orientation, size, shading, frame or band. */
+void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size);
+/* Triangles, pixels, bytes on the bus, the panel's frame ceiling. */
+void sheen_viewer_counts(const struct sheen_viewer *viewer, char *text, size_t size);
+
+/* ---- view_files.c ---- */
+
+/* The glass as it looks, scale * width x scale * height values 0x00RRGGBB; stride in values. */
+void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride);
+
+/* The same as bytes r, g, b, the caller's to free; NULL without memory. size: px. */
+uint8_t *sheen_viewer_picture(const struct sheen_viewer *viewer, unsigned size[2]);
+
+/* Into a new file sheen-NNN.png, the first free number; its name is the message. 0, or a negative code and *problem. */
+int sheen_viewer_png(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+/* A recording: begin; add the glass as it looks (a new size ends it); end, into path or a new sheen-NNN.gif. */
+int sheen_viewer_gif_begin(struct sheen_viewer *viewer, struct sheen_problem *problem);
+int sheen_viewer_gif_add(struct sheen_viewer *viewer, struct sheen_problem *problem);
+int sheen_viewer_gif_end(struct sheen_viewer *viewer, const char *path, struct sheen_problem *problem);
+
+/* Adds to a recording if there is one; what goes wrong with it becomes the message. */
+void sheen_viewer_record(struct sheen_viewer *viewer);
+
+/* ---- the places to look at: until a key or options.view_frames end it ---- */
+
+/* px of the screen that a glass may take up; asks SDL. */
+int sheen_view_window_room(unsigned room[2], struct sheen_problem *problem);
+int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem);
+int sheen_view_terminal(struct sheen_viewer *viewer, struct sheen_problem *problem);
+
+#define SHEEN_VIEW_MS 50 /* a frame: 20 a second, as in the GIF */
+
+#endif

@@ -1,0 +1,26 @@
+/*
+ * view_keys.h - the keys of `sheen view`, for its help: a line each, the last without newline.
+ */
+#ifndef SHEEN_VIEW_KEYS_H
+#define SHEEN_VIEW_KEYS_H
+
+#define SHEEN_VIEW_KEYS                                                                                                \
+    "  space       stop, go on\n"                                                                                      \
+    "  n           stop; the next frame\n"                                                                             \
+    "  b           stop; the next band, as the bus sends it\n"                                                         \
+    "  arrows      turn and tilt the mesh\n"                                                                           \
+    "  s           shading: flat, gouraud, phong, slerp\n"                                                             \
+    "  l           turn the lights by 30 degrees\n"                                                                    \
+    "  d           dither or not\n"                                                                                    \
+    "  a           shading linear in space, or on the screen\n"                                                        \
+    "  o           perspective or none\n"                                                                              \
+    "  r           the next orientation\n"                                                                             \
+    "  p, P        the next panel, the one before\n"                                                                   \
+    "  t           theme: lcd, oled, blue, ...\n"                                                                      \
+    "  +, -        scale\n"                                                                                            \
+    "  x           gap between the pixels\n"                                                                           \
+    "  w           write sheen-NNN.png\n"                                                                              \
+    "  g           record sheen-NNN.gif, end it\n"                                                                     \
+    "  q, Esc      end"
+
+#endif

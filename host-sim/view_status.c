@@ -1,0 +1,67 @@
+/*
+ * view_status.c - what the viewer says about the frame that it shows.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "view.h"
+
+void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size)
+{
+    static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
+    const struct sheen_turntable *table = &viewer->table;
+    const struct sheen_view *view = &table->scene.view;
+    int used =
+        snprintf(text, size, "%s  %ux%u  orientation %u  %s%s%s%s  ", sheen_turntable_panel_name(table),
+                 table->choice.width, table->choice.height, table->choice.orientation, shadings[viewer->options.shade],
+                 view->affine ? ", affine" : "", view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "");
+
+    if (used < 0 || (size_t)used >= size)
+        return;
+    text += used;
+    size -= (size_t)used;
+    if (viewer->shown_band < 0) {
+        snprintf(text, size, "frame %d", viewer->number);
+        return;
+    }
+    const struct sheen_rect *sent = &viewer->sent;
+    used = snprintf(text, size, "frame %d, band %d of %u: ", viewer->number, viewer->shown_band + 1,
+                    sheen_band_count(table->scene.frame));
+    if (used < 0 || (size_t)used >= size)
+        return;
+    if (sent->x0 < sent->x1)
+        snprintf(text + used, size - (size_t)used, "%dx%d px sent", sent->x1 - sent->x0, sent->y1 - sent->y0);
+    else
+        snprintf(text + used, size - (size_t)used, "nothing to send");
+}
+
+/* The wire alone, a bit a cycle of the rated clock: what no firmware can beat. */
+static void put_ceiling(const struct sheen_viewer *viewer, uint64_t bytes, char *text, size_t size)
+{
+    const struct sheen_panel_record *record = viewer->table.choice.record;
+
+    if (!record) {
+        snprintf(text, size, "no wire, no frame ceiling");
+        return;
+    }
+    unsigned bits = sheen_pixel_bits((enum sheen_pixel)record->pixel);
+    double whole = (double)record->clock_hz / ((double)record->glass_w * record->glass_h * bits);
+    int used = snprintf(text, size, "at %.4g MHz at most %.1f whole frames/s", record->clock_hz / 1e6, whole);
+
+    if (bytes && viewer->band < 0 && used > 0 && (size_t)used < size)
+        snprintf(text + used, size - (size_t)used, ", %.1f like this", record->clock_hz / (8.0 * (double)bytes));
+}
+
+void sheen_viewer_counts(const struct sheen_viewer *viewer, char *text, size_t size)
+{
+    const struct sheen_turntable *table = &viewer->table;
+    struct sheen_sim_counters bus = sheen_sim_bus_counters(sheen_sim_panel_bus(table->panel));
+    struct sheen_stats stats;
+    char ceiling[80];
+
+    sheen_frame_stats(table->scene.frame, &stats);
+    put_ceiling(viewer, bus.bytes, ceiling, sizeof ceiling);
+    snprintf(text, size, "%" PRIu32 " of %" PRIu32 " triangles  %" PRIu32 " px shaded  %" PRIu64 " B on the bus  %s",
+             stats.drawn, stats.triangles, stats.shaded, bus.bytes, ceiling);
+}
