@@ -259,11 +259,71 @@ int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const 
 int sheen_normalize(const int32_t v[3], sheen_q30_t out[3]);
 
 /*
- * Newell's normal of a polygon (lecture, "Polygon Normals"), unit length.
- * points: 3 a point, any common scale, |coordinate| <= 2^28; corners: count (>= 3, <= 65535) indices into
- * points. SHEEN_ERR_DEGENERATE where the area is zero.
+ * Newell's normal of a polygon (lecture, "Polygon Normals"), unit length, each part within 4 raw steps of exact.
+ * points: 3 a point, any common scale, |coordinate| <= 2^28; corners: count (>= 3) indices into points.
+ * SHEEN_ERR_DEGENERATE where the area is zero.
  */
 int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigned count, sheen_q30_t normal[3]);
+
+/*
+ * Polygons that share points, for meshes that are made or move at run time:
+ *
+ *     static uint32_t around[SHEEN_AROUND_WORDS(POINTS, CORNERS)];
+ *     static sheen_q30_t facing[3 * POLYGONS], unit[3 * POINTS];
+ *     int error = sheen_polygons_around(&list, around);      once: it depends on corners and sizes only
+ *     ...                                                    each frame: move list.points, then
+ *     sheen_polygon_normals(&list, facing);
+ *     sheen_vertex_normals(&list, around, facing, unit);
+ *     for (i = 0; i < 3 * POINTS; i++)
+ *         mesh_normals[i] = (int16_t)((int64_t)unit[i] * 32767 / (1 << 30));
+ */
+struct sheen_polygon_list {
+    const int32_t *points;   /* 3 a point, any common scale, |coordinate| <= 2^28 */
+    const uint32_t *corners; /* indices into points, those of all polygons one after another */
+    const uint32_t *sizes;   /* corners of each polygon, >= 3 */
+    uint32_t point_count, corner_count, polygon_count;
+};
+
+/*
+ * The polygons around each point, once for each time they list it; around: caller's, SHEEN_AROUND_WORDS of it.
+ * Checks the list as well: SHEEN_ERR_ARGUMENT where an index or a size is out of range or the sizes do not add up
+ * to corner_count. The functions below MUST have a list that passed.
+ */
+#define SHEEN_AROUND_WORDS(point_count, corner_count) ((point_count) + 1 + (corner_count))
+int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *around);
+
+/* sheen_polygon_normal of each polygon, 3 parts each; zero for one without area. */
+void sheen_polygon_normals(const struct sheen_polygon_list *list, sheen_q30_t *normals);
+
+/*
+ * The normalised sum of the unit normals around each point (lecture, "Vertex Normals"), 3 parts each. Zero where
+ * they cancel, all of them are zero, or no polygon lists the point.
+ */
+void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t *around,
+                          const sheen_q30_t *polygon_normals, sheen_q30_t *normals);
+
+/*
+ * The same for each corner, 3 parts each, over the corner's own polygon and those whose normals lie within the
+ * crease angle of its normal; crease: the angle's cosine, -1.0 averages all (a difference below 2e-8 counts as
+ * within). Where the sum is zero it is the polygon's normal, for a polygon without area zero.
+ */
+void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t *around,
+                          const sheen_q30_t *polygon_normals, sheen_q30_t crease, sheen_q30_t *normals);
+
+/*
+ * Cut a polygon into count - 2 triangles, 3 places in `corners` (0 .. count - 1) each, wound as the polygon.
+ * normal: of sheen_polygon_normal. A polygon that is convex seen along its normal (a straight corner counts as
+ * convex) becomes the fan (0, k, k + 1); any other loses its ears, each time the first valid one in the corners'
+ * order. The tests are exact. A hole may be joined by a cut that is listed both ways. A polygon that crosses or
+ * touches itself may run out of ears; then its first corner is cut: still count - 2 triangles whose signed areas
+ * add up to the polygon's, but they may overlap, face backwards (seen along the normal) or have no area.
+ * SHEEN_ERR_DEGENERATE where normal is zero; nothing is written then.
+ * points, corners as above, count >= 3; scratch: SHEEN_TRIANGULATE_WORDS(count), the caller's.
+ * Time: count for a convex polygon, count^2 for usual others, count^3 at worst.
+ */
+#define SHEEN_TRIANGULATE_WORDS(count) (3 * (count))
+int sheen_triangulate(const int32_t *points, const uint32_t *corners, unsigned count, const sheen_q30_t normal[3],
+                      uint32_t *scratch, uint32_t *triangles);
 
 #ifdef __cplusplus
 }
