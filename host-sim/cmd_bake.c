@@ -50,7 +50,7 @@ static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
     const char *file = strrchr(options->mesh, '/');
-    char crease[40] = "";
+    char crease[24] = "";
 
     if (options->crease >= 0)
         snprintf(crease, sizeof crease, " --crease %g", options->crease);

@@ -75,8 +75,10 @@ static void note_terms(struct worst *worst, const struct colour_case *c, enum sh
             double exact = base * (m->ambient / 65536. + diffuse * (i % 3) / 2) + highlight * specular * (i / 3) / 2;
             assert_true(wide + (1u << (t.fraction - 1)) < 1u << 31); /* with the half of the rounding */
             assert_true(wide == colour_channel(&t, k, &lit));
-            /* 565 tops are exact, grey ones hold their weights in 16 bits */
-            worst_note(worst, (wide / one - exact) / (32770 / one + top * 0x1p-15 + exact * 0x1p-12 * format.grey),
+            /* 565 tops are exact, grey ones hold their weights in 16 bits; a byte of colour is within 2^-17 of 1.0 */
+            double colour = top * 0x1p-17 * ((m->ambient + 65536 * diffuse + 65536 * specular) / 65536);
+            worst_note(worst,
+                       (wide / one - exact) / (32770 / one + top * 0x1p-15 + colour + exact * 0x1p-12 * format.grey),
                        "channel %d, pixel %d", k, pixel);
         }
         worst_note(worst, (t.top[k] / one - top) / (1 / one + 0x1p-8 * format.grey), "top of channel %d, pixel %d", k,
