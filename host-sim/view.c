@@ -134,6 +134,18 @@ int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem
     return error ? error : sheen_turntable_read(&viewer->table, problem);
 }
 
+/* The height of bands as the core chooses it (struct sheen_config). */
+void sheen_viewer_rows(const struct sheen_viewer *viewer, int *first, int *end)
+{
+    const struct sheen_target *target = viewer->table.scene.target;
+    int height = target->height, align = target->align_y ? target->align_y : 1;
+    int rows = viewer->options.band ? viewer->options.band : 16;
+
+    rows = (rows + align - 1) / align * align;
+    *first = viewer->shown_band * rows;
+    *end = *first + rows < height ? *first + rows : height;
+}
+
 int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     struct sheen_options *options = &viewer->options;

@@ -57,6 +57,9 @@ int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem
 /* Draws and sends one band of the next frame, or of the one under way. */
 int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
+/* The rows of the last band that was sent by itself: first <= y < end. */
+void sheen_viewer_rows(const struct sheen_viewer *viewer, int *first, int *end);
+
 /* Another panel or orientation, from the options. The scale, unless given, follows. */
 int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *problem);
 

@@ -69,16 +69,21 @@ static int fit(struct window *window, struct sheen_problem *problem)
     return SHEEN_OK;
 }
 
-/* What the last band sent, framed on the glass. */
-static void frame_sent(const struct window *window, cairo_t *cr, int left)
+/* The rows of the last band, marked beside the glass, and what it sent, framed on it. */
+static void mark_band(const struct window *window, cairo_t *cr, int left)
 {
     const struct sheen_viewer *viewer = window->viewer;
-    int scale = (int)viewer->look.scale;
+    int scale = (int)viewer->look.scale, first, end;
     const struct sheen_rect *sent = &viewer->sent;
 
-    if (viewer->shown_band < 0 || sent->x0 >= sent->x1)
+    if (viewer->shown_band < 0)
         return;
+    sheen_viewer_rows(viewer, &first, &end);
     cairo_set_source_rgb(cr, 1.0, 0.35, 0.2);
+    cairo_rectangle(cr, left - MARGIN / 2, MARGIN + first * scale, MARGIN / 4, (end - first) * scale);
+    cairo_fill(cr);
+    if (sent->x0 >= sent->x1)
+        return;
     cairo_set_line_width(cr, 2);
     cairo_rectangle(cr, left + sent->x0 * scale - 1, MARGIN + sent->y0 * scale - 1, (sent->x1 - sent->x0) * scale + 2,
                     (sent->y1 - sent->y0) * scale + 2);
@@ -121,7 +126,7 @@ static void draw_canvas(const struct window *window)
     uint32_t *pixels = (uint32_t *)(void *)cairo_image_surface_get_data(window->canvas);
     sheen_viewer_paint(viewer, pixels + MARGIN * stride + left, (unsigned)stride);
     cairo_surface_mark_dirty(window->canvas);
-    frame_sent(window, cr, left);
+    mark_band(window, cr, left);
     write_lines(window, cr);
     cairo_destroy(cr);
     cairo_surface_flush(window->canvas);

@@ -31,3 +31,7 @@ target_include_directories(test_bake PRIVATE ${baked})
 
 # The baker without assimp, on other processors.
 sheen_script(same_bake cross COMMAND tests/checks/cross tests/cli/same_bake)
+
+# The viewer: SDL's driver without a screen, the terminal, a pseudo-terminal.
+sheen_test(test_view unit SOURCES test_view.c LIBRARIES sheen::view)
+sheen_test(test_view_keys unit SOURCES test_view_keys.c LIBRARIES sheen::view)
