@@ -7,62 +7,16 @@
  * and no product of L.N with N.V.
  */
 #include "angle.h"
+#include "arc.h"
 #include "newton.h"
 #include "stages.h"
 
-#define HALF_TURN 0x80000000u
-/* Arcs under 2^-13 turn (8e-4 rad) are straight to 1e-10; arcs within it of half a turn have no direction. */
-#define TINY_ANGLE (1u << 19)
 /* Even steps of the angle are good enough where they are off by less than this, about 1e-4 rad. */
 #define TOLERANCE (1u << 16)
 #define BLOCK 8
 #define LONGEST_BLOCK 64
 /* Recurrences hold while a step stays under 1/16 turn: then 4 sin^2(step) < 0.6. */
 #define STEEPEST_STEP (1u << 28)
-
-/* sqrt of v in UQ4.60, at most 1.0: Q1.30. */
-static int32_t root60(uint64_t v)
-{
-    if (v == 0)
-        return 0;
-    if (v >= (uint64_t)1 << 60)
-        return 1 << 30;
-    unsigned up = (clz64(v) - 4) & ~1u; /* to [2^58, 2^60): UQ4.60 in [1/4, 1) */
-    uint32_t x = (uint32_t)(v << up >> 28);
-    uint64_t root = (uint64_t)x * sheen_reciprocal_root(x); /* UQ1.63 in [1/2, 1) */
-
-    return (int32_t)((root >> 33) >> (up / 2));
-}
-
-/* What lies between two unit vectors. */
-struct arc {
-    uint32_t angle;        /* turns, 0..HALF_TURN */
-    int32_t sine, versine; /* of it: Q1.30, and 1 - cos, Q2.29 */
-};
-
-/* From half the chord h = |b - a| / 2 (or, beyond a right angle, |b + a| / 2) by the arc sine. a, b: Q1.30. */
-static struct arc arc_between(const int32_t a[3], const int32_t b[3])
-{
-    uint64_t chord = 0, sum = 0; /* squares of half lengths, UQ4.60 */
-
-    for (int i = 0; i < 3; i++) {
-        int64_t d = ((int64_t)b[i] - a[i]) / 2, m = ((int64_t)b[i] + a[i]) / 2;
-        chord += (uint64_t)(d * d);
-        sum += (uint64_t)(m * m);
-    }
-    const uint64_t one = (uint64_t)1 << 60;
-    int wide = chord > sum;
-    uint64_t smaller = wide ? sum : chord;
-    if (smaller > one / 2) /* rounding, or normals longer than 1 */
-        smaller = one / 2;
-    int32_t h = root60(smaller), g = root60(one - smaller);
-    uint32_t half = sheen_arc_sine(h);          /* half the angle, or a quarter turn less it; at most 1/8 turn */
-    int32_t versine = (int32_t)(smaller >> 30); /* 2 h^2 = 1 - cos, Q2.29 */
-    struct arc arc = {wide ? HALF_TURN - 2 * half : 2 * half, mul_round(h, g, 29),
-                      wide ? (1 << 30) - versine : versine};
-
-    return arc;
-}
 
 /* t from t*: t* w2 / ((1 - t*) w1 + t* w2); weights UQ0.32. */
 static uint32_t in_space(uint32_t t, uint32_t w1, uint32_t w2, uint32_t *weight)
@@ -75,28 +29,6 @@ static uint32_t in_space(uint32_t t, uint32_t w1, uint32_t w2, uint32_t *weight)
 
 /* ---- the ends of a row ---- */
 
-/* slerp of the normals of corners a and b, t in space. Q1.30. */
-static void edge_normal(const int16_t a[3], const int16_t b[3], uint32_t angle, uint32_t t, int32_t out[3])
-{
-    int32_t ka, kb; /* Q11.20: 1/sine reaches 1300 before the ends count as opposite */
-
-    if (angle < TINY_ANGLE) {
-        kb = (int32_t)(t >> 12);
-        ka = (1 << 20) - kb;
-    } else if (angle > HALF_TURN - TINY_ANGLE) {
-        kb = t < HALF_TURN ? 0 : 1 << 20;
-        ka = (1 << 20) - kb;
-    } else {
-        uint32_t part = mul_high(angle, t), sine = (uint32_t)sheen_sin(angle);
-        unsigned zeros = clz32(sine);
-        int64_t scale = sheen_reciprocal(sine << zeros); /* 1/sine = scale * 2^(zeros - 33) */
-        ka = (int32_t)round_shift64(sheen_sin(angle - part) * scale, 43 - zeros);
-        kb = (int32_t)round_shift64(sheen_sin(part) * scale, 43 - zeros);
-    }
-    for (int i = 0; i < 3; i++) /* Q0.15 times Q11.20; 1.0 of the normals is 32767 */
-        out[i] = (int32_t)asr64(((int64_t)a[i] * ka + (int64_t)b[i] * kb) * 32769, 20);
-}
-
 /* Where row y crosses the edge from corner a down to corner b: x, weight and normal there. */
 static void cross_edge(const struct tile *t, const struct setup *s, unsigned a, unsigned b, uint32_t angle, int32_t y,
                        int32_t *x, uint32_t *weight, int32_t normal[3])
@@ -107,7 +39,7 @@ static void cross_edge(const struct tile *t, const struct setup *s, unsigned a, 
     uint32_t wa = (uint32_t)s->shade.slerp.weight[a] << 16, wb = (uint32_t)s->shade.slerp.weight[b] << 16;
 
     *x = xa * 1024 + (int32_t)asr64((int64_t)across * part, 22); /* Q15.16 px */
-    edge_normal(s->shade.slerp.normal[a], s->shade.slerp.normal[b], angle, in_space(part, wa, wb, weight), normal);
+    sheen_arc_normal(s->shade.slerp.normal[a], s->shade.slerp.normal[b], angle, in_space(part, wa, wb, weight), normal);
 }
 
 /* ---- lights along the arc ---- */
@@ -207,7 +139,7 @@ static int begin_row(const struct tile *t, const struct setup *s, int32_t y, str
     if (found < 2)
         return 0;
     unsigned left = x[0] <= x[1] ? 0 : 1, right = 1 - left;
-    struct arc arc = arc_between(normal[left], normal[right]);
+    struct arc arc = sheen_arc_between(normal[left], normal[right]);
 
     row->x0 = x[left];
     row->width = x[right] - x[left];
@@ -321,5 +253,5 @@ void sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
     s->way = SHEEN_WAY_SLERP;
     s->fast = 0;
     for (int k = 0; k < 3; k++)
-        s->shade.slerp.angle[k] = arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
+        s->shade.slerp.angle[k] = sheen_arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
 }

@@ -131,6 +131,11 @@ static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
 size_t sheen_clip_scratch_bytes(void);
 int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
 
+static inline uint32_t or_default(uint32_t value, uint32_t fallback)
+{
+    return value != 0 ? value : fallback;
+}
+
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);
 int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3]);
