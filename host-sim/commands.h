@@ -15,6 +15,7 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options);
 enum sheen_exit sheen_cmd_first_light(struct sheen_options *options);
 enum sheen_exit sheen_cmd_panels(struct sheen_options *options);
 enum sheen_exit sheen_cmd_lecture(struct sheen_options *options);
+enum sheen_exit sheen_cmd_man(struct sheen_options *options);
 
 /* The one line on standard error: "sheen: ...", for a wrong command line with where to look. Returns status. */
 enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem);

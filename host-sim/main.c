@@ -11,27 +11,28 @@
 
 const struct sheen_command sheen_command_table[] = {
     {"render", "MESH [options] -o OUT.png|OUT.gif",
-     "Draws a mesh with the integer core, sends it through the panel's driver to a simulated\n"
+     "Draws a mesh with the integer core, sends it through the panel's driver to a simulated "
      "controller, and writes what the glass shows.",
      SHEEN_RENDER, sheen_cmd_render},
     {"view", "MESH [options]",
-     "Shows a mesh as it turns on a panel's glass, drawn and sent as `render` does, in a window.\n"
+     "Shows a mesh as it turns on a panel's glass, drawn and sent as `render` does, in a window. "
      "Keys:\n" SHEEN_VIEW_KEYS,
      SHEEN_VIEW, sheen_cmd_view},
     {"bake", "MESH [options] -o mesh.h",
-     "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and\n"
+     "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and "
      "reports what it takes.",
      SHEEN_BAKE, sheen_cmd_bake},
     {"first-light", "[options] -o OUT.png",
-     "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the\n"
+     "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the "
      "same way, and writes what the glass shows.",
      SHEEN_FIRST_LIGHT, sheen_cmd_first_light},
     {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames a second.", SHEEN_PANELS,
      sheen_cmd_panels},
     {"lecture", "-o DIR",
-     "Draws a figure for each claim of the lecture on shading that the core is built on, and a\n"
+     "Draws a figure for each claim of the lecture on shading that the core is built on, and a "
      "contact sheet of all; prints the numbers that the figures show.",
      SHEEN_LECTURE, sheen_cmd_lecture},
+    {"man", "", "Prints the page of the manual: sheen man | man -l -", 0, sheen_cmd_man},
     {NULL, NULL, NULL, 0, NULL},
 };
 
@@ -43,10 +44,15 @@ enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *p
 
 static void print_help(void)
 {
-    printf("Usage: sheen COMMAND ...\nShaded 3D with integers only, as a small display would show it.\n\n");
+    printf("Usage: sheen COMMAND ...\n\n");
+    sheen_options_paragraph(sheen_text_what);
+    putchar('\n');
     for (const struct sheen_command *command = sheen_command_table; command->name; command++)
-        printf("sheen %s %s\n", command->name, command->operands);
-    printf("\nsheen COMMAND --help tells its options, sheen --version the version.\n");
+        printf("sheen %s%s%s\n", command->name, *command->operands ? " " : "", command->operands);
+    putchar('\n');
+    sheen_options_paragraph(sheen_text_help);
+    putchar('\n');
+    sheen_options_paragraph(sheen_text_exit);
 }
 
 /* Output that did not arrive, as in a closed pipe or on a full disk, is a failure. */

@@ -1,5 +1,5 @@
 /*
- * options.c - the command line of `sheen`: the table, the parser, the help.
+ * options.c - the command line of `sheen`: the table and the parser.
  */
 #include "options.h"
 
@@ -29,8 +29,8 @@ const struct sheen_option sheen_option_table[] = {
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
     {"shade", "flat|gouraud|phong|slerp", "phong",
-     "a normal a polygon; light at the corners; normals at the pixels; normals along great arcs", SHEEN_OPTION_CHOICE,
-     SHEEN_DRAWS, AT(shade), 0, 0, 0},
+     "flat: a normal a polygon; gouraud: light at the corners; phong: normals at the pixels; slerp: along great arcs",
+     SHEEN_OPTION_CHOICE, SHEEN_DRAWS, AT(shade), 0, 0, 0},
     {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(yaw), -ANY, ANY, 0},
     {"pitch", "DEG", "20", "then about x", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(pitch), -ANY, ANY, 0},
     {"roll", "DEG", "0", "then about z", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(roll), -ANY, ANY, 0},
@@ -193,30 +193,4 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
         error = sheen_option_set(options, find_option(answer), optarg, problem);
     }
     return error ? error : take_operand(options, command, argc, argv, problem);
-}
-
-void sheen_options_version(void)
-{
-    printf("sheen %s\n", SHEEN_VERSION);
-}
-
-void sheen_options_help(const struct sheen_command *command)
-{
-    printf("Usage: sheen %s %s\n%s\n\n", command->name, command->operands, command->summary);
-    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
-        char left[64];
-        if (!(option->commands & command->bit))
-            continue;
-        char letter[4] = {'-', option->letter, ',', '\0'};
-        snprintf(left, sizeof left, "%3s --%s %s", option->letter ? letter : "", option->name,
-                 option->argument ? option->argument : "");
-        printf("%-36s %s", left, option->help);
-        if (option->value)
-            printf("%s[%s]", *option->help ? " " : "", option->value);
-        putchar('\n');
-    }
-    if (!(command->bit & SHEEN_TAKES_MESH))
-        return;
-    printf("\nMESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, builtin:torus.\n"
-           "Angles in degrees, counter-clockwise; default values in brackets.\n");
 }

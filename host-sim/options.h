@@ -112,11 +112,18 @@ extern const struct sheen_option sheen_option_table[];
 int sheen_options_parse(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
                         struct sheen_problem *problem);
 
-/* --version, on standard output. */
+/* --version, and --help of a command, on standard output. */
 void sheen_options_version(void);
-
-/* --help of a command, on standard output. */
 void sheen_options_help(const struct sheen_command *command);
+
+/* A part of the help, on standard output: lines wrapped, but for those that begin with a space. */
+void sheen_options_paragraph(const char *text);
+
+/* What the help and the man page say of an option: its text and default. */
+void sheen_option_text(const struct sheen_option *option, char *text, size_t size);
+
+/* "0.1.0", and what both say of the command as a whole. */
+extern const char sheen_version[], sheen_text_what[], sheen_text_help[], sheen_text_mesh[], sheen_text_exit[];
 
 /* An option's argument into its field. 0, or SHEEN_ERR_ARGUMENT and *problem. */
 int sheen_option_set(struct sheen_options *options, const struct sheen_option *option, const char *text,

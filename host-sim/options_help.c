@@ -1,0 +1,96 @@
+/*
+ * options_help.c - what --help and --version say, laid out for a terminal of 80 columns.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "options.h"
+
+enum {
+    COLUMNS = 80,
+    INDENT = 30 /* where an option's text begins */
+};
+
+const char sheen_version[] = SHEEN_VERSION;
+const char sheen_text_what[] = "Shaded 3D with integers only, as a small display would show it.";
+const char sheen_text_help[] = "sheen COMMAND --help tells its options, sheen --version the version.";
+const char sheen_text_mesh[] = "MESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, "
+                               "builtin:torus. Angles are degrees, counter-clockwise; default values in brackets.";
+const char sheen_text_exit[] = "The exit status is 0, or 1 after bad input or a failed write, or 2 for a wrong command "
+                               "line; one line on standard error says what is wrong.";
+
+/* A line of text from `column` on, broken between words only. Returns what follows it. */
+static const char *print_line(const char *text, size_t column, size_t indent)
+{
+    const char *word = text;
+
+    while (*word && *word != '\n') {
+        size_t length = strcspn(word, " \n");
+        if (column > indent && column + 1 + length > COLUMNS) {
+            printf("\n%*s", (int)indent, "");
+            column = indent;
+        } else if (column > indent) {
+            putchar(' ');
+            column++;
+        }
+        printf("%.*s", (int)length, word);
+        column += length;
+        word += length + (word[length] == ' ');
+    }
+    putchar('\n');
+    return word + (*word == '\n');
+}
+
+void sheen_options_paragraph(const char *text)
+{
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        if (*text != ' ') {
+            text = print_line(text, 0, 0);
+            continue;
+        }
+        printf("%.*s\n", (int)length, text); /* laid out already */
+        text += length + (text[length] == '\n');
+    }
+}
+
+void sheen_option_text(const struct sheen_option *option, char *text, size_t size)
+{
+    if (option->value)
+        snprintf(text, size, "%s [%s]", option->help, option->value);
+    else
+        snprintf(text, size, "%s", option->help);
+}
+
+static void print_option(const struct sheen_option *option)
+{
+    char left[64], text[256], letter[4] = {'-', option->letter, ',', '\0'};
+    int length = snprintf(left, sizeof left, "%3s --%s%s%s", option->letter ? letter : "", option->name,
+                          option->argument ? " " : "", option->argument ? option->argument : "");
+
+    printf("%-*s", INDENT, left);
+    if (length >= INDENT) /* too long to stand beside its text */
+        printf("\n%*s", INDENT, "");
+    sheen_option_text(option, text, sizeof text);
+    print_line(text, INDENT, INDENT);
+}
+
+void sheen_options_version(void)
+{
+    printf("sheen %s\n", sheen_version);
+}
+
+void sheen_options_help(const struct sheen_command *command)
+{
+    printf("Usage: sheen %s%s%s\n\n", command->name, *command->operands ? " " : "", command->operands);
+    sheen_options_paragraph(command->summary);
+    putchar('\n');
+    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
+        if (option->commands & command->bit)
+            print_option(option);
+    }
+    if (command->bit & SHEEN_TAKES_MESH) {
+        putchar('\n');
+        sheen_options_paragraph(sheen_text_mesh);
+    }
+}
