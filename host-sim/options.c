@@ -112,21 +112,22 @@ static void make_getopt(unsigned command, struct option *longs, char *letters)
     longs[count] = (struct option){NULL, 0, NULL, 0};
 }
 
-static const struct sheen_option *find_option(int value)
+/* NULL: no option of the command. */
+static const struct sheen_option *find_option(int value, unsigned command)
 {
     if (value >= FIRST)
         return &sheen_option_table[value - FIRST];
     for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
-        if (option->letter == value)
+        if (option->letter == value && (option->commands & command))
             return option;
     }
     return NULL;
 }
 
 /* What getopt_long did not like: '?' or ':'. */
-static int refuse(int answer, char **argv, struct sheen_problem *problem)
+static int refuse(int answer, unsigned command, char **argv, struct sheen_problem *problem)
 {
-    const struct sheen_option *option = optopt ? find_option(optopt) : NULL;
+    const struct sheen_option *option = optopt ? find_option(optopt, command) : NULL;
 
     if (option && answer == ':')
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s needs %s", option->name, option->argument);
@@ -189,8 +190,8 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
             return 0;
         }
         if (answer == '?' || answer == ':')
-            return refuse(answer, argv, problem);
-        error = sheen_option_set(options, find_option(answer), optarg, problem);
+            return refuse(answer, command->bit, argv, problem);
+        error = sheen_option_set(options, find_option(answer, command->bit), optarg, problem);
     }
     return error ? error : take_operand(options, command, argc, argv, problem);
 }

@@ -71,7 +71,7 @@ int sheen_viewer_key(struct sheen_viewer *viewer, int key, struct sheen_problem 
 
 /* ---- view_status.c: lines without newline, cut to size ---- */
 
-/* Panel, orientation, size, shading, frame or band. */
+/* Panel, frame or band, shading, size, orientation. */
 void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size);
 /* Triangles, pixels, bytes on the bus, the panel's frame ceiling. */
 void sheen_viewer_counts(const struct sheen_viewer *viewer, char *text, size_t size);

@@ -3,37 +3,36 @@
  */
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "view.h"
+
+/* Frame or band. */
+static void put_frame(const struct sheen_viewer *viewer, char *text, size_t size)
+{
+    const struct sheen_rect *sent = &viewer->sent;
+    char what[40] = "nothing to send";
+
+    if (viewer->shown_band < 0) {
+        snprintf(text, size, "frame %d", viewer->number);
+        return;
+    }
+    if (sent->x0 < sent->x1)
+        snprintf(what, sizeof what, "%dx%d px sent", sent->x1 - sent->x0, sent->y1 - sent->y0);
+    snprintf(text, size, "frame %d, band %d of %u: %s", viewer->number, viewer->shown_band + 1,
+             sheen_band_count(viewer->table.scene.frame), what);
+}
 
 void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size)
 {
     static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
     const struct sheen_turntable *table = &viewer->table;
     const struct sheen_view *view = &table->scene.view;
-    int used =
-        snprintf(text, size, "%s  %ux%u  orientation %u  %s%s%s%s  ", sheen_turntable_panel_name(table),
-                 table->choice.width, table->choice.height, table->choice.orientation, shadings[viewer->options.shade],
-                 view->affine ? ", affine" : "", view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "");
+    char frame[80];
 
-    if (used < 0 || (size_t)used >= size)
-        return;
-    text += used;
-    size -= (size_t)used;
-    if (viewer->shown_band < 0) {
-        snprintf(text, size, "frame %d", viewer->number);
-        return;
-    }
-    const struct sheen_rect *sent = &viewer->sent;
-    used = snprintf(text, size, "frame %d, band %d of %u: ", viewer->number, viewer->shown_band + 1,
-                    sheen_band_count(table->scene.frame));
-    if (used < 0 || (size_t)used >= size)
-        return;
-    if (sent->x0 < sent->x1)
-        snprintf(text + used, size - (size_t)used, "%dx%d px sent", sent->x1 - sent->x0, sent->y1 - sent->y0);
-    else
-        snprintf(text + used, size - (size_t)used, "nothing to send");
+    put_frame(viewer, frame, sizeof frame);
+    snprintf(text, size, "%s  %s  %s%s%s%s  %ux%u, orientation %u", sheen_turntable_panel_name(table), frame,
+             shadings[viewer->options.shade], view->affine ? ", affine" : "", view->orthographic ? ", ortho" : "",
+             view->dither ? ", dithered" : "", table->choice.width, table->choice.height, table->choice.orientation);
 }
 
 /* The wire alone, a bit a cycle of the rated clock: what no firmware can beat. */

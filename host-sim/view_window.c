@@ -6,6 +6,7 @@
  */
 #include <SDL.h>
 #include <cairo.h>
+#include <fontconfig/fontconfig.h>
 #include <stdio.h>
 
 #include "view.h"
@@ -229,5 +230,7 @@ int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem
     if (window.window)
         SDL_DestroyWindow(window.window);
     SDL_Quit();
+    cairo_debug_reset_static_data(); /* what both keep of the font is not lost, but looks it */
+    FcFini();
     return error;
 }

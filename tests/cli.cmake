@@ -36,3 +36,4 @@ sheen_script(same_bake cross COMMAND tests/checks/cross tests/cli/same_bake)
 # The viewer: SDL's driver without a screen, the terminal, a pseudo-terminal.
 sheen_test(test_view unit SOURCES test_view.c LIBRARIES sheen::view)
 sheen_test(test_view_keys unit SOURCES test_view_keys.c LIBRARIES sheen::view)
+sheen_script(cli_view cli COMMAND tests/cli/view $<TARGET_FILE:sheen> TIMEOUT 300)

@@ -219,7 +219,7 @@ static void test_status(void **state)
     (void)state;
     open_viewer(&viewer, "--panel ssd1351 --ortho --dither on");
     sheen_viewer_title(&viewer, text, sizeof text);
-    assert_string_equal(text, "ssd1351-128x128  128x128  orientation 0  phong, ortho, dithered  frame 0");
+    assert_string_equal(text, "ssd1351-128x128  frame 0  phong, ortho, dithered  128x128, orientation 0");
     sheen_viewer_counts(&viewer, text, sizeof text);
     assert_non_null(strstr(text, " of 2000 triangles  "));
     assert_non_null(strstr(text, " whole frames/s, "));
@@ -227,7 +227,7 @@ static void test_status(void **state)
     assert_string_equal(text, "ssd1351-1");
     GOOD(sheen_viewer_key(&viewer, 'b', &problem));
     sheen_viewer_title(&viewer, text, sizeof text);
-    assert_non_null(strstr(text, "frame 1, band 1 of 8: "));
+    assert_non_null(strstr(text, "  frame 1, band 1 of 8: "));
     close_viewer(&viewer);
 }
 

@@ -1,0 +1,28 @@
+"""picture.py - reads back the PNG files that the command writes."""
+import struct
+import zlib
+
+
+def picture(path):
+    """Width, height and rows of RGB bytes of a PNG of 8 bits a channel."""
+    data = open(path, "rb").read()
+    at, packed = 8, b""
+    while at < len(data):
+        size, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + size]
+        if kind == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", body[:10])
+        elif kind == b"IDAT":
+            packed += body
+        at += 12 + size
+    assert (depth, color) == (8, 2), f"{path}: not RGB of 8 bits"
+    raw, rows, last = zlib.decompress(packed), [], bytes(3 * width)
+    for y in range(height):
+        kind, row = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
+        for x in range(3 * width):
+            a, b, c = (row[x - 3] if x >= 3 else 0), last[x], (last[x - 3] if x >= 3 else 0)
+            paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[x] = (row[x] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
+        rows.append(bytes(row))
+        last = row
+    return width, height, rows
