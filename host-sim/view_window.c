@@ -39,8 +39,11 @@ int sheen_view_window_room(unsigned room[2], struct sheen_problem *problem)
     SDL_Rect screen;
 
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* an interrupt ends the program, as elsewhere */
-    if (SDL_Init(SDL_INIT_VIDEO) != 0 || SDL_GetDisplayUsableBounds(0, &screen) != 0)
-        return sdl_problem(problem);
+    if (SDL_Init(SDL_INIT_VIDEO) != 0 || SDL_GetDisplayUsableBounds(0, &screen) != 0) {
+        int error = sdl_problem(problem);
+        SDL_Quit();
+        return error;
+    }
     int width = screen.w - 2 * MARGIN, height = screen.h - 2 * MARGIN - LINES * LINE - 40; /* 40: the title bar */
     room[0] = (unsigned)(width < 1 ? 1 : width < MAX_ROOM_W ? width : MAX_ROOM_W);
     room[1] = (unsigned)(height < 1 ? 1 : height < MAX_ROOM_H ? height : MAX_ROOM_H);
@@ -175,7 +178,7 @@ static int key_of(const SDL_Keysym *symbol)
     }
 }
 
-/* All that have come. 1: the end was asked for; else as sheen_viewer_key. *dirty: 1 where there is something to show. */
+/* All that have come. As sheen_viewer_key, 1 also for a closed window. *dirty: 1 where there is something to show. */
 static int take_events(struct window *window, int *dirty, struct sheen_problem *problem)
 {
     SDL_Event event;

@@ -156,7 +156,7 @@ static void test_keys(void **state)
     }
 }
 
-/* Forwards through all panels in all orientations, with a band too high for most: no complaint, and back where it began. */
+/* Through all panels in all orientations, with a band too high for most: no complaint, and back where it began. */
 static void test_panels(void **state)
 {
     struct sheen_viewer viewer;
