@@ -23,7 +23,7 @@ int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *aroun
             return SHEEN_ERR_ARGUMENT;
         begin[list->corners[c]]++;
     }
-    /* Counts become ends; filled from the last corner backwards, ends become beginnings, lists in the corners' order. */
+    /* Counts become ends; filled from the last corner back, ends become beginnings, lists in the corners' order. */
     for (uint32_t v = 1; v <= list->point_count; v++)
         begin[v] += begin[v - 1];
     for (uint32_t p = list->polygon_count, c = all; p-- > 0;)

@@ -94,7 +94,7 @@ int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigne
         sum.low[k] &= ((int64_t)1 << sum.drop) - 1;
         large |= (uint64_t)(sum.high[k] < 0 ? ~sum.high[k] : sum.high[k]);
     }
-    /* Below 2^31 all of the sum fits 62 bits, an area of exactly zero among them; above, the low part is under 2^-30. */
+    /* Below 2^31 the whole sum fits 62 bits, down to an area of exactly zero; above, the low part is under 2^-30. */
     if (large >> 31 == 0) {
         for (int k = 0; k < 3; k++)
             sum.high[k] = sum.high[k] * ((int64_t)1 << sum.drop) + sum.low[k];

@@ -122,11 +122,12 @@ static int is_inside(const int32_t *const triangle[3], const int32_t *q, const s
 /* The first corner of the ring in or on the triangle at corner i, itself where that does not turn left, or UNKNOWN. */
 static uint32_t find_blocker(const struct ring *ring, uint32_t i)
 {
-    const int32_t *const triangle[3] = {point(ring, ring->before[i]), point(ring, i), point(ring, ring->next[i])};
+    /* The cut first: of its three sides it is the one that most corners are beyond. */
+    const int32_t *const triangle[3] = {point(ring, ring->next[i]), point(ring, ring->before[i]), point(ring, i)};
     int32_t in[3], out[3];
 
-    subtract(triangle[1], triangle[0], in);
-    subtract(triangle[2], triangle[1], out);
+    subtract(triangle[2], triangle[1], in);
+    subtract(triangle[0], triangle[2], out);
     if (turn(in, out, ring->normal) <= 0)
         return i;
     uint32_t j = ring->head;

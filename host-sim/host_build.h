@@ -5,16 +5,25 @@
 #define SHEEN_HOST_BUILD_H
 
 #include "host_mesh.h"
+#include "sheen.h"
+
+/* One polygon in the core's integers, its corners numbered in order. */
+struct sheen_host_local {
+    int32_t *points;           /* 3 a corner */
+    uint32_t *order, *scratch; /* 0, 1, 2 ...; SHEEN_TRIANGULATE_WORDS */
+};
 
 /* Corners are numbered over the polygons that are kept. */
 struct sheen_host_build {
     const struct sheen_polygons *from;
     const struct sheen_host_options *options;
     struct sheen_host_mesh *mesh;
-    uint32_t *weld; /* of each point */
+    struct sheen_host_local local; /* room for the largest polygon */
+    uint32_t *weld;                /* of each point */
     size_t weld_count;
-    uint32_t *source;     /* of each corner: its number in the file */
-    double (*normals)[3]; /* of each corner: unit */
+    uint32_t *source;         /* of each corner: its number in the file */
+    sheen_q30_t (*facing)[3]; /* the normal of each polygon */
+    double (*normals)[3];     /* of each corner: unit */
 };
 
 /* The vertex, by place, of a corner. */
@@ -23,20 +32,21 @@ static inline uint32_t sheen_corner_weld(const struct sheen_host_build *build, s
     return build->weld[build->from->corners[build->source[corner]]];
 }
 
+/* A unit vector of the core in double precision. */
+void sheen_host_unit(const sheen_q30_t from[3], double unit[3]);
+
+/* Room in build->local. 0, or SHEEN_ERR_MEMORY. */
+int sheen_host_local_alloc(struct sheen_host_build *build);
+void sheen_host_local_free(struct sheen_host_build *build);
+
+/*
+ * The polygon whose corners are points[corners[0..count-1]] to build->local.points: from its first corner, times
+ * a power of two that takes its extent to 2^27..2^28. What is plane or straight in short numbers stays so, and a
+ * normal is within 1e-8 where the polygon is no sliver.
+ */
+void sheen_host_localise(struct sheen_host_build *build, const uint32_t *corners, uint32_t count);
+
 /* Fills in build->normals. 0, or SHEEN_ERR_MEMORY. */
 int sheen_host_normals(struct sheen_host_build *build);
-
-/*
- * Newell's unit normal of the polygon whose corners are points[corners[0..count-1]];
- * 0 where it has no area, and normal is then zero.
- */
-int sheen_host_newell(const double (*points)[3], const uint32_t *corners, uint32_t count, double normal[3]);
-
-/*
- * Split a polygon with that unit normal: out takes count - 2 triangles of indices
- * below count. 0, or SHEEN_ERR_MEMORY.
- */
-int sheen_host_split(const double (*points)[3], const uint32_t *corners, uint32_t count, const double normal[3],
-                     uint32_t (*out)[3]);
 
 #endif

@@ -38,14 +38,18 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
 
     mesh->polygons = calloc(from->polygon_count, sizeof *mesh->polygons);
     build->source = malloc(from->corner_count * sizeof *build->source);
-    if (!mesh->polygons || !build->source)
+    build->facing = malloc(from->polygon_count * sizeof *build->facing);
+    if (!mesh->polygons || !build->source || !build->facing)
         return SHEEN_ERR_MEMORY;
     for (size_t p = 0; p < from->polygon_count; p++) {
         struct sheen_host_polygon *keep = &mesh->polygons[mesh->polygon_count];
         uint32_t first = from->first[p], count = from->first[p + 1] - first;
 
-        if (!sheen_host_newell((const double(*)[3])from->points, from->corners + first, count, keep->normal))
-            continue;
+        sheen_host_localise(build, from->corners + first, count);
+        sheen_q30_t *facing = build->facing[mesh->polygon_count];
+        if (sheen_polygon_normal(build->local.points, build->local.order, count, facing) != SHEEN_OK)
+            continue; /* no area */
+        sheen_host_unit(facing, keep->normal);
         keep->first = (uint32_t)mesh->corner_count;
         keep->count = count;
         keep->group = from->groups[p];
@@ -147,19 +151,18 @@ static int make_vertices(struct sheen_host_build *build, const char *name, struc
 static int make_triangles(struct sheen_host_build *build)
 {
     struct sheen_host_mesh *mesh = build->mesh;
+    const struct sheen_host_local *local = &build->local;
     uint32_t(*cut)[3] = malloc(mesh->corner_count * sizeof *cut);
-    uint32_t *points = malloc(mesh->corner_count * sizeof *points);
     struct sheen_host_triangle *out = malloc(mesh->triangle_count * sizeof *out);
-    int error = cut && points && out ? SHEEN_OK : SHEEN_ERR_MEMORY;
+    int error = cut && out ? SHEEN_OK : SHEEN_ERR_MEMORY;
 
     mesh->triangles = out;
-    for (size_t c = 0; !error && c < mesh->corner_count; c++)
-        points[c] = build->from->corners[build->source[c]];
     for (size_t p = 0; !error && p < mesh->polygon_count; p++) {
         const struct sheen_host_polygon *polygon = &mesh->polygons[p];
 
-        error = sheen_host_split((const double(*)[3])build->from->points, points + polygon->first, polygon->count,
-                                 polygon->normal, cut);
+        /* A polygon's corners follow each other in the file too. */
+        sheen_host_localise(build, build->from->corners + build->source[polygon->first], polygon->count);
+        error = sheen_triangulate(local->points, local->order, polygon->count, build->facing[p], local->scratch, *cut);
         for (uint32_t t = 0; !error && t + 2 < polygon->count; t++, out++) {
             for (int k = 0; k < 3; k++)
                 out->vertex[k] = mesh->corners[polygon->first + cut[t][k]];
@@ -167,7 +170,6 @@ static int make_triangles(struct sheen_host_build *build)
         }
     }
     free(cut);
-    free(points);
     return error;
 }
 
@@ -194,6 +196,8 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
         return error; /* the problem is set, nothing was allocated */
     error = fit(&build, name, problem);
     if (!error)
+        error = sheen_host_local_alloc(&build);
+    if (!error)
         error = keep_polygons(&build, name, problem);
     if (!error)
         error = weld_points(&build);
@@ -205,8 +209,10 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
         error = make_triangles(&build);
     if (!error)
         error = copy_groups(&build);
+    sheen_host_local_free(&build);
     free(build.weld);
     free(build.source);
+    free(build.facing);
     free(build.normals);
     if (error)
         sheen_host_mesh_free(mesh);

@@ -10,7 +10,8 @@
  *   - fit: minus the centre of the bounding box, then the farthest point to distance 1;
  *   - a corner's normal is the file's, else the average over the polygons around its
  *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
- *   - polygons are split into triangles (host_split.c).
+ *   - polygons are split into triangles.
+ * Normals and triangles are the core's own (core/averages.c, polygons.c), as firmware gets them.
  */
 #ifndef SHEEN_HOST_MESH_H
 #define SHEEN_HOST_MESH_H
