@@ -23,6 +23,7 @@ int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3],
     if (56 - MIN_EXPONENT < zeros + bits)
         return 0;
     g->exponent = 56 - zeros - bits;
+    g->stretch = (int)(2 * bits + zeros) - 32;
     g->b1[0] = (int32_t)round_shift64(y2 * scale, bits + 1);
     g->b1[1] = (int32_t)round_shift64(-x2 * scale, bits + 1);
     g->b2[0] = (int32_t)round_shift64(-y1 * scale, bits + 1);
