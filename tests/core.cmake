@@ -1,8 +1,10 @@
 # Each stage of the core alone, against double precision or exact integers.
-set(stages fixed newton vectors averages polygons pose transform light colour bin flight garbage errors)
+set(stages fixed newton vectors averages pose transform light colour bin flight garbage errors)
 foreach(name IN LISTS stages)
   sheen_test(test_core_${name} unit SOURCES test_core_${name}.c LIBRARIES core_picture sheen::core)
 endforeach()
+
+sheen_test(test_core_polygons unit SOURCES test_core_polygons.c simple_polygon.c LIBRARIES core_picture sheen::core)
 
 # Set-up of triangles that were never drawn.
 sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)

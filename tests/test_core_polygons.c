@@ -12,6 +12,7 @@
 #include "frame_stage.h"
 #include "reference/ref_split.h"
 #include "sheen.h"
+#include "simple_polygon.h"
 
 #define MOST 64
 #define GUARD 0xa5a5a5a5u
@@ -120,66 +121,6 @@ static int is_as_reference(const struct polygon *p)
            memcmp(triangle, p->triangle, (p->count - 2) * sizeof triangle[0]) == 0;
 }
 
-/* ---- generators, in x and y ---- */
-
-static int64_t side(const int32_t a[2], const int32_t b[2], const int32_t c[2])
-{
-    return (int64_t)(b[0] - a[0]) * (c[1] - a[1]) - (int64_t)(b[1] - a[1]) * (c[0] - a[0]);
-}
-
-static int is_between(const int32_t a[2], const int32_t b[2], const int32_t q[2])
-{
-    return side(a, b, q) == 0 && (q[0] - a[0]) * (int64_t)(q[0] - b[0]) + (q[1] - a[1]) * (int64_t)(q[1] - b[1]) <= 0;
-}
-
-static int sign(int64_t x)
-{
-    return (x > 0) - (x < 0);
-}
-
-/* Whether two edges have a point in common. */
-static int meet(const int32_t a[2], const int32_t b[2], const int32_t c[2], const int32_t d[2])
-{
-    return (sign(side(a, b, c)) * sign(side(a, b, d)) < 0 && sign(side(c, d, a)) * sign(side(c, d, b)) < 0) ||
-           is_between(a, b, c) || is_between(a, b, d) || is_between(c, d, a) || is_between(c, d, b);
-}
-
-static void reverse(int32_t (*at)[2], unsigned from, unsigned to)
-{
-    for (; from < to; from++, to--)
-        for (int k = 0; k < 2; k++) {
-            int32_t other = at[from][k];
-            at[from][k] = at[to][k];
-            at[to][k] = other;
-        }
-}
-
-/* Random points, edges uncrossed until none meet. 0 where that is given up; a corner may be straight, not turn back. */
-static int make_simple(int32_t (*at)[2], unsigned count, uint32_t extent, uint32_t *state)
-{
-    for (unsigned i = 0; i < count; i++)
-        for (int k = 0; k < 2; k++)
-            at[i][k] = (int32_t)(stage_random(state) % extent) - (int32_t)(extent / 2);
-    for (int tries = 0; tries < 300; tries++) {
-        int met = 0;
-        for (unsigned i = 0; i < count && !met; i++)
-            for (unsigned j = i + 1; j < count && !met; j++) {
-                unsigned next = (j + 1) % count;
-                if (j == i + 1  ? is_between(at[i], at[j], at[next]) || is_between(at[j], at[next], at[i])
-                    : next == i ? is_between(at[i], at[i + 1], at[j]) || is_between(at[j], at[i], at[i + 1])
-                                : meet(at[i], at[i + 1], at[j], at[next])) {
-                    reverse(at, i + 1, j);
-                    met = 1;
-                }
-            }
-        if (!met)
-            return 1;
-    }
-    return 0;
-}
-
-/* ---- the tests ---- */
-
 /* Area is all there once: no triangle clockwise, so, with the boundary right, none overlaps or lies outside. */
 static void check_simple(const struct polygon *p)
 {
@@ -198,7 +139,7 @@ static void test_simple_polygons(void **unused)
         int32_t at[MOST][2];
         struct polygon p;
 
-        if (!make_simple(at, count, extents[round % 5], &state))
+        if (!polygon_make_simple(at, count, extents[round % 5], &state))
             continue;
         place(&p, at, count, &state);
         assert_true(triangulate(&p));
@@ -229,14 +170,14 @@ static void test_convex_polygons_become_fans(void **unused)
             for (unsigned n = stage_random(&state) % 4; n > 0; n--, half++)
                 for (int k = 0; k < 2; k++)
                     edge[half][k] = directions[d][k] * scale;
-        if (half < 2 || side((int32_t[2]){0, 0}, edge[0], edge[half - 1]) == 0)
+        if (half < 2 || polygon_side((int32_t[2]){0, 0}, edge[0], edge[half - 1]) == 0)
             continue;
         at[0][0] = at[0][1] = 0;
         for (unsigned i = 1; i < 2 * half; i++)
             for (int k = 0; k < 2; k++)
                 at[i][k] = at[i - 1][k] + (i <= half ? 1 : -1) * edge[(i - 1) % half][k];
         if (stage_random(&state) % 2 != 0)
-            reverse(at, 0, 2 * half - 1);
+            polygon_reverse(at, 0, 2 * half - 1);
         struct polygon p;
         place(&p, at, 2 * half, &state);
         assert_true(triangulate(&p));
@@ -254,7 +195,7 @@ static void test_bent_polygons(void **unused)
         unsigned count = 4 + stage_random(&state) % 16;
         int32_t at[MOST][2];
         struct polygon p;
-        if (!make_simple(at, count, 1 << 24, &state))
+        if (!polygon_make_simple(at, count, 1 << 24, &state))
             continue;
         place(&p, at, count, &state);
         for (unsigned i = 0; i < count; i++)
