@@ -59,8 +59,8 @@ static int is_within(const sheen_q30_t a[3], const sheen_q30_t b[3], int64_t lea
 }
 
 /*
- * The average around point v, of those within the crease of polygon `own` (never of none: own counts), or of all
- * where own is NULL. Zero where the sum is not above its own rounding, 4 raw steps a normal.
+ * The average around point v, of those within the crease of the normal `own`, or of all where own is NULL. Zero
+ * where the sum is not above its own rounding, 4 raw steps a normal.
  */
 static void average(const struct sheen_polygon_list *list, const uint32_t *around, const sheen_q30_t *normals,
                     uint32_t v, const sheen_q30_t *own, int64_t least, sheen_q30_t out[3])
@@ -70,7 +70,7 @@ static void average(const struct sheen_polygon_list *list, const uint32_t *aroun
 
     for (uint32_t i = around[v]; i < around[v + 1]; i++) {
         const sheen_q30_t *normal = normals + 3 * (size_t)polygons[i];
-        if (own && normal != own && !is_within(own, normal, least))
+        if (own && !is_within(own, normal, least))
             continue;
         for (int k = 0; k < 3; k++)
             sum[k] += normal[k];

@@ -74,9 +74,10 @@ static int is_up(struct seen e)
 }
 
 /*
- * Convex: no corner turns right or straight back, and the edges' direction goes around once (a five-pointed star
- * turns left everywhere, but goes around twice). An edge between two points that are seen at one place has no
- * direction and is passed over.
+ * Convex: no corner turns right, and the edges' direction goes around once (a five-pointed star turns left
+ * everywhere, but goes around twice). A corner that turns straight back counts as half a round: the other half
+ * has no way to close the polygon but by turning right, or with no area. An edge between two points that are
+ * seen at one place has no direction and is passed over.
  */
 static int is_convex(const struct ring *ring)
 {
@@ -90,10 +91,8 @@ static int is_convex(const struct ring *ring)
         struct seen seen = see(edge, ring->normal);
         if (seen.x == 0 && seen.y == 0)
             continue;
-        int side = turn(last, edge, ring->normal);
         if (i >= ring->count) {
-            /* Parallel edges in different halves run against each other. */
-            if (side < 0 || (side == 0 && is_up(seen) != was_up))
+            if (turn(last, edge, ring->normal) < 0)
                 return 0;
             rounds += is_up(seen) && !was_up;
         }

@@ -219,12 +219,37 @@ static void test_sums_of_zero(void **unused)
         assert_memory_equal(normal + 3 * c, facing + 3 * (c / 3), 3 * sizeof *normal);
 }
 
+/* The same with normals that are rounded: what is left of the sum is below its rounding. */
+static void test_sides_of_random_triangles_cancel(void **unused)
+{
+    static const uint32_t corners[] = {0, 1, 2, 2, 1, 0}, sizes[] = {3, 3};
+    uint32_t state = 8, around[SHEEN_AROUND_WORDS(3, 6)], rounded = 0;
+
+    (void)unused;
+    for (int round = 0; round < 1000; round++) {
+        int32_t points[9];
+        const struct sheen_polygon_list list = {points, corners, sizes, 3, 6, 2};
+        sheen_q30_t facing[6], vertex[9];
+
+        for (int i = 0; i < 9; i++)
+            points[i] = (int32_t)stage_random(&state) >> 4;
+        assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
+        sheen_polygon_normals(&list, facing);
+        sheen_vertex_normals(&list, around, facing, vertex);
+        for (int k = 0; k < 3; k++)
+            rounded += facing[k] + facing[3 + k] != 0;
+        for (int i = 0; i < 9; i++)
+            assert_int_equal(vertex[i], 0);
+    }
+    assert_true(rounded > 0);
+}
+
 static void test_lists_are_checked(void **unused)
 {
     static const int32_t points[] = {0, 0, 0, 9, 0, 0, 0, 9, 0, 9, 9, 0};
     static const uint32_t once[] = {0, 1, 2, 2, 1, 3, 3}, beyond[] = {0, 1, 2, 2, 1, 3, 4};
     static const uint32_t sizes[] = {3, 4}, small[] = {2, 5}, few[] = {3, 3}, many[] = {3, 5},
-                          wraps[] = {3, UINT32_MAX};
+                          wraps[] = {8, UINT32_MAX};
     static const struct {
         const uint32_t *corners, *sizes;
         int result;
@@ -251,6 +276,7 @@ int main(void)
         cmocka_unit_test(test_all_within_is_the_vertex_normal),
         cmocka_unit_test(test_a_crease_includes_its_own_angle),
         cmocka_unit_test(test_sums_of_zero),
+        cmocka_unit_test(test_sides_of_random_triangles_cancel),
         cmocka_unit_test(test_lists_are_checked),
     };
 

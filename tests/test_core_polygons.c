@@ -315,6 +315,12 @@ static void test_known_polygons(void **unused)
         if (memcmp(p.triangle, l->triangle, (l->count - 2) * sizeof l->triangle[0]) != 0 || backwards != l->backwards)
             fail_msg("%s: first triangle %u %u %u, %u backwards", l->name, p.triangle[0][0], p.triangle[0][1],
                      p.triangle[0][2], backwards);
+        /* Only the sign of what is seen along the normal counts, down to the last bit: any length will do. */
+        uint32_t scratch[SHEEN_TRIANGULATE_WORDS(MOST)];
+        const sheen_q30_t shortest[3] = {0, 0, p.normal[2] > 0 ? 1 : -1};
+        memset(p.triangle, 0, sizeof p.triangle);
+        assert_int_equal(sheen_triangulate(p.point[0], p.corner, p.count, shortest, scratch, p.triangle[0]), SHEEN_OK);
+        assert_memory_equal(p.triangle, l->triangle, (l->count - 2) * sizeof l->triangle[0]);
     }
 }
 
