@@ -27,19 +27,7 @@ SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
     return (uint32_t)(y - t->rect.y0) * t->pitch + (uint32_t)(x - t->rect.x0);
 }
 
-/* A plane along the rows of a triangle: its value in column 0, a row at a time. */
-struct plane_row {
-    uint32_t value, dx, dy;
-};
-
-SPECIALISED struct plane_row plane_row_at(const struct plane *p, int32_t y)
-{
-    struct plane_row r = {p->base + (uint32_t)y * p->dy, p->dx, p->dy};
-
-    return r;
-}
-
-/* A quadric likewise: value in column 0, first difference there in x and to the next row. */
+/* A quadric along the rows of a triangle: value in column 0, first difference there in x and to the next row. */
 struct quadric_row {
     uint32_t value, dx, dy, dxx, dxy, dyy;
 };

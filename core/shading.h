@@ -128,13 +128,6 @@ static inline uint32_t pairs(int32_t x)
     return (uint32_t)(x * (x - 1) / 2);
 }
 
-static inline uint32_t quadric_at(const struct quadric *q, int32_t x, int32_t y)
-{
-    uint32_t ux = (uint32_t)x, uy = (uint32_t)y;
-
-    return q->base + ux * q->dx + uy * q->dy + pairs(x) * q->dxx + ux * uy * q->dxy + pairs(y) * q->dyy;
-}
-
 /* setup.c: prepare a triangle from row `from` on; 0 where it has no row left. */
 int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, int32_t from,
                 struct setup *s);

@@ -14,6 +14,14 @@
 #include "core_raster.h"
 #include "frame_stage.h"
 
+/* A quadric's value at a pixel, in closed form. */
+static uint32_t quadric_at(const struct quadric *q, int32_t x, int32_t y)
+{
+    uint32_t ux = (uint32_t)x, uy = (uint32_t)y;
+
+    return q->base + ux * q->dx + uy * q->dy + pairs(x) * q->dxx + ux * uy * q->dxy + pairs(y) * q->dyy;
+}
+
 #define WIDTH 640
 #define HEIGHT 480
 #define TRIANGLES 2500
