@@ -93,7 +93,7 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 }
 
 /*
- * What is added before the one rounding: thresholds (B + 1/2) / 64 of PICTURE.md's
+ * What is added before the one rounding: thresholds (B + 1/2) / 64 of the 8x8
  * Bayer matrix, in 1/128, row y mod 8; the ninth row is 1/2 throughout, no dither.
  */
 #define NO_DITHER 8

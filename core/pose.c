@@ -83,7 +83,7 @@ int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const 
 }
 
 /*
- * PICTURE.md's order, R = Rz(roll) * Rx(pitch) * Ry(yaw), multiplied out. Each
+ * The command line's order, R = Rz(roll) * Rx(pitch) * Ry(yaw), multiplied out. Each
  * entry is within 6 raw steps of exact, so rows are unit vectors to 1e-8.
  */
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,

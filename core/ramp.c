@@ -132,7 +132,7 @@ uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb
                        format->swap);
 }
 
-/* The thresholds 2 B + 1, B = B8 of PICTURE.md built up from [[0, 2], [3, 1]]. */
+/* The thresholds 2 B + 1, B the 8x8 Bayer matrix built up from [[0, 2], [3, 1]]. */
 const uint8_t sheen_thresholds[9][8] = {
     {1, 65, 17, 81, 5, 69, 21, 85},       {97, 33, 113, 49, 101, 37, 117, 53},  {25, 89, 9, 73, 29, 93, 13, 77},
     {121, 57, 105, 41, 125, 61, 109, 45}, {7, 71, 23, 87, 3, 67, 19, 83},       {103, 39, 119, 55, 99, 35, 115, 51},

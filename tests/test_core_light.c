@@ -94,7 +94,7 @@ static void random_scene(struct scene *s, uint32_t *state, unsigned lights)
     assert_int_equal(sheen_light_begin(&s->lighting, &s->draw), SHEEN_OK);
 }
 
-/* What PICTURE.md says, relative to the sums of the intensities. `behind` counts R.V > 0 where N.V < 0. */
+/* What the definition says, relative to the sums of the intensities. `behind` counts R.V > 0 where N.V < 0. */
 static int exact_light(const struct scene *s, const double n[3], double *diffuse, double *specular, int *behind)
 {
     const sheen_q30_t *r = s->draw.pose.rotation;

@@ -36,7 +36,7 @@ static double focal(const struct sheen_view *view, unsigned height)
     return height / 2.0 / tan(view->fov / 4294967296.0 * PI);
 }
 
-/* PICTURE.md's z16 before rounding, in the core's range. */
+/* The definition's z16 before rounding, in the core's range. */
 static double exact_depth(const struct sheen_view *view, double m)
 {
     double near = view->near / UNIT, far = view->far / UNIT;
