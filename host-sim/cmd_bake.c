@@ -186,6 +186,7 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
 
     if (error)
         return error;
+    sheen_notes_print(&baking->host.notes, options->groups);
     if (options->name)
         snprintf(baking->name, sizeof baking->name, "%s", options->name);
     else

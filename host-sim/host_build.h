@@ -19,6 +19,7 @@ struct sheen_host_build {
     const struct sheen_host_options *options;
     struct sheen_host_mesh *mesh;
     struct sheen_host_local local; /* room for the largest polygon */
+    double side[3];                /* of the bounding box */
     uint32_t *weld;                /* of each point */
     size_t weld_count;
     uint32_t *source;         /* of each corner: its number in the file */

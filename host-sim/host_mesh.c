@@ -3,6 +3,7 @@
  */
 #include "host_mesh.h"
 
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,17 +13,30 @@
 #include "mesh_file.h"
 #include "unique.h"
 
+/* What is taken from the points before they are compared: 0, or the box's centre where it is far off (host_mesh.h). */
+static void weld_origin(const struct sheen_host_build *build, double origin[3])
+{
+    double side = 0;
+
+    for (int k = 0; k < 3; k++)
+        side = fmax(side, build->side[k]);
+    for (int k = 0; k < 3; k++)
+        origin[k] = fabs(build->mesh->center[k]) > 16 * side ? build->mesh->center[k] : 0;
+}
+
 static int weld_points(struct sheen_host_build *build)
 {
     const struct sheen_polygons *from = build->from;
     float(*keys)[3] = malloc((from->point_count + 1) * sizeof *keys);
+    double origin[3];
     int error = SHEEN_ERR_MEMORY;
 
+    weld_origin(build, origin);
     build->weld = malloc((from->point_count + 1) * sizeof *build->weld);
     if (keys && build->weld) {
         for (size_t i = 0; i < from->point_count; i++) {
             for (int k = 0; k < 3; k++)
-                keys[i][k] = (float)from->points[i][k];
+                keys[i][k] = (float)(from->points[i][k] - origin[k]) + 0.0f; /* -0 becomes 0 */
         }
         error = sheen_unique(keys, sizeof *keys, from->point_count, build->weld, &build->weld_count);
     }
@@ -82,14 +96,16 @@ static int fit(struct sheen_host_build *build, const char *name, struct sheen_pr
             high[k] = fmax(high[k], point[k]);
         }
     }
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         mesh->center[k] = (low[k] + high[k]) / 2;
+        build->side[k] = high[k] - low[k];
+    }
     for (size_t c = 0; c < from->corner_count; c++) {
         const double *point = from->points[from->corners[c]];
         double d[3] = {point[0] - mesh->center[0], point[1] - mesh->center[1], point[2] - mesh->center[2]};
         mesh->radius = fmax(mesh->radius, sqrt(dot3(d, d)));
     }
-    if (!(mesh->radius > 0))
+    if (!(mesh->radius > FLT_MIN))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no extent: all vertices are at one place", name);
     return SHEEN_OK;
 }
@@ -182,6 +198,8 @@ static int copy_groups(struct sheen_host_build *build)
         return SHEEN_ERR_MEMORY;
     memcpy(mesh->group, build->from->group, build->from->group_count * sizeof *mesh->group);
     mesh->group_count = build->from->group_count;
+    mesh->z_up = build->from->z_up;
+    mesh->notes = build->from->notes;
     return SHEEN_OK;
 }
 

@@ -4,10 +4,14 @@
  *   name -> polygons -> host mesh -> quantise.h -> the core's struct sheen_mesh
  *
  * The rules, in the order in which they are applied:
- *   - points with bit-equal positions (32-bit floats, -0 counting as 0) are one vertex;
+ *   - points with bit-equal positions (32-bit floats, -0 counting as 0) are one vertex. On an axis on
+ *     which the centre of the bounding box lies farther from 0 than 16 times its longest side
+ *     (georeferenced files) the distance from that centre is compared instead: floats apart by less than
+ *     they are from 0 stay apart, so a file of 32-bit floats welds the same either way, and doubles
+ *     keep the digits that floats have not;
  *   - a polygon's normal is Newell's, over the whole polygon; a polygon without area is
  *     dropped, though its points count for the fit;
- *   - fit: minus the centre of the bounding box, then the farthest point to distance 1;
+ *   - fit, in double precision: minus the centre of the bounding box, then the farthest point to distance 1;
  *   - a corner's normal is the file's, else the average over the polygons around its
  *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
  *   - polygons are split into triangles.
@@ -57,6 +61,8 @@ struct sheen_host_mesh {
     struct sheen_group *group;             /* the file's materials */
     size_t group_count;
     double center[3], radius; /* fitted = (file - center) / radius */
+    uint8_t z_up;             /* as in the polygons, and so are the notes */
+    struct sheen_notes notes;
 };
 
 /*

@@ -11,7 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "host_vector.h"
 #include "obj_check.h"
 #include "ply_check.h"
 
@@ -43,8 +42,7 @@ static void multiply(const double a[16], const struct aiMatrix4x4 *b, double out
 static void transform_point(const double m[16], const struct aiVector3D *v, double out[3])
 {
     for (int k = 0; k < 3; k++) {
-        double sum = m[4 * k] * (double)v->x + m[4 * k + 1] * (double)v->y + m[4 * k + 2] * (double)v->z + m[4 * k + 3];
-        out[k] = as_float(sum);
+        out[k] = m[4 * k] * (double)v->x + m[4 * k + 1] * (double)v->y + m[4 * k + 2] * (double)v->z + m[4 * k + 3];
     }
 }
 
@@ -192,6 +190,7 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
     if (error)
         return sheen_problem(problem, error, "%s: not enough memory", path);
     walk_scene(&walk, scene, polygons);
+    polygons->z_up = (uint8_t)has_facet_normals(scene); /* STL */
     for (unsigned i = 0; i < scene->mNumMaterials; i++)
         read_material(scene->mMaterials[i], &polygons->group[i]);
     return SHEEN_OK;

@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 #include "confine.h"
-#include "mesh_assimp.h"
+#include "mesh_format.h"
 #include "mesh_wire.h"
 
 /* What the operating system has to say about it, in better words than a parser. */
@@ -43,6 +43,8 @@ static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
 
     if (!error)
         error = reader(&polygons, path, &problem);
+    if (!error)
+        sheen_polygons_finish(&polygons, path);
     _exit(sheen_mesh_send(pipe, error, &polygons, &problem) == 0 ? 0 : 1);
 }
 
@@ -100,5 +102,5 @@ int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *po
 
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
-    return sheen_mesh_file_read_by(sheen_mesh_assimp_read, polygons, path, problem);
+    return sheen_mesh_file_read_by(sheen_mesh_format_read, polygons, path, problem);
 }

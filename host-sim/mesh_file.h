@@ -1,5 +1,5 @@
 /*
- * mesh_file.h - mesh files: OBJ, STL, PLY, glTF and what else assimp reads.
+ * mesh_file.h - mesh files of every format (mesh_format.c).
  *
  * A parser of two dozen formats is the widest door that a hostile file finds. It
  * runs in a child process that may read files and nothing else (confine.h), within
@@ -13,7 +13,7 @@
 #define SHEEN_IMPORT_SECONDS 8u
 #define SHEEN_IMPORT_BYTES (900u << 20) /* address space of the child */
 
-/* What runs in the child: sheen_mesh_assimp_read, or a test's own. */
+/* What runs in the child: sheen_mesh_format_read, or a test's own. */
 typedef int sheen_mesh_reader(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /*

@@ -12,9 +12,11 @@
 
 struct header {
     int32_t error;
-    uint32_t with_normals;
+    uint32_t with; /* SHEEN_WITH_... */
+    uint32_t z_up;
     uint64_t points, polygons, corners, groups;
     struct sheen_problem problem;
+    struct sheen_notes notes;
 };
 
 /* An array of the polygons, and its bytes. */
@@ -24,7 +26,7 @@ struct part {
 };
 
 enum {
-    PARTS = 6
+    PARTS = 7
 };
 
 static void list_parts(const struct sheen_polygons *p, struct part parts[PARTS])
@@ -35,6 +37,7 @@ static void list_parts(const struct sheen_polygons *p, struct part parts[PARTS])
     parts[3] = (struct part){p->normals, p->normals ? p->corner_count * sizeof *p->normals : 0};
     parts[4] = (struct part){p->groups, p->polygon_count * sizeof *p->groups};
     parts[5] = (struct part){p->group, p->group_count * sizeof *p->group};
+    parts[6] = (struct part){p->colors, p->colors ? p->corner_count * sizeof *p->colors : 0};
 }
 
 static int send_all(int pipe, const void *bytes, size_t count)
@@ -81,7 +84,9 @@ int sheen_mesh_send(int pipe, int error, const struct sheen_polygons *polygons, 
         header.problem = *problem;
         return send_all(pipe, &header, sizeof header);
     }
-    header.with_normals = polygons->normals != NULL;
+    header.with = (polygons->normals ? SHEEN_WITH_NORMALS : 0) | (polygons->colors ? SHEEN_WITH_COLORS : 0);
+    header.z_up = polygons->z_up;
+    header.notes = polygons->notes;
     header.points = polygons->point_count;
     header.polygons = polygons->polygon_count;
     header.corners = polygons->corner_count;
@@ -99,8 +104,19 @@ static int is_reasonable(const struct header *h)
     if (h->points > MAX_BYTES || h->polygons > MAX_BYTES || h->corners > MAX_BYTES || h->groups > UINT16_MAX + 1u)
         return 0;
     uint64_t bytes = h->points * 3 * sizeof(double) + h->polygons * 6 + h->groups * sizeof(struct sheen_group) +
-                     h->corners * (4 + (h->with_normals ? 3 * sizeof(double) : 0));
+                     h->corners * (4 + (h->with & SHEEN_WITH_NORMALS ? 3 * sizeof(double) : 0) + 3);
     return bytes <= MAX_BYTES && h->groups > 0;
+}
+
+/* Lines and no more of them than there may be, whatever was sent. */
+static void receive_notes(struct sheen_polygons *polygons, struct header *header)
+{
+    polygons->z_up = header->z_up != 0;
+    for (uint32_t i = 0; i < header->notes.count && i < SHEEN_NOTES_MAX; i++) {
+        struct sheen_note *note = &header->notes.note[i];
+        note->line.text[sizeof note->line.text - 1] = '\0';
+        sheen_note(&polygons->notes, note->on_colors != 0, "%s", note->line.text);
+    }
 }
 
 int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, struct sheen_problem *problem)
@@ -118,13 +134,14 @@ int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, st
         return header.error < 0;
     }
     if (!is_reasonable(&header) || sheen_polygons_alloc(polygons, header.points, header.polygons, header.corners,
-                                                        header.groups, header.with_normals != 0) != 0)
+                                                        header.groups, (int)header.with) != 0)
         return 0;
     list_parts(polygons, parts);
     for (int i = 0; i < PARTS; i++) {
         if (!receive_all(pipe, parts[i].bytes, parts[i].count))
             return 0;
     }
+    receive_notes(polygons, &header);
     for (size_t g = 0; g < polygons->group_count; g++)
         polygons->group[g].name[sizeof polygons->group[g].name - 1] = '\0';
     return 1;

@@ -77,6 +77,7 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
 
     if (error)
         return error;
+    sheen_notes_print(&host.notes, options->color.from_file);
     error = make_meshes(scene, &host);
     sheen_host_mesh_free(&host);
     return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;

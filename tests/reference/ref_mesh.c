@@ -9,7 +9,10 @@
 #include "ref_vector.h"
 #include "reference.h"
 
-/* Positions meet as 32-bit floats, -0 counting as 0. */
+/*
+ * Positions meet as 32-bit floats, -0 counting as 0; on an axis where the bounding box's centre is more than 16
+ * of its longest sides from 0, as floats of the distance from the centre.
+ */
 struct weld_key {
     float at[3];
     uint32_t corner;
@@ -26,14 +29,36 @@ static int weld_order(const void *a, const void *b)
     return 0;
 }
 
+static void weld_origin(const struct ref_mesh *mesh, double origin[3])
+{
+    double longest = 0;
+
+    for (int k = 0; k < 3; k++) {
+        double low = mesh->position[0][k], high = low;
+        for (size_t c = 1; c < mesh->corner_count; c++) {
+            low = fmin(low, mesh->position[c][k]);
+            high = fmax(high, mesh->position[c][k]);
+        }
+        longest = fmax(longest, high - low);
+        origin[k] = (low + high) / 2;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (fabs(origin[k]) <= 16 * longest)
+            origin[k] = 0;
+    }
+}
+
 static int weld(struct ref_mesh *mesh)
 {
+    double origin[3];
+
+    weld_origin(mesh, origin);
     struct weld_key *keys = malloc(mesh->corner_count * sizeof *keys);
     if (!keys)
         return -1;
     for (size_t c = 0; c < mesh->corner_count; c++) {
         for (int k = 0; k < 3; k++)
-            keys[c].at[k] = (float)mesh->position[c][k];
+            keys[c].at[k] = (float)(mesh->position[c][k] - origin[k]);
         keys[c].corner = (uint32_t)c;
     }
     qsort(keys, mesh->corner_count, sizeof *keys, weld_order);

@@ -51,7 +51,7 @@ struct ref_mesh {
     size_t corner_count;
     double (*position)[3]; /* a corner */
     double (*normal)[3];   /* a corner: unit */
-    uint32_t *weld;        /* a corner: equal where the positions are the same 32-bit floats */
+    uint32_t *weld;        /* a corner: equal where the positions are the same as 32-bit floats (ref_mesh.c) */
     size_t triangle_count;
     struct ref_triangle *triangles;
     size_t polygon_count;

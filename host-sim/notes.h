@@ -1,0 +1,28 @@
+/*
+ * notes.h - what a person should know of a mesh that was read all the same.
+ */
+#ifndef SHEEN_NOTES_H
+#define SHEEN_NOTES_H
+
+#include <stdint.h>
+
+#include "problem.h"
+
+/* A missing .mtl, lines that were left out. One past the last is dropped, as is one that is there already. */
+#define SHEEN_NOTES_MAX 4
+struct sheen_notes {
+    uint32_t count;
+    struct sheen_note {
+        struct sheen_problem line;
+        uint32_t on_colors; /* 1: of the file's colours, which not every command uses */
+    } note[SHEEN_NOTES_MAX];
+};
+
+/* Adds a line, without newline, that names the file. */
+__attribute__((format(printf, 3, 4))) void sheen_note(struct sheen_notes *notes, int on_colors, const char *format,
+                                                      ...);
+
+/* `sheen: warning: ...` on standard error, a line each; those on colours only where they are used. */
+void sheen_notes_print(const struct sheen_notes *notes, int uses_colors);
+
+#endif
