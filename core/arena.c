@@ -58,7 +58,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->entry = take(base, &used, c->max_triangles, sizeof(struct entry));
     f->piece = take(base, &used, c->max_clipped, sizeof(struct piece));
     f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
-    f->scratch = take(base, &used, c->max_clipped > 0, sheen_clip_scratch_bytes());
+    f->scratch = take(base, &used, 1, sheen_clip_scratch_bytes()); /* also finds what needs no piece */
     if (c->max_clipped == 0)
         f->cut = NULL;
     f->worker = take(base, &used, c->workers, sizeof(struct worker));

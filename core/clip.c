@@ -6,12 +6,16 @@
  * moved: a neighbour that was not cut has the same corner. An edge is always cut
  * from its inner end, so two triangles that share it get the same point. The
  * sides cut at 510.5 px, so that the point lies inside the guard band of 511.
+ *
+ * A polygon of exact corners crosses a plane at most twice. One of rounded corners
+ * may wind about the plane; only one run of its corners is then kept, so a plane
+ * takes at least one corner away where it adds two: MAX_CLIP_CORNERS = 3 + PLANES.
  */
 #include "newton.h"
 #include "stages.h"
 
 #define CUT_SIDE (511 * 2 - 1) /* half px */
-#define PLANES 6
+#define PLANES (MAX_CLIP_CORNERS - 3)
 
 /* A corner of the polygon that is left of a triangle. */
 struct clip_corner {
@@ -65,15 +69,53 @@ static void cut_edge(const struct projection *p, const struct clip_corner *a, co
     sheen_project(p, out->eye, &out->v);
 }
 
-/* Sutherland and Hodgman's step: what of `in` lies inside a plane. Returns the number of corners. */
+/* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */
+static unsigned deepest_run(const struct projection *p, const struct clip_corner *in, unsigned count, unsigned plane,
+                            unsigned out)
+{
+    unsigned deepest = 0, run;
+    int64_t depth = INT64_MIN;
+
+    for (unsigned i = 0; i < count; i++) {
+        int64_t here = inside(p, in[i].eye, plane);
+        if ((out >> i & 1u) == 0 && here > depth) {
+            depth = here;
+            deepest = i;
+        }
+    }
+    run = 1u << deepest;
+    for (unsigned i = deepest; (out >> (i = i + 1 < count ? i + 1 : 0) & 1u) == 0;)
+        run |= 1u << i;
+    for (unsigned i = deepest; (out >> (i = i > 0 ? i - 1 : count - 1) & 1u) == 0;)
+        run |= 1u << i;
+    return run;
+}
+
+/* The corners outside a plane, a bit each: none, or one run (round the end too), so that the rest is one as well. */
+static unsigned corners_outside(const struct projection *p, const struct clip_corner *in, unsigned count,
+                                unsigned plane)
+{
+    unsigned out = 0, all = (1u << count) - 1;
+
+    for (unsigned i = 0; i < count; i++)
+        out |= (unsigned)(in[i].v.flags >> plane & 1) << i;
+    unsigned ends = out & ~(out >> 1 | out << (count - 1)); /* each run's last corner; after the last comes the first */
+    return (ends & (ends - 1)) == 0 ? out : all & ~deepest_run(p, in, count, plane, out);
+}
+
+/*
+ * Sutherland and Hodgman's step: what of `in` lies inside a plane. Returns the number of corners: at most one more
+ * than before, for one run of at least one corner gives way to the two points where the edges enter and leave it.
+ */
 static unsigned cut_polygon(const struct projection *p, const struct clip_corner *in, unsigned count, unsigned plane,
                             struct clip_corner *out)
 {
-    unsigned flag = 1u << plane, kept = 0;
+    unsigned outside = corners_outside(p, in, count, plane), kept = 0;
 
     for (unsigned i = 0; i < count; i++) {
-        const struct clip_corner *a = &in[i], *b = &in[i + 1 < count ? i + 1 : 0];
-        int a_out = (a->v.flags & flag) != 0, b_out = (b->v.flags & flag) != 0;
+        unsigned next = i + 1 < count ? i + 1 : 0;
+        const struct clip_corner *a = &in[i], *b = &in[next];
+        int a_out = (outside >> i & 1u) != 0, b_out = (outside >> next & 1u) != 0;
         if (!a_out)
             out[kept++] = *a;
         if (a_out && !b_out)
@@ -174,8 +216,6 @@ int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct 
     const int16_t *normal[3];
     unsigned count = 3;
 
-    if (f->config.max_clipped == 0)
-        return SHEEN_ERR_CAPACITY;
     triangle_corners(f, d, t, triangle, polygon, normal);
     for (unsigned plane = 0; plane < PLANES && count >= 3; plane++) {
         count = cut_polygon(&f->projection, polygon, count, plane, next);

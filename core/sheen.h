@@ -152,8 +152,7 @@ struct sheen_config {
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
-    uint16_t
-        max_clipped; /* pieces of triangles cut by near plane, far plane or guard band; 0: any to be cut is an error */
+    uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
 };
 

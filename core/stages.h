@@ -127,7 +127,7 @@ static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
 }
 
 /* clip.c: cut a triangle and list its pieces; 0 or SHEEN_ERR_CAPACITY. */
-#define MAX_CLIP_CORNERS 9 /* a triangle cut by six planes */
+#define MAX_CLIP_CORNERS 9 /* of a triangle cut by six planes: each adds one at most */
 size_t sheen_clip_scratch_bytes(void);
 int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
 

@@ -8,6 +8,7 @@ sheen_test(test_core_polygons unit SOURCES test_core_polygons.c simple_polygon.c
 
 # Set-up of triangles that were never drawn.
 sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)
+sheen_test(test_core_slivers unit SOURCES test_core_slivers.c LIBRARIES core_picture sheen::core)
 sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES core_picture sheen::core)
 
 # Every argument in place of every 4099th.

@@ -249,6 +249,38 @@ static void capacities(void **state)
     check_capacity(3, &cut, "pieces");
 }
 
+/* A triangle across the guard band, without room for pieces: refused where it is seen, and only there. */
+static void what_is_not_listed_needs_no_piece(void **state)
+{
+    static const int16_t position[9] = {-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 0};
+    static const uint8_t front[3] = {0, 1, 2}, back[3] = {0, 2, 1};
+    struct sheen_mesh mesh = {
+        .positions = position, .index_bytes = 1, .vertices = 3, .triangles = 1, .scale = SHEEN_Q24(20)};
+    struct sheen_draw draw = {.mesh = &mesh, .material = &stage.material[0]};
+    struct memory_target target;
+    struct sheen_config config;
+    struct sheen_view view;
+    struct core_frame f;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 3);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    stage_view(&view);
+    sheen_pose_orbit(&draw.pose, 0, 0, 0, SHEEN_Q24(3));
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    mesh.indices = back;
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    mesh.indices = front;
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_ERR_CAPACITY);
+    draw.pose.translation[0] = SHEEN_Q24(23); /* still across the guard band, and beside the picture */
+    draw.pose.translation[1] = SHEEN_Q24(23);
+    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -256,6 +288,7 @@ int main(void)
         cmocka_unit_test(arena_is_kept_to),
         cmocka_unit_test(bad_configurations),
         cmocka_unit_test(capacities),
+        cmocka_unit_test(what_is_not_listed_needs_no_piece),
     };
 
     return cmocka_run_group_tests_name("frame_limits", tests, make_stage, free_stage);
