@@ -1,6 +1,8 @@
 /*
  * sheen.h - shaded 3D for microcontroller displays, with integers only.
  *
+ * "The lecture" is Ron Goldman, "Shading Algorithms", Rice University.
+ *
  * Number formats. Qi.f is signed, UQi.f unsigned: value = raw / 2^f. The type
  * names below carry f. Integer results round to nearest, halves up, unless said
  * otherwise; the same input gives the same bits on every machine.

@@ -32,3 +32,6 @@ sheen_script(seeded_readme_fails format COMMAND tests/checks/refuses "1 passed, 
   tests/checks/readme tests/checks/seeded/readme_fails.md)
 sheen_script(seeded_readme_lacks format COMMAND tests/checks/refuses "does not give the command tests/run"
   tests/checks/readme --done tests/run tests/checks/seeded/readme_fails.md)
+
+# The README's first command where nothing is installed.
+sheen_script(bare bare COMMAND tests/bare/run TIMEOUT 1200)
