@@ -7,6 +7,8 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "utf8.h"
+
 enum {
     COLUMNS = 116,
     STRUCT_BYTES = 40 /* struct sheen_mesh with 32-bit pointers */
@@ -81,12 +83,15 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
             mesh->scale, mesh->offset[0], mesh->offset[1], mesh->offset[2]);
 }
 
-/* A name from a file as a C string: what is not plain ASCII, or would end the string, becomes '?'. */
+/* A name from a file, clean UTF-8, as a C string. "??" would be a trigraph. */
 static void put_string(FILE *stream, const char *text)
 {
     putc('"', stream);
-    for (; *text; text++)
-        putc(*text < ' ' || *text > '~' || *text == '"' || *text == '\\' ? '?' : *text, stream);
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\' || *text == '?')
+            putc('\\', stream);
+        putc(*text, stream);
+    }
     putc('"', stream);
 }
 
@@ -106,11 +111,14 @@ static void put_groups(FILE *stream, const struct sheen_bake *bake)
     fputs("};\n\n", stream);
 }
 
-/* A comment's text must not end it. */
+/* A comment's text, of 500 bytes at most, must not end it. */
 static void put_comment(FILE *stream, const char *text)
 {
-    for (; *text; text++)
-        putc(*text < ' ' || *text > '~' || (text[0] == '*' && text[1] == '/') ? '?' : *text, stream);
+    char clean[501];
+
+    sheen_utf8_copy(clean, sizeof clean, text);
+    for (const char *c = clean; *c; c++)
+        putc(c[0] == '*' && c[1] == '/' ? '?' : *c, stream);
 }
 
 int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
@@ -144,8 +152,9 @@ void sheen_bake_name(char *name, size_t size, const char *path)
     size_t length = strcspn(prefix, ".");
 
     snprintf(name, size, "%s%.*s", length == 0 || isdigit((unsigned char)*prefix) ? "mesh_" : "", (int)length, prefix);
-    for (char *c = name; *c; c++) {
-        if (!isalnum((unsigned char)*c) || (unsigned char)*c > 127)
-            *c = '_';
-    }
+    sheen_utf8_clean(name);
+    char *to = name;
+    for (const char *c = name; *c; c += sheen_utf8_bytes(c)) /* a '_' for each character that C's names have not */
+        *to++ = isalnum((unsigned char)*c) ? *c : '_';
+    *to = '\0';
 }

@@ -25,7 +25,7 @@ struct baking {
     struct sheen_group *groups;
     size_t count;
     char name[48];
-    char source[160];
+    char source[400]; /* a file's name has at most 255 bytes */
 };
 
 static int is_identifier(const char *name)
@@ -40,7 +40,7 @@ static int check(const struct sheen_options *options, struct sheen_problem *prob
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o mesh.h)");
     if (options->name && !is_identifier(options->name))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%.100s': not a C identifier of 1..39 letters",
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%s': not a C identifier of 1..39 letters",
                              options->name);
     return sheen_builtin_check(options->mesh, problem);
 }
@@ -54,7 +54,7 @@ static void set_source(struct baking *baking)
 
     if (options->crease >= 0)
         snprintf(crease, sizeof crease, " --crease %g", options->crease);
-    snprintf(baking->source, sizeof baking->source, "sheen bake %.80s%s%s%s%s", file ? file + 1 : options->mesh,
+    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s", file ? file + 1 : options->mesh,
              options->average ? " --normals average" : "", crease, options->groups ? " --groups" : "",
              options->no_flat ? " --no-flat" : "");
 }

@@ -7,7 +7,7 @@
 #include "first_light.h"
 #include "glass.h"
 #include "png_file.h"
-#include "sim_panel.h"
+#include "turntable.h"
 
 /* Bytes of a band buffer: 16 rows of the widest picture in 565. */
 #define BAND_BYTES (640 * 16 * 2)
@@ -51,8 +51,7 @@ enum sheen_exit sheen_cmd_first_light(struct sheen_options *options)
     struct sheen_sim_panel *panel;
     struct sheen_problem problem;
 
-    if (sheen_sim_choose(&choice, options->panel, options->orientation, options->size[0], options->size[1],
-                         problem.text, sizeof problem.text) != 0)
+    if (sheen_turntable_choose(&choice, options, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     if (!options->out) {
         sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no output given (-o OUT.png)");

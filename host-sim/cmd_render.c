@@ -26,8 +26,7 @@ static int is_gif(const char *path)
 /* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
-    int error = sheen_sim_choose(choice, options->panel, options->orientation, options->size[0], options->size[1],
-                                 problem->text, sizeof problem->text);
+    int error = sheen_turntable_choose(choice, options, problem);
 
     if (error)
         return error;

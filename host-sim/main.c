@@ -98,7 +98,7 @@ int main(int argc, char **argv)
             return finish(run(command, argc - 1, argv + 1));
     }
     if (argc > 1)
-        sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "unknown command '%.100s'", name);
+        sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "unknown command '%s'", name);
     else
         sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no command given");
     return sheen_fail(SHEEN_EXIT_USAGE, &problem);

@@ -13,6 +13,7 @@
 
 #include "obj_check.h"
 #include "ply_check.h"
+#include "utf8.h"
 
 #define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
 
@@ -150,7 +151,7 @@ static void read_material(const struct aiMaterial *material, struct sheen_group 
     struct aiColor4D color;
 
     if (aiGetMaterialString(material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS)
-        snprintf(group->name, sizeof group->name, "%.63s", name.data);
+        sheen_utf8_copy(group->name, sizeof group->name, name.data);
     if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS &&
         aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) != aiReturn_SUCCESS)
         return;

@@ -9,7 +9,7 @@
 
 static int refuse(const struct sheen_option *option, const char *text, const char *what, struct sheen_problem *problem)
 {
-    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': %s", option->name, text, what);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': %s", option->name, text, what);
 }
 
 /* A finite decimal number that takes up the text as far as `end`; *text moves there. 0 or -1. */
@@ -36,7 +36,7 @@ static int set_number(const struct sheen_option *option, const char *text, void 
     if (option->kind == SHEEN_OPTION_WHOLE && value != floor(value))
         return refuse(option, text, "not a whole number", problem);
     if (value < option->low || value > option->high)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': out of range %g..%g", option->name, text,
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': out of range %g..%g", option->name, text,
                              option->low, option->high);
     if (option->kind == SHEEN_OPTION_WHOLE)
         *(int *)field = (int)value;
@@ -58,8 +58,7 @@ static int set_choice(const struct sheen_option *option, const char *text, int *
         }
         word += end + (word[end] == '|');
     }
-    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': not one of %s", option->name, text,
-                         option->argument);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not one of %s", option->name, text, option->argument);
 }
 
 static int set_color(const struct sheen_option *option, const char *text, uint8_t color[3],
@@ -102,7 +101,7 @@ static int set_light(const struct sheen_option *option, const char *text, struct
     if (!lights->given)
         lights->count = 0;
     if (lights->count == SHEEN_MAX_LIGHTS)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%.100s': at most %d lights", option->name, text,
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': at most %d lights", option->name, text,
                              SHEEN_MAX_LIGHTS);
     memcpy(lights->to[lights->count++], to, sizeof to);
     lights->given = 1;

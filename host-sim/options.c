@@ -135,7 +135,7 @@ static int refuse(int answer, unsigned command, char **argv, struct sheen_proble
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s takes no value", option->name);
     if (optopt > 0 && optopt < 256)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown option -%c", optopt);
-    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown or ambiguous option %.100s", argv[optind - 1]);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown or ambiguous option %s", argv[optind - 1]);
 }
 
 static int set_defaults(struct sheen_options *options, struct sheen_problem *problem)
@@ -159,13 +159,13 @@ static int take_operand(struct sheen_options *options, const struct sheen_comman
                         struct sheen_problem *problem)
 {
     if (!(command->bit & SHEEN_TAKES_MESH) && optind < argc)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s takes no '%.100s'", command->name, argv[optind]);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s takes no '%s'", command->name, argv[optind]);
     if (!(command->bit & SHEEN_TAKES_MESH))
         return 1;
     if (optind == argc)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no mesh given");
     if (optind + 1 < argc)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "one mesh at a time, not also '%.100s'", argv[optind + 1]);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "one mesh at a time, not also '%s'", argv[optind + 1]);
     options->mesh = argv[optind];
     return 1;
 }

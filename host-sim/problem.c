@@ -5,17 +5,25 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
+
+#include "utf8.h"
 
 int sheen_problem(struct sheen_problem *problem, int error, const char *format, ...)
 {
+    char *line = NULL;
     va_list arguments;
 
     va_start(arguments, format);
-    vsnprintf(problem->text, sizeof problem->text, format, arguments);
+    int made = vasprintf(&line, format, arguments); /* as long as it takes: what is wrong stands at the end */
     va_end(arguments);
-    for (char *c = problem->text; *c; c++) {
-        if ((unsigned char)*c < ' ' || *c == 127)
-            *c = '?';
+    if (made < 0) {
+        sheen_utf8_copy(problem->text, sizeof problem->text, "not enough memory to say what is wrong");
+        return error;
     }
+    sheen_utf8_clean(line);
+    sheen_utf8_shorten(line, SHEEN_PROBLEM_MAX);
+    sheen_utf8_copy(problem->text, sizeof problem->text, line);
+    free(line);
     return error;
 }

@@ -14,6 +14,16 @@ const char *sheen_turntable_panel_name(const struct sheen_turntable *table)
     return table->choice.record ? table->choice.record->name : "ideal";
 }
 
+int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_options *options,
+                           struct sheen_problem *problem)
+{
+    char why[4096 + 100]; /* a name of what length may be; the problem shortens it */
+    int error = sheen_sim_choose(choice, options->panel, options->orientation, options->size[0], options->size[1], why,
+                                 sizeof why);
+
+    return error ? sheen_problem(problem, error, "%s", why) : SHEEN_OK;
+}
+
 static void close_panel(struct sheen_turntable *table)
 {
     free(table->values);

@@ -18,6 +18,10 @@ struct sheen_turntable {
     uint8_t *rgb;     /* the same, 3 bytes a pixel */
 };
 
+/* The panel that the options ask for. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_options *options,
+                           struct sheen_problem *problem);
+
 /*
  * Loads, allocates, initialises the panel. choice: as resolved from the options.
  * options is borrowed. 0, or a negative code and *problem; close in either case.

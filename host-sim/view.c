@@ -150,8 +150,7 @@ int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *proble
 {
     struct sheen_options *options = &viewer->options;
     struct sheen_sim_choice choice;
-    int error = sheen_sim_choose(&choice, options->panel, options->orientation, options->size[0], options->size[1],
-                                 problem->text, sizeof problem->text);
+    int error = sheen_turntable_choose(&choice, options, problem);
 
     if (!error)
         error = sheen_viewer_finish(viewer, problem);

@@ -25,7 +25,7 @@ struct sheen_viewer {
     struct sheen_gif *gif;  /* being recorded; NULL: none */
     unsigned gif_size[2];   /* px */
     int gif_frames;
-    char message[512]; /* what the last key did; "": nothing to tell */
+    char message[sizeof(struct sheen_problem)]; /* what the last key did; "": nothing to tell */
 };
 
 /* Keys are their ASCII characters, and: */

@@ -3,6 +3,7 @@ sheen_test(test_import unit SOURCES test_import.c test_import_files.c LIBRARIES 
 sheen_test(test_import_reference unit SOURCES test_import_reference.c LIBRARIES sheen::host sheen::core reference m)
 find_package(GIF REQUIRED)
 sheen_test(test_gif unit SOURCES test_gif.c LIBRARIES sheen::host sheen::core GIF::GIF)
+sheen_test(test_problem unit SOURCES test_problem.c LIBRARIES sheen::host sheen::core)
 sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)

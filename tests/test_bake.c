@@ -74,7 +74,7 @@ static void groups(void **state)
     (void)state;
     assert_int_equal(sizeof baked_box_groups / sizeof baked_box_groups[0], 2);
     assert_string_equal(baked_box_groups[0].material, "red");
-    assert_string_equal(baked_box_groups[1].material, "blue ?grey?");
+    assert_string_equal(baked_box_groups[1].material, "blue \"grey\"");
     assert_memory_equal(baked_box_groups[0].base, red, 3);
     assert_memory_equal(baked_box_groups[1].base, grey, 3);
     load(&host, "data/box.obj", &(struct sheen_host_options){.by_group = 1});

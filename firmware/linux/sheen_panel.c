@@ -116,7 +116,10 @@ int main(int argc, char **argv)
         if (status == 0)
             status = run(&options, &why) < 0;
     }
-    if (status)
-        fprintf(stderr, "sheen-panel: %s\n", why.text);
+    if (status) {
+        struct sheen_problem line; /* what a file or a command line holds does not reach a terminal as it is */
+        sheen_problem(&line, status, "%s", why.text);
+        fprintf(stderr, "sheen-panel: %s\n", line.text);
+    }
     return status;
 }

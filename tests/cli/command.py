@@ -3,6 +3,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import unicodedata
 
 
 class Command:
@@ -27,20 +28,34 @@ class Command:
             self.refuse("sheen", *words, "- status", run.returncode, run.stderr.decode(errors="replace"))
         return run.stdout.decode()
 
+    @staticmethod
+    def line(said):
+        """What is wrong with the bytes as one line for a person: [] for nothing."""
+        try:
+            text = said.decode()
+        except UnicodeDecodeError:
+            return ["not UTF-8"]
+        why = []
+        if not text.startswith("sheen: ") or not text.endswith("\n") or text.count("\n") != 1:
+            why.append("not one line")
+        if len(text) > 201:
+            why.append(f"{len(text) - 1} characters")
+        if any(unicodedata.category(c) in ("Cc", "Zl", "Zp") for c in text[:-1]):
+            why.append("holds control characters")
+        return why
+
     def bad(self, status, parts, *words, **more):
         """
         Must fail with that status, nothing on standard output, no new file, and one
-        line on standard error that begins with "sheen: " and holds each of parts.
+        line of UTF-8, of at most 200 characters, on standard error that begins with "sheen: " and holds each of parts.
         """
         self.cases += 1
         before = sorted(os.listdir("."))
         run = self.run(*words, **more)
         said = run.stderr.decode(errors="replace")
-        why = []
+        why = self.line(run.stderr)
         if run.returncode != status:
             why.append(f"status {run.returncode}, not {status}")
-        if not said.startswith("sheen: ") or not said.endswith("\n") or said.count("\n") != 1:
-            why.append("not one line")
         why += [f"does not say '{part}'" for part in parts if part not in said]
         if run.stdout:
             why.append("writes on standard output")
