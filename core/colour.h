@@ -55,6 +55,19 @@ static inline uint32_t power_at(struct power p, int32_t u)
     return entry - ((drop * fraction + 0x8000u) >> 16);
 }
 
+#define FADED (1 << 12) /* UQ1.15: at L.N = 1/8 and beyond a highlight is whole */
+
+/*
+ * A light's highlight at L.N = ln > 0, UQ1.15: s^n times min(1, 8 L.N), so that it ends at
+ * L.N = 0 without a jump. Range: 2^15 * 2^12.
+ */
+static inline uint32_t highlight_at(struct power p, int32_t u, uint32_t ln)
+{
+    uint32_t power = power_at(p, u);
+
+    return ln < FADED ? (power * ln + FADED / 2) >> 12 : power;
+}
+
 /* ---- colour: intensities -> channels of the target ---- */
 
 /*

@@ -81,7 +81,8 @@ void sheen_light_normal(const struct lighting *l, const struct sheen_material *m
             continue;
         diffuse += l->diffuse_weight[i] * (uint32_t)ln;
         /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V); a product of two Q0.15 is half of it in Q2.29 */
-        specular += l->specular_weight[i] * power_at(power, (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv)));
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv));
+        specular += l->specular_weight[i] * highlight_at(power, u, (uint32_t)ln);
     }
     out->diffuse = (diffuse + (1u << 14)) >> 15;
     out->specular = (specular + (1u << 14)) >> 15;

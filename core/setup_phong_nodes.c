@@ -193,7 +193,8 @@ int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const 
     s->highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
     if (s->highlight && apart > (m->shininess > 32 ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
         return 0;
-    s->fast = sheen_rounds_early(f) && !exceeds(s->draw, &diffuse, s->highlight ? least : INT32_MAX);
+    s->faded = s->highlight && lower_bound(&diffuse) < FADED << 15;
+    s->fast = sheen_rounds_early(f) && !s->faded && !exceeds(s->draw, &diffuse, s->highlight ? least : INT32_MAX);
     if (!s->highlight && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_LINEAR) && nearly_linear(s, &diffuse)) {
         linear_channels(s, g, &diffuse);
         return 1;

@@ -49,7 +49,8 @@ SPECIALISED void light_pixel(struct power power, int32_t lv1, int32_t ln, int32_
         diffuse = 32768;
     lit->diffuse = diffuse;
     /* u = 1 - R.V = (1 + L.V) - 2 (L.N)(V.N), Q2.29: a product of two Q0.15 is half of itself there */
-    lit->specular = power_at(power, (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)normalised(nv, root)));
+    int32_t u = (int32_t)((uint32_t)lv1 - diffuse * (uint32_t)normalised(nv, root));
+    lit->specular = highlight_at(power, u, diffuse);
 }
 
 /* Pixels x..x1 with a root each; fast is a constant argument, rounding then is in the terms. */
@@ -110,7 +111,7 @@ void sheen_shade_block(const struct tile *t, const struct setup *s, int32_t x, i
             struct lit lit = {0, 0};
             if (diffuse.value > 0) {
                 lit.diffuse = (uint32_t)diffuse.value >> 15;
-                lit.specular = power_at(power, reflected.value);
+                lit.specular = highlight_at(power, reflected.value, lit.diffuse);
             }
             put_general(t, terms, rounding, at, x, colour_channel(terms, 0, &lit), colour_channel(terms, 1, &lit),
                         colour_channel(terms, 2, &lit));
@@ -164,7 +165,8 @@ static void light_normal(const struct setup *s, const int32_t n[3], uint32_t roo
         if (ln <= 0)
             continue;
         diffuse += l->diffuse_weight[i] * (uint32_t)ln;
-        specular += l->specular_weight[i] * power_at(power, (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * facing)));
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * facing));
+        specular += l->specular_weight[i] * highlight_at(power, u, (uint32_t)ln);
     }
     lit->diffuse = (diffuse + HALF) >> 15;
     lit->specular = (specular + HALF) >> 15;

@@ -12,7 +12,8 @@
 enum second {
     SECOND_NONE,     /* no highlight on this triangle */
     SECOND_SPECULAR, /* Gouraud: the specular intensity, Q1.30 */
-    SECOND_POWER     /* Phong: 1 - R.V, Q2.29 */
+    SECOND_POWER,    /* Phong: 1 - R.V, Q2.29 */
+    SECOND_FADED     /* likewise, where L.N may lie below 1/8 */
 };
 
 /* Intensities at a pixel; rounding to UQ1.15 is in the quadrics. */
@@ -24,6 +25,8 @@ SPECIALISED struct lit lit_of(struct power power, uint32_t diffuse, uint32_t sec
         lit.specular = not_negative(second) >> 15;
     else if (kind == SECOND_POWER && (int32_t)diffuse > 0)
         lit.specular = power_at(power, (int32_t)second);
+    else if (kind == SECOND_FADED && (int32_t)diffuse > 0)
+        lit.specular = highlight_at(power, (int32_t)second, lit.diffuse);
     return lit;
 }
 
@@ -145,5 +148,5 @@ void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s)
     if (FAST_LOOPS && s->fast)
         quadratic_rows(t, s, SECOND_POWER, 1);
     else
-        general_rows(t, s, SECOND_POWER);
+        general_rows(t, s, s->faded ? SECOND_FADED : SECOND_POWER);
 }

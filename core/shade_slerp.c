@@ -21,10 +21,11 @@ SPECIALISED void light_step(const struct setup *s, const struct slerp_row *row, 
     for (unsigned i = 0; i < l->count; i++) {
         struct arc_state *at = &block->state[i];
         if (wanted && at->light > 0) {
-            diffuse += l->diffuse_weight[i] * (uint32_t)min32((at->light + (1 << 14)) >> 15, 32768);
+            uint32_t ln = (uint32_t)min32((at->light + (1 << 14)) >> 15, 32768);
+            diffuse += l->diffuse_weight[i] * ln;
             /* 1 - R.V, Q2.29 */
             int32_t u = (int32_t)((1u << 29) - (uint32_t)row->light[i].mean - (uint32_t)at->reflected);
-            specular += l->specular_weight[i] * power_at(power_of(s->draw->material), u);
+            specular += l->specular_weight[i] * highlight_at(power_of(s->draw->material), u, ln);
         }
         recur(&at->light, &at->light_step, block->light_law, block->light_law_shift);
         recur(&at->reflected, &at->reflected_step, block->reflected_law, block->reflected_law_shift);

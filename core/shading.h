@@ -61,7 +61,8 @@ struct setup {
     uint8_t way;                      /* enum sheen_way */
     int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
     uint8_t long_right;               /* the long edge is the right one */
-    uint8_t highlight;                /* by quadrics: there is a second one */
+    uint8_t highlight;                /* by quadrics: there is a second one, */
+    uint8_t faded;                    /* and L.N may lie below 1/8 (Phong) */
     uint8_t block_shift;              /* blocks: the logarithm of their length, px */
     uint8_t fast;                     /* 565, no dither, no clamp: rounding is in the planes */
     struct edge left, right;

@@ -27,9 +27,10 @@
  * or sheen_finish() returns.
  *
  * Light (lecture, "Illumination Models"): eye and lights at infinity,
- *   I = ambient + sum over lights of diffuse * max(0, L.N) + specular * max(0, R.V)^n,
- * no highlight where L.N <= 0; colour = base * I_ad + highlight colour * I_s,
- * clamped and rounded once a pixel.
+ *   I_ad = ambient + sum over lights of diffuse * max(0, L.N)
+ *   I_s  = sum over lights of specular * max(0, R.V)^n * min(1, 8 max(0, L.N));
+ * colour = base * I_ad + highlight colour * I_s, clamped and rounded once a pixel.
+ * The last factor lets the highlight end at L.N = 0 without a jump.
  */
 #ifndef SHEEN_H
 #define SHEEN_H

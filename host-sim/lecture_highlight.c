@@ -77,7 +77,8 @@ static double ball(const struct sheen_lecture_scene *scene, int x, int y)
     double ln = (l[0] * nx + l[1] * ny + l[2] * nz) / length, rv = 2 * ln * nz - l[2] / length;
     if (ln <= 0)
         return scene->ambient;
-    return scene->ambient + scene->diffuse * ln + scene->specular * pow(fmax(0, rv), scene->shininess);
+    return scene->ambient + scene->diffuse * ln +
+           scene->specular * pow(fmax(0, rv), scene->shininess) * fmin(1, 8 * ln);
 }
 
 /* The highlight needs no search for its place: nothing else comes near it. */

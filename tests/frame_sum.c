@@ -41,9 +41,15 @@ static uint32_t checksum(const uint8_t *bytes, size_t count)
     return sum;
 }
 
-/* Views: 0 a light and a highlight; 1 affine, three lights, over 1; 2 cut by the near plane, both sides, a window. */
+/*
+ * Views: 0 a light and a highlight; 1 affine, three lights, over 1; 2 cut by the near plane, both sides, a window;
+ * 3 lit from behind, a wide highlight that fades.
+ */
+#define VIEWS 4
+
 static void set_view(int number, struct sheen_view *view, struct sheen_draw *draw)
 {
+    static const struct sheen_light behind = {{-0x20000000, 0x18000000, -0x2ccccccd}, 65536, 1};
     static const struct sheen_light lights[3] = {
         {{-0x20000000, 0x2ccccccd, 0x20000000}, 65536, 1},
         {{0x30000000, 0x08000000, 0x10000000}, 40000, 1},
@@ -54,7 +60,7 @@ static void set_view(int number, struct sheen_view *view, struct sheen_draw *dra
     view->affine = number == 1;
     if (number == 2)
         view->viewport = (struct sheen_rect){8, 5, 88, 71};
-    draw->lights = lights;
+    draw->lights = number == 3 ? &behind : lights;
     draw->light_count = number == 1 ? 3 : 1;
     draw->two_sided = number == 2;
     sheen_pose_orbit(&draw->pose, 0x1555a5a5u * (uint32_t)(number + 1), 0x0e3f1234u, 0x02468aceu * (uint32_t)number,
@@ -63,14 +69,14 @@ static void set_view(int number, struct sheen_view *view, struct sheen_draw *dra
 
 static int set_material(struct sheen_material *material, int view)
 {
+    static const uint8_t shininess[VIEWS] = {32, 7, 128, 2};
+
     *material = (struct sheen_material){.base = {200, 160, 80},
                                         .highlight = {255, 255, 240},
                                         .ambient = 6554,
                                         .diffuse = view == 1 ? 60000 : 40000,
                                         .specular = view == 1 ? 50000 : 20000,
-                                        .shininess = view == 0   ? 32
-                                                     : view == 1 ? 7
-                                                                 : 128};
+                                        .shininess = shininess[view]};
     return sheen_material_prepare(material);
 }
 
@@ -136,8 +142,8 @@ static int print_sums(int mesh, int shading, int view, int format)
 
 int main(void)
 {
-    for (int i = 0; i < SUM_MESHES * 4 * 3 * 5; i++) {
-        if (print_sums(i / 60, i / 15 % 4, i / 5 % 3, i % 5) < 0)
+    for (int i = 0; i < SUM_MESHES * 4 * VIEWS * 5; i++) {
+        if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

@@ -129,6 +129,14 @@ static void light_by_hand(void **state)
     memcpy(scene.light[0], (double[3]){0, 0, 1}, sizeof scene.light[0]);
     ref_light(&scene, n, &diffuse, &specular);
     NEAR(specular, 0, 0);
+    /* From behind, N.V = 0, so R = -L and R.V = .8; L.N is .06, then .18: beyond 1/8 the highlight is whole. */
+    memcpy(scene.light[0], (double[3]){0.6, 0, -0.8}, sizeof scene.light[0]);
+    memcpy(n, (double[3]){0.1, sqrt(0.99), 0}, sizeof n);
+    ref_light(&scene, n, &diffuse, &specular);
+    NEAR(specular, 0.3 * 0.8 * 8 * 0.06, 1e-12);
+    memcpy(n, (double[3]){0.3, sqrt(0.91), 0}, sizeof n);
+    ref_light(&scene, n, &diffuse, &specular);
+    NEAR(specular, 0.3 * 0.8, 1e-12);
     scene.light_count = 2; /* ambient once, the rest summed */
     memcpy(scene.light[1], (double[3]){0, 0, -1}, sizeof scene.light[1]);
     memcpy(scene.light[0], (double[3]){0, 2, 0}, sizeof scene.light[0]);

@@ -2,7 +2,7 @@
  * ref_light.c - the lecture's illumination at a unit normal.
  *
  *   I_ambient_diffuse = Ia ka + sum Ip kd max(0, L.N)
- *   I_specular        = sum Ip ks max(0, R.V)^n, only where L.N > 0
+ *   I_specular        = sum Ip ks max(0, R.V)^n min(1, 8 max(0, L.N))
  *   R.V = 2 (L.N)(N.V) - L.V, V = (0, 0, 1)
  */
 #include "ref_vector.h"
@@ -22,6 +22,6 @@ void ref_light(const struct ref_scene *scene, const double normal[3], double *di
         double r_v = 2 * l_n * normal[2] - to[2];
         *diffuse += scene->diffuse * l_n;
         if (r_v > 0)
-            *specular += scene->specular * pow(r_v, scene->shininess);
+            *specular += scene->specular * pow(r_v, scene->shininess) * fmin(1, 8 * l_n);
     }
 }
