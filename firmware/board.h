@@ -4,7 +4,7 @@
 #ifndef BOARD_H
 #define BOARD_H
 
-#include "panel.h"
+#include "sheen_panel.h"
 
 extern const char board_name[];
 extern const struct sheen_panel_record *const board_panel;

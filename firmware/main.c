@@ -5,8 +5,8 @@
  */
 #include "board.h"
 #include "demo.h"
-#include "first_light.h"
 #include "log.h"
+#include "sheen_first_light.h"
 #include "start.h"
 #include "ticks.h"
 

@@ -1,7 +1,7 @@
 /*
  * first_light.c - border, corner marks, colour and grey bars, on any target.
  */
-#include "first_light.h"
+#include "sheen_first_light.h"
 
 #define BLACK 0x000000u
 #define WHITE 0xFFFFFFu

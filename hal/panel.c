@@ -5,7 +5,7 @@
  * initialises it, since a controller that missed bytes (or its power) shows
  * nothing that a write-only bus could notice.
  */
-#include "panel_driver.h"
+#include "drivers/driver.h"
 
 int sheen_panel_init(struct sheen_panel *panel)
 {

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "commands.h"
-#include "first_light.h"
 #include "glass.h"
 #include "png_file.h"
+#include "sheen_first_light.h"
 #include "turntable.h"
 
 /* Bytes of a band buffer: 16 rows of the widest picture in 565. */

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "commands.h"
-#include "panel.h"
+#include "sheen_panel.h"
 
 static const char *colours_of(const struct sheen_panel_record *record)
 {

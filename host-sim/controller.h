@@ -11,7 +11,7 @@
 #ifndef SHEEN_CONTROLLER_H
 #define SHEEN_CONTROLLER_H
 
-#include "bus.h"
+#include "sheen_bus.h"
 
 struct sheen_sim_controller;
 

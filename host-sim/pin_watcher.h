@@ -14,7 +14,7 @@
 #ifndef SHEEN_PIN_WATCHER_H
 #define SHEEN_PIN_WATCHER_H
 
-#include "bus.h"
+#include "sheen_bus.h"
 
 #ifdef __cplusplus
 extern "C" {

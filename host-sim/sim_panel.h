@@ -9,7 +9,7 @@
 #ifndef SHEEN_SIM_PANEL_H
 #define SHEEN_SIM_PANEL_H
 
-#include "panel.h"
+#include "sheen_panel.h"
 #include "sim_bus.h"
 
 /* What `sheen render` asks for, resolved: the size is that of the picture in the orientation. */

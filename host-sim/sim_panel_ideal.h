@@ -4,7 +4,7 @@
 #ifndef SHEEN_SIM_PANEL_IDEAL_H
 #define SHEEN_SIM_PANEL_IDEAL_H
 
-#include "bus.h"
+#include "sheen_bus.h"
 #include "sheen_target.h"
 
 struct sheen_sim_ideal {

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "first_light.h"
+#include "sheen_first_light.h"
 #include "test_panel_canvas.h"
 
 /* Plain memory as a target: one byte or word a pixel, unpacked. */

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "first_light.h"
+#include "sheen_first_light.h"
 #include "sim_panel.h"
 
 static uint8_t band[480 * 8 * 2];

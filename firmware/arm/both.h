@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-/* A bus's delay (bus.h) that feeds the watchdog once a millisecond. */
+/* A bus's delay (sheen_bus.h) that feeds the watchdog once a millisecond. */
 int both_delay(void *ctx, uint32_t us);
 
 /*

@@ -6,8 +6,8 @@
 
 #include "linux_bus.h"
 #include "options.h"
-#include "panel.h"
 #include "sender.h"
+#include "sheen_panel.h"
 
 struct board {
     struct sheen_failure sending; /* of the bus: the sending thread's while a write is under way */

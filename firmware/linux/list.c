@@ -3,8 +3,8 @@
  */
 #include "list.h"
 
-#include "panel.h"
 #include "pins.h"
+#include "sheen_panel.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #include "options.h"
 
 #include "options_table.h"
-#include "panel.h"
+#include "sheen_panel.h"
 
 #include <ctype.h>
 #include <getopt.h>

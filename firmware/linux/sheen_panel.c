@@ -7,10 +7,10 @@
  * command line; 1: anything else, with one line on standard error that says what.
  */
 #include "board.h"
-#include "first_light.h"
 #include "list.h"
 #include "meter.h"
 #include "options.h"
+#include "sheen_first_light.h"
 #include "stop.h"
 
 #include "../../host-sim/scene.h"

@@ -4,8 +4,8 @@
  * The bus is three functions, here for an SPI of the kind PL022 (ctx: its registers)
  * and a pin for D/C. The board's start-up code has set up clocks, pins and SPI.
  */
-#include "panel.h"
 #include "sheen.h"
+#include "sheen_panel.h"
 
 #define K 18918 /* 32767 / sqrt(3): a corner at distance 1, and its unit normal */
 static const int16_t corners[] = {-K, -K, -K, K, -K, -K, -K, K, -K, K, K, -K, -K, -K, K, K, -K, K, -K, K, K, K, K, K};

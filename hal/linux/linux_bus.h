@@ -12,8 +12,8 @@
 #ifndef SHEEN_LINUX_BUS_H
 #define SHEEN_LINUX_BUS_H
 
-#include "bus.h"
 #include "pins.h"
+#include "sheen_bus.h"
 
 #ifdef __cplusplus
 extern "C" {

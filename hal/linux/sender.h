@@ -10,7 +10,7 @@
 #ifndef SHEEN_SENDER_H
 #define SHEEN_SENDER_H
 
-#include "bus.h"
+#include "sheen_bus.h"
 
 #include <pthread.h>
 

@@ -17,8 +17,8 @@
 #include <string.h>
 
 #include "demo.h"
-#include "first_light.h"
 #include "glass.h"
+#include "sheen_first_light.h"
 #include "sim_panel.h"
 
 #define ARENA_BYTES (256u * 1024u)

@@ -1,7 +1,7 @@
 /*
  * panel_name.c - a use of the panel drivers, so that a consumer without them does not link.
  */
-#include "panel.h"
+#include "sheen_panel.h"
 
 __attribute__((constructor)) static void require_panels(void)
 {

@@ -1,15 +1,10 @@
 /*
- * panels_mono.c - records of the black and white OLED panels.
+ * ssd1306.c - records of the SSD1306: black and white.
  *
  * A1 and C8 in the init tables stand these modules upright; the packer does all
- * turning. Values as in u8g2, registers of the SSD1306 and SH1106 data sheets.
- * Reset as in panels_oled.c: 3 us (SSD1306 data sheet 8.9, t1) and 10 us (SH1106)
- * low at least, u8g2's 100 ms after it.
+ * turning. Values as in u8g2, registers of the data sheet (reset: 8.9, t1, 3 us).
  */
-#include "panel_driver.h"
-#include "panel_tables.h"
-
-#define MONO .pixel = SHEEN_GREY2, .reset_low_us = 100, .reset_ms = 100
+#include "record.h"
 
 /* lines: multiplex ratio - 1. pins: DA, how COM lines are wired (12 alternating, 02 in sequence). */
 /* clang-format off */
@@ -39,7 +34,9 @@ static const struct sheen_panel_step init_64x48[] = INIT_SSD1306(0x2F, 0x12, 0xC
 static const struct sheen_panel_step init_72x40[] = INIT_SSD1306(0x27, 0x12, 0xAF, 0x22, 0x20);
 
 /* Clock: cycle 100 ns (SSD1306 data sheet, table 13-4). */
-#define SSD1306 .controller = "SSD1306", .driver = &sheen_driver_ssd1306, MONO, .clock_hz = 10000000, RAM(128, 64)
+#define SSD1306                                                                                                        \
+    .controller = "SSD1306", .driver = &sheen_driver_ssd1306, .pixel = SHEEN_GREY2, OLED, .clock_hz = 10000000,        \
+    RAM(128, 64)
 
 const struct sheen_panel_record sheen_panel_ssd1306_128x64 = {
     .name = "ssd1306-128x64", SSD1306, INIT(init_128x64), GLASS(128, 64)};
@@ -49,33 +46,3 @@ const struct sheen_panel_record sheen_panel_ssd1306_72x40 = {
     .name = "ssd1306-72x40", SSD1306, INIT(init_72x40), GLASS(72, 40), .gap_x = 28};
 const struct sheen_panel_record sheen_panel_ssd1306_64x48 = {
     .name = "ssd1306-64x48", SSD1306, INIT(init_64x48), GLASS(64, 48), .gap_x = 32};
-
-static const struct sheen_panel_step init_sh1106[] = {
-    {0xAE, 0, NONE},        /* off */
-    {0xD5, 0, BYTES(0x80)}, /* clock */
-    {0xA8, 0, BYTES(0x3F)}, /* 64 lines */
-    {0xD3, 0, BYTES(0x00)}, /* offset */
-    {0x40, 0, NONE},        /* start line 0 */
-    {0xAD, 0, BYTES(0x8B)}, /* DC-DC on */
-    {0xA1, 0, NONE},        /* columns from the last segment */
-    {0xC8, 0, NONE},        /* rows from the last COM line */
-    {0xDA, 0, BYTES(0x12)}, /* COM wiring: alternating */
-    {0x81, 0, BYTES(0xCF)}, /* contrast */
-    {0xD9, 0, BYTES(0xF1)}, /* precharge */
-    {0xDB, 0, BYTES(0x40)}, /* VCOMH */
-    {0xA4, 0, NONE},        /* shows the RAM, */
-    {0xA6, 0, NONE},        /* not inverted */
-};
-
-/* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). 132 columns of RAM, the glass in their middle. */
-const struct sheen_panel_record sheen_panel_sh1106 = {
-    .name = "sh1106-128x64",
-    .controller = "SH1106",
-    .driver = &sheen_driver_sh1106,
-    MONO,
-    INIT(init_sh1106),
-    .clock_hz = 4000000,
-    GLASS(128, 64),
-    RAM(132, 64),
-    .gap_x = 2,
-};

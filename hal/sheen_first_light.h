@@ -1,5 +1,5 @@
 /*
- * first_light.h - the picture to send to a panel before any other.
+ * sheen_first_light.h - the picture to send to a panel before any other.
  *
  *   +-----------------------+     a border of 1 px: a side missing or doubled is an offset
  *   | ##                 [] |     corners: solid top left (red), hollow top right (green),

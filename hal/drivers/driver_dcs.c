@@ -1,5 +1,5 @@
 /*
- * panel_dcs.c - every MIPI-DCS colour panel on a 4-wire SPI: one driver, a record a module.
+ * driver_dcs.c - every MIPI-DCS colour panel on a 4-wire SPI: one driver, a record a module.
  *
  * On the wire, D/C low for the first byte of each line:
  *
@@ -11,7 +11,7 @@
  * glass turns too. CASET and RASET are sent where they differ from the last.
  * Command codes: MIPI Alliance, Display Command Set 1.3, chapter 6.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 #define SWRESET 0x01
 #define SLPIN 0x10

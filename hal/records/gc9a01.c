@@ -1,5 +1,5 @@
 /*
- * panels_gc9a01.c - the record of the round GC9A01.
+ * gc9a01.c - the record of the round GC9A01.
  *
  * Most of its registers are not in the data sheet; makers of the glass hand out a
  * table, and public drivers carry it along (values as in LovyanGFX,
@@ -8,12 +8,7 @@
  * RASET FF FF FF FF before each new window in quarter turns, which others do
  * without, and so does this one.
  */
-#include "panel_driver.h"
-#include "panel_tables.h"
-
-#define MY 0x80
-#define MX 0x40
-#define MV 0x20
+#include "record.h"
 
 static const struct sheen_panel_step init_gc9a01[] = {
     {0xEF, 0, NONE}, /* opens the register pages, with FE */
@@ -34,7 +29,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
     {0x8E, 0, BYTES(0xFF)},
     {0x8F, 0, BYTES(0xFF)},
     {0xB6, 0, BYTES(0x00, 0x20)}, /* display function: scan directions */
-    {0x3A, 0, BYTES(0x05)},       /* COLMOD: 16 bits a pixel */
+    {COLMOD, 0, BYTES(0x05)},     /* 16 bits a pixel */
     {0x90, 0, BYTES(0x08, 0x08, 0x08, 0x08)},
     {0xBD, 0, BYTES(0x06)},
     {0xBC, 0, BYTES(0x00)},
@@ -61,7 +56,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
     {0x67, 0, BYTES(0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98)},
     {0x74, 0, BYTES(0x10, 0x85, 0x80, 0x00, 0x00, 0x4E, 0x00)},
     {0x98, 0, BYTES(0x3E, 0x07)},
-    {0x11, 120, NONE}, /* sleep out; 120 ms as in panels_dcs.c */
+    {SLPOUT, 120, NONE}, /* sleep out; 120 ms as in record.h */
 };
 
 /* The rating is not published; 40 to 80 MHz are in use, so the lower end. */
@@ -69,14 +64,11 @@ const struct sheen_panel_record sheen_panel_gc9a01 = {
     .name = "gc9a01-240x240",
     .controller = "GC9A01",
     .note = "clock rating unpublished, 40 to 80 MHz in use",
-    .driver = &sheen_driver_dcs,
+    DCS,
     INIT(init_gc9a01),
     .clock_hz = 40000000,
     GLASS(240, 240),
     RAM(240, 240),
-    .reset_low_us = 10,
-    .reset_ms = 120,
-    .pixel = SHEEN_RGB565_BE,
     .scan = {0, MX | MV, MX | MY, MV | MY},
     .bgr = 1,
     .inverted = 1,

@@ -1,11 +1,11 @@
 /*
- * panel_wire.c - what drivers say to their bus: writes that are waited for, reset, init tables, windows.
+ * wire.c - what drivers say to their bus: writes that are waited for, reset, init tables, windows.
  *
  * The bus may send from the caller's memory while it goes on (DMA), so each write
  * is waited for before the next and before its bytes leave scope. The one
  * exception is a push's last, its pixels: sheen_panel_launch leaves it under way.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 /* A bus without wait has sent everything when write returns: then nothing is in flight. */
 int sheen_panel_launch(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count)

@@ -1,5 +1,5 @@
 /*
- * panel_mono.c - black and white in pages: SSD1306 and SH1106.
+ * driver_mono.c - black and white in pages: SSD1306 and SH1106.
  *
  * A byte is a column of 8 pixels, the top one in bit 0; a page is a row of bytes.
  * Commands and their parameters leave with D/C low, pixels with D/C high:
@@ -11,7 +11,7 @@
  * packer turns. The SSD1306 goes back to the window's start once it was filled
  * (data sheet, "Horizontal addressing mode"): a repeated window needs no command.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 #define SET_COLUMN 0x21
 #define SET_PAGE 0x22

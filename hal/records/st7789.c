@@ -1,65 +1,9 @@
 /*
- * panels_dcs.c - records of the MIPI-DCS panels.
+ * st7789.c - records of the ST7789 modules.
  *
- * The init tables are the shortest that bring a glass to life. ILI9341, ST7789
- * and ST7796 keep their power-on supply and gamma registers, as the driver
- * collection mipidsi does; ST7735 and GC9A01 need theirs set.
- *
- * By the gap rule of panel_driver.h every published offset of these modules
- * follows from three pairs: RAM, glass and gap. The one that is said to break it,
- * the green-tab 128x128 ST7735 (rows 3 from one end, 1 from the other), keeps it
- * once its RAM is taken as 132x132, which is how its mode pins are strapped.
+ * Supply and gamma stay as they power on, as in the driver collection mipidsi.
  */
-#include "panel_driver.h"
-#include "panel_tables.h"
-
-#define SLPOUT 0x11
-#define COLMOD 0x3A
-
-#define MY 0x80
-#define MX 0x40
-#define MV 0x20
-
-/*
- * Reset: low for 10 us at least, then 120 ms before sleep out, the longer of the
- * two rests since the state before is unknown (ILI9341 data sheet, reset timing,
- * tRW and tRT; ST7789V data sheet likewise). Sleep out: 120 ms before display on
- * (ibid., SLPOUT). COLMOD: 16 bits a pixel (ibid., COLMOD).
- */
-#define RESET .reset_low_us = 10, .reset_ms = 120
-#define DCS .driver = &sheen_driver_dcs, .pixel = SHEEN_RGB565_BE, RESET
-
-static const struct sheen_panel_step init_short[] = {
-    {SLPOUT, 120, NONE},
-    {COLMOD, 0, BYTES(0x55)},
-};
-
-/* Clock: write cycle 100 ns (ILI9341 data sheet, 4-line serial interface, twc). */
-const struct sheen_panel_record sheen_panel_ili9341 = {
-    .name = "ili9341-240x320",
-    .controller = "ILI9341",
-    .note = "commonly run at 40 MHz and above",
-    DCS,
-    INIT(init_short),
-    .clock_hz = 10000000,
-    GLASS(240, 320),
-    RAM(240, 320),
-    .scan = {MX, MV, MY, MX | MY | MV}, /* the source driver counts from the right */
-    .bgr = 1,
-};
-
-/* Clock: write cycle 16 ns (ST7796S data sheet, serial interface, as reported in MicroPythonOS issue 303). */
-const struct sheen_panel_record sheen_panel_st7796 = {
-    .name = "st7796-320x480",
-    .controller = "ST7796S",
-    DCS,
-    INIT(init_short),
-    .clock_hz = 62500000,
-    GLASS(320, 480),
-    RAM(320, 480),
-    .scan = {MX, MV, MY, MX | MY | MV},
-    .bgr = 1,
-};
+#include "record.h"
 
 /*
  * RAMCTRL B0 = 00 C0: the low bit of red and blue is copied from the high one when

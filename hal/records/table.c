@@ -1,7 +1,7 @@
 /*
- * panels.c - the table of panels, and how a name finds its record.
+ * table.c - the table of panels, and how a name finds its record.
  */
-#include "panel.h"
+#include "sheen_panel.h"
 
 /* The first record of a controller is what its plain name means. */
 static const struct sheen_panel_record *const table[] = {

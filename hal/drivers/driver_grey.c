@@ -1,5 +1,5 @@
 /*
- * panel_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327.
+ * driver_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327.
  *
  * On the wire, commands and their parameters with D/C low, pixels with D/C high:
  *
@@ -13,7 +13,7 @@
  *
  * The remap byte stays as the module needs it upright; the packer turns.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 #define SET_COLUMN 0x15
 #define SET_ROW 0x75

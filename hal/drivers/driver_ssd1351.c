@@ -1,5 +1,5 @@
 /*
- * panel_ssd1351.c - the colour OLED SSD1351: RGB565, not DCS.
+ * driver_ssd1351.c - the colour OLED SSD1351: RGB565, not DCS.
  *
  * On the wire, D/C low for the first byte of each line only:
  *
@@ -12,7 +12,7 @@
  * row. 5C does not set the address back, but a filled window leaves it at its
  * start (data sheet, 8.4 "Address increment"), and so do 15 and 75.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 #define SET_COLUMN 0x15
 #define WRITE_RAM 0x5C

@@ -1,5 +1,5 @@
 /*
- * bus.h - bytes with a D/C flag, a reset line, time: the seam where a board plugs in.
+ * sheen_bus.h - bytes with a D/C flag, a reset line, time: the seam where a board plugs in.
  *
  * A panel driver speaks to its panel through this struct only. A board fills it
  * in with its SPI and two pins; the simulator with a simulated controller; Linux

@@ -1,21 +1,18 @@
 /*
- * panels_st7735.c - records of the ST7735 modules, told apart by the colour of their film's tab.
+ * st7735.c - records of the ST7735 modules, told apart by the colour of their film's tab.
  *
  * One chip, strapped to RAM sizes of its own by the module's maker: black and red
  * tab 128x160, green tab the whole 132x162 or 132x132. What looks like an offset
- * of the glass is that choice.
+ * of the glass is that choice. The module that is said to break the gap rule of
+ * driver.h, the green-tab 128x128 (rows 3 from one end, 1 from the other), keeps it
+ * once its RAM is taken as 132x132, which is how its mode pins are strapped.
  */
-#include "panel_driver.h"
-#include "panel_tables.h"
-
-#define MY 0x80
-#define MX 0x40
-#define MV 0x20
+#include "record.h"
 
 /*
  * Frame rate, power and gamma as in Adafruit's ST7735R tables, which all libraries
  * took over; registers B1..C5, E0, E1 of the ST7735R data sheet. Waits as in
- * panels_dcs.c (ST7735R data sheet, reset timing and SLPOUT: 10 us, 120 ms, 120 ms).
+ * record.h (ST7735R data sheet, reset timing and SLPOUT: 10 us, 120 ms, 120 ms).
  */
 static const struct sheen_panel_step init_st7735[] = {
     {0x11, 120, NONE},                                    /* sleep out */
@@ -36,8 +33,7 @@ static const struct sheen_panel_step init_st7735[] = {
 
 /* Clock: write cycle 66 ns (ST7735R data sheet, 4-line serial interface, TSCYCW). */
 #define ST7735                                                                                                         \
-    .controller = "ST7735", .driver = &sheen_driver_dcs, .pixel = SHEEN_RGB565_BE, INIT(init_st7735),                  \
-    .clock_hz = 15151515, .reset_low_us = 10, .reset_ms = 120, .scan = {MX | MY, MY | MV, 0, MX | MV}
+    .controller = "ST7735", DCS, INIT(init_st7735), .clock_hz = 15151515, .scan = {MX | MY, MY | MV, 0, MX | MV}
 
 const struct sheen_panel_record sheen_panel_st7735_128x160 = {
     .name = "st7735-128x160", ST7735, GLASS(128, 160), RAM(128, 160), .note = "black tab"};

@@ -1,11 +1,11 @@
 /*
- * panel_turn.c - from the picture's pixels to the glass's, for controllers that cannot turn by themselves.
+ * turn.c - from the picture's pixels to the glass's, for controllers that cannot turn by themselves.
  *
  * In all eight orientations, going one pixel right or down on the glass moves by
  * a constant number of pixels in the rectangle that the core handed over: the
- * packers of panel_grey.c and panel_mono.c need a start and two steps.
+ * packers of driver_grey.c and driver_mono.c need a start and two steps.
  */
-#include "panel_driver.h"
+#include "driver.h"
 
 void sheen_panel_turn(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn)
 {

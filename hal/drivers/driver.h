@@ -1,10 +1,10 @@
 /*
- * panel_driver.h - private to hal/: what a driver is, and the steps that drivers share.
+ * driver.h - private to hal/: what a driver is, and the steps that drivers share.
  */
-#ifndef SHEEN_PANEL_DRIVER_H
-#define SHEEN_PANEL_DRIVER_H
+#ifndef SHEEN_DRIVER_H
+#define SHEEN_DRIVER_H
 
-#include "panel.h"
+#include "sheen_panel.h"
 
 /*
  * init: from any state of the controller to a lit, oriented panel.

@@ -1,5 +1,5 @@
 /*
- * panel.h - small displays: a panel is a data record, its driver takes finished pixels.
+ * sheen_panel.h - small displays: a panel is a data record, its driver takes finished pixels.
  *
  * Open a panel with a record and a bus, ask it for its target, hand that to the
  * core. Nothing is sent before the first push, which initialises the panel; so
@@ -18,7 +18,7 @@
 #ifndef SHEEN_PANEL_H
 #define SHEEN_PANEL_H
 
-#include "bus.h"
+#include "sheen_bus.h"
 #include "sheen_target.h"
 
 #ifdef __cplusplus
@@ -39,7 +39,7 @@ struct sheen_panel_step {
  *
  * RAM and gap are as the module is strapped: columns x rows of controller memory
  * and the lowest column and row that lie behind the glass. The offset of every
- * orientation follows from them (sheen_panel_offset in panel_driver.h).
+ * orientation follows from them (sheen_panel_offset in driver.h).
  */
 struct sheen_panel_record {
     const char *name;       /* controller-WxH of rotation 0, and -variant */

@@ -1,0 +1,39 @@
+/*
+ * record.h - private to hal/records: how the records are written down.
+ */
+#ifndef SHEEN_RECORD_H
+#define SHEEN_RECORD_H
+
+#include "../drivers/driver.h"
+
+/* The last two fields of a step: no parameters, or these. */
+#define NONE 0, NULL
+#define BYTES(...) sizeof((const uint8_t[]){__VA_ARGS__}), ((const uint8_t[]){__VA_ARGS__})
+
+#define INIT(table) .init = table, .steps = sizeof table / sizeof table[0]
+#define GLASS(w, h) .glass_w = w, .glass_h = h
+#define RAM(w, h) .ram_w = w, .ram_h = h
+
+/* MADCTL of the MIPI-DCS panels. */
+#define MY 0x80
+#define MX 0x40
+#define MV 0x20
+
+#define SLPOUT 0x11
+#define COLMOD 0x3A
+
+/*
+ * MIPI-DCS. Reset: low for 10 us at least, then 120 ms before sleep out, the longer of
+ * the two rests since the state before is unknown (ILI9341 data sheet, reset timing,
+ * tRW and tRT; ST7789V data sheet likewise). Sleep out: 120 ms before display on
+ * (ibid., SLPOUT). COLMOD: 16 bits a pixel (ibid., COLMOD).
+ */
+#define DCS .driver = &sheen_driver_dcs, .pixel = SHEEN_RGB565_BE, .reset_low_us = 10, .reset_ms = 120
+
+/*
+ * OLED. Reset: the data sheets ask for 2 to 100 us low ("Power ON and OFF sequence",
+ * t1), u8g2 rests 100 ms after it, since some modules' supplies need it.
+ */
+#define OLED .reset_low_us = 100, .reset_ms = 100
+
+#endif

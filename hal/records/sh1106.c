@@ -1,0 +1,38 @@
+/*
+ * sh1106.c - the record of the SH1106: black and white.
+ *
+ * A1 and C8 in the init table stand the module upright; the packer does all
+ * turning. Values as in u8g2, registers of the data sheet (reset: 10 us).
+ */
+#include "record.h"
+
+static const struct sheen_panel_step init_sh1106[] = {
+    {0xAE, 0, NONE},        /* off */
+    {0xD5, 0, BYTES(0x80)}, /* clock */
+    {0xA8, 0, BYTES(0x3F)}, /* 64 lines */
+    {0xD3, 0, BYTES(0x00)}, /* offset */
+    {0x40, 0, NONE},        /* start line 0 */
+    {0xAD, 0, BYTES(0x8B)}, /* DC-DC on */
+    {0xA1, 0, NONE},        /* columns from the last segment */
+    {0xC8, 0, NONE},        /* rows from the last COM line */
+    {0xDA, 0, BYTES(0x12)}, /* COM wiring: alternating */
+    {0x81, 0, BYTES(0xCF)}, /* contrast */
+    {0xD9, 0, BYTES(0xF1)}, /* precharge */
+    {0xDB, 0, BYTES(0x40)}, /* VCOMH */
+    {0xA4, 0, NONE},        /* shows the RAM, */
+    {0xA6, 0, NONE},        /* not inverted */
+};
+
+/* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). 132 columns of RAM, the glass in their middle. */
+const struct sheen_panel_record sheen_panel_sh1106 = {
+    .name = "sh1106-128x64",
+    .controller = "SH1106",
+    .driver = &sheen_driver_sh1106,
+    .pixel = SHEEN_GREY2,
+    OLED,
+    INIT(init_sh1106),
+    .clock_hz = 4000000,
+    GLASS(128, 64),
+    RAM(132, 64),
+    .gap_x = 2,
+};
