@@ -15,7 +15,7 @@
  *   - a corner's normal is the file's, else the average over the polygons around its
  *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
  *   - polygons are split into triangles.
- * Normals and triangles are the core's own (core/averages.c, polygons.c), as firmware gets them.
+ * Normals and triangles are the core's own (core/mesh/), as firmware gets them.
  */
 #ifndef SHEEN_HOST_MESH_H
 #define SHEEN_HOST_MESH_H

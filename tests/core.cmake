@@ -16,4 +16,4 @@ add_test(NAME test_core_newton_all COMMAND test_core_newton all)
 sheen_part(test_core_newton_all long)
 
 # The tables are data; the script is their definition.
-sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/tables.c)
+sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/math/tables.c)

@@ -5,7 +5,7 @@
 #define CORE_RASTER_H
 
 #include "exact_cover.h"
-#include "stages.h"
+#include "frame/frame.h"
 
 /* Just enough of a frame for sheen_setup and sheen_spans: one draw, one triangle. */
 struct core_raster {

@@ -26,6 +26,6 @@ get_target_property(core_sources sheen_core SOURCES)
 list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
 add_library(core_spoilt STATIC ${core_sources})
 target_include_directories(core_spoilt PUBLIC ${PROJECT_SOURCE_DIR}/core)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/core/tables.c PROPERTIES
+set_source_files_properties(${PROJECT_SOURCE_DIR}/core/math/tables.c PROPERTIES
   COMPILE_DEFINITIONS sheen_root_table=shipped_root_table)
 sheen_test(test_root_fault accuracy SOURCES test_root_fault.c LIBRARIES core_picture core_spoilt)

@@ -8,8 +8,8 @@
 
 #include "test_core_worst.h"
 
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 #define WIDTH 160
 #define HEIGHT 120

@@ -11,8 +11,8 @@
 #include "test_core_worst.h"
 
 #include "exact_cover.h"
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 #define MOST 40
 #define UNIT 16777216.0

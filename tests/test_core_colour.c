@@ -10,8 +10,8 @@
 
 #include "test_core_worst.h"
 
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 static const enum sheen_pixel pixels[] = {SHEEN_RGB565_BE, SHEEN_RGB565_LE, SHEEN_GREY2, SHEEN_GREY16, SHEEN_GREY256};
 #define PIXELS (sizeof pixels / sizeof pixels[0])

@@ -1,5 +1,5 @@
 /*
- * test_core_fixed.c - core/fixed.h against exact 64- and 128-bit arithmetic.
+ * test_core_fixed.c - core/math/fixed.h against exact 64- and 128-bit arithmetic.
  *
  * Tolerance: 0 raw steps for shifts, products and mul_16_32, which is exactly a floor; dot_q29 is a sum of three
  * floors, so it lies in (exact - 3, exact].
@@ -8,8 +8,8 @@
 
 #include "test_core_worst.h"
 
-#include "fixed.h"
 #include "frame_stage.h"
+#include "math/fixed.h"
 
 #define CASES 200000
 

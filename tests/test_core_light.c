@@ -3,7 +3,8 @@
  *
  * Tolerances in raw steps: s^n 28 of UQ1.15 (8.1e-4 by linear interpolation, n = 83, and the cut below 2^-16); relative
  * diffuse 5 of UQ1.15, one for each weight and one for L.N; relative specular 2 n + 32 of UQ1.15: R.V is off by up to
- * 2 steps of Q0.15, which the power makes n times as much, and the table adds 28; where the highlight fades, at L.N = 0,
+ * 2 steps of Q0.15, which the power makes n times as much, and the table adds 28; where the highlight fades, at
+ * L.N = 0,
  * a step of L.N counts 8 times, but there the power counts less. Both more by 1.5 / sum of the lights' intensities,
  * which weights round.
  */
@@ -11,8 +12,8 @@
 
 #include "test_core_worst.h"
 
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 #define ONE 1073741824.0 /* Q1.30 */
 #define WEIGHT(sum) (1.5 * 65536 / fmax(1, sum))

@@ -14,7 +14,7 @@
 
 #include "test_core_worst.h"
 
-#include "newton.h"
+#include "math/newton.h"
 
 #define RECIPROCAL_SEED 1.7
 #define ROOT_SEED 1.5

@@ -9,8 +9,8 @@
 
 #include "test_core_worst.h"
 
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 #define WIDTH 64
 #define HEIGHT 480

@@ -11,8 +11,8 @@
 
 #include "test_core_worst.h"
 
+#include "frame/frame.h"
 #include "frame_stage.h"
-#include "stages.h"
 
 #define PI 3.14159265358979323846
 #define UNIT 16777216.0 /* Q7.24 */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "stages.h"
+#include "frame/frame.h"
 #include "test_dither_tap.h"
 
 struct tapped tapped[TAP_HEIGHT][TAP_WIDTH];

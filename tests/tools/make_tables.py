@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write core/tables.c, or with --check compare it: the tables are data, this is their definition."""
+"""Write core/math/tables.c, or with --check compare it: the tables are data, this is their definition."""
 import math
 import sys
 

@@ -1,0 +1,107 @@
+/*
+ * arena.c - a frame's stores in the caller's memory: how much, and where.
+ */
+#include <string.h>
+
+#include "frame.h"
+
+static int target_valid(const struct sheen_target *t)
+{
+    unsigned x = or_default(t->align_x, 1), y = or_default(t->align_y, 1);
+
+    return t->push != NULL && t->width >= 1 && t->width <= 640 && t->height >= 1 && t->height <= 480 &&
+           t->pixel <= SHEEN_GREY256 && x * sheen_pixel_bits((enum sheen_pixel)t->pixel) % 8 == 0 && x <= 16 &&
+           (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
+}
+
+/* Defaults filled in and the band's height aligned; SHEEN_ERR_ARGUMENT where a value is out of range. */
+static int config_complete(struct sheen_config *c)
+{
+    if (c->target == NULL || !target_valid(c->target))
+        return SHEEN_ERR_ARGUMENT;
+    unsigned align = or_default(c->target->align_y, 1);
+
+    c->band_rows = (uint16_t)or_default(c->band_rows, 16);
+    if (c->band_rows > c->target->height)
+        c->band_rows = c->target->height;
+    c->band_rows = (uint16_t)((c->band_rows + align - 1) / align * align);
+    c->buffers = (uint8_t)or_default(c->buffers, 1);
+    c->workers = (uint8_t)or_default(c->workers, 1);
+    c->max_draws = (uint16_t)or_default(c->max_draws, 4);
+    c->max_carried = (uint16_t)or_default(c->max_carried, 80);
+    return c->buffers > 2 || c->workers > MAX_WORKERS || c->max_vertices == 0 || c->max_triangles == 0 ||
+                   c->max_carried > 254
+               ? SHEEN_ERR_ARGUMENT
+               : SHEEN_OK;
+}
+
+/* A piece of the arena, aligned to 8; base NULL: only counts. */
+static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
+{
+    void *piece = base != NULL ? base + *used : NULL;
+
+    *used += (count * bytes + 7) & ~(size_t)7;
+    return piece;
+}
+
+/* Lay the stores out in the arena; returns its size. With base NULL nothing is written but f. */
+static size_t lay_out(struct sheen_frame *f, uint8_t *base)
+{
+    const struct sheen_config *c = &f->config;
+    size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, tile = (size_t)c->target->width * c->band_rows;
+
+    (void)take(base, &used, 1, sizeof(struct sheen_frame));
+    f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
+    f->band = take(base, &used, f->max_bands, sizeof(struct band));
+    f->draw = take(base, &used, c->max_draws, sizeof(struct draw_record));
+    f->vertex = take(base, &used, c->max_vertices, sizeof(struct vertex));
+    f->entry = take(base, &used, c->max_triangles, sizeof(struct entry));
+    f->piece = take(base, &used, c->max_clipped, sizeof(struct piece));
+    f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
+    f->scratch = take(base, &used, 1, sheen_clip_scratch_bytes()); /* also finds what needs no piece */
+    if (c->max_clipped == 0)
+        f->cut = NULL;
+    f->worker = take(base, &used, c->workers, sizeof(struct worker));
+    for (unsigned i = 0; i < c->workers; i++) {
+        struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
+        w->carried = take(base, &used, c->max_carried + 1u, sizeof(struct setup));
+        w->pending = take(base, &used, bits, sizeof(uint32_t));
+        w->spans = take(base, &used, c->band_rows, sizeof(struct span));
+        w->depth = take(base, &used, tile, sizeof(uint16_t));
+        for (unsigned k = 0; k < c->buffers; k++)
+            w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);
+    }
+    return used;
+}
+
+size_t sheen_arena_size(const struct sheen_config *config)
+{
+    struct sheen_frame f;
+
+    f.config = *config;
+    return config_complete(&f.config) < 0 ? 0 : lay_out(&f, NULL);
+}
+
+int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config)
+{
+    if (frame == NULL || arena == NULL || size == NULL || config == NULL || ((uintptr_t)arena & 7u) != 0)
+        return SHEEN_ERR_ARGUMENT;
+    size_t needed = sheen_arena_size(config);
+    if (needed == 0)
+        return SHEEN_ERR_ARGUMENT;
+    if (*size < needed) {
+        *size = needed;
+        return SHEEN_ERR_MEMORY;
+    }
+
+    struct sheen_frame *f = arena;
+    memset(f, 0, needed);
+    f->config = *config;
+    (void)config_complete(&f->config);
+    f->target = config->target;
+    sheen_format_begin(&f->format, f->target);
+    f->arena_bytes = lay_out(f, arena);
+    f->failed = 1;
+    *frame = f;
+    return SHEEN_OK;
+}

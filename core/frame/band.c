@@ -1,0 +1,270 @@
+/*
+ * band.c - one band: clear, draw what is pending, send.
+ *
+ * A worker keeps a bit for each entry that has begun and is not done; scanned
+ * from the lowest, they are the submission order. Set-ups of triangles that go
+ * on below wait in `carried`, a list in the same order; where it is full the
+ * triangle is set up again in the next band.
+ */
+#include <string.h>
+
+#include "frame.h"
+
+#define NO_SLOT 255
+
+/* ---- pending triangles ---- */
+
+static void add_list(const struct sheen_frame *f, struct worker *w, unsigned band)
+{
+    for (uint32_t e = f->band[band].first; e != NONE; e = f->entry[e].next)
+        w->pending[e >> 5] |= 1u << (e & 31u);
+}
+
+static void carried_clear(struct worker *w, unsigned slots)
+{
+    w->first_carried = NO_SLOT;
+    w->first_free = 0;
+    for (unsigned i = 0; i < slots; i++)
+        w->carried[i].next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
+}
+
+/* Entries that reach band b: what is left of the band above, or, after a jump, all that may have begun above. */
+static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
+{
+    if (w->last_band + 1 != (int32_t)b || b == 0) {
+        memset(w->pending, 0, (f->entries + 31) / 32 * sizeof(uint32_t));
+        carried_clear(w, f->config.max_carried);
+        for (unsigned above = b - f->band[b].back; above < b; above++)
+            add_list(f, w, above);
+    }
+    add_list(f, w, b);
+    w->last_band = (int32_t)b;
+}
+
+/* ---- the tile ---- */
+
+/* Outwards to multiples of the alignment, inside the viewport, whose edges are aligned. */
+static struct sheen_rect align_rect(const struct sheen_frame *f, struct sheen_rect r)
+{
+    int32_t x = f->target->align_x > 1 ? f->target->align_x : 1, y = f->target->align_y > 1 ? f->target->align_y : 1;
+    struct sheen_rect aligned = {(int16_t)(r.x0 & -x), (int16_t)(r.y0 & -y), (int16_t)((r.x1 + x - 1) & -x),
+                                 (int16_t)((r.y1 + y - 1) & -y)};
+
+    return sheen_rect_intersection(aligned, f->viewport);
+}
+
+/* What of band b is cleared, drawn and sent. */
+static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
+{
+    const struct band *band = &f->band[b];
+    struct sheen_rect strip = f->viewport;
+
+    strip.y0 = (int16_t)(f->viewport.y0 + (int32_t)b * f->config.band_rows);
+    strip.y1 = (int16_t)min32(strip.y0 + f->config.band_rows, f->viewport.y1);
+    if (f->send_all)
+        return strip;
+    struct sheen_rect r =
+        sheen_rect_union(sheen_rect_intersection(band->cover, strip), sheen_rect_intersection(band->stale, strip));
+    return rect_empty(r) ? r : sheen_rect_intersection(align_rect(f, r), strip);
+}
+
+static void clear_tile(const struct sheen_frame *f, const struct tile *t)
+{
+    size_t count = (size_t)t->pitch * (size_t)(t->rect.y1 - t->rect.y0);
+
+    memset(t->depth, DEPTH_FAR & 0xff, count * sizeof *t->depth);
+    if (f->view.underlay != NULL) {
+        f->view.underlay(f->view.ctx, t->rect, t->pixels, t->pitch);
+        return;
+    }
+    uint16_t background = sheen_colour_bytes(t->format, f->view.background);
+    if (t->format->grey)
+        memset(t->pixels, background, count);
+    else
+        for (size_t i = 0; i < count; i++)
+            ((uint16_t *)t->pixels)[i] = background;
+}
+
+/* ---- drawing ---- */
+
+static void shade(const struct tile *t, const struct setup *s)
+{
+    switch (s->way) {
+    case SHEEN_WAY_GOURAUD_LINEAR:
+    case SHEEN_WAY_PHONG_LINEAR:
+        sheen_shade_gouraud_linear(t, s);
+        break;
+    case SHEEN_WAY_GOURAUD_QUADRATIC:
+        if (s->highlight)
+            sheen_shade_quadratic_specular(t, s);
+        else
+            sheen_shade_quadratic_diffuse(t, s);
+        break;
+    case SHEEN_WAY_PHONG_QUADRATIC:
+        if (s->highlight)
+            sheen_shade_quadratic_power(t, s);
+        else
+            sheen_shade_quadratic_diffuse(t, s);
+        break;
+    case SHEEN_WAY_GOURAUD_QUOTIENT:
+        sheen_shade_gouraud_quotient(t, s);
+        break;
+    case SHEEN_WAY_PHONG_BLOCKS:
+    case SHEEN_WAY_PHONG_ROOT:
+        sheen_shade_phong_root(t, s);
+        break;
+    case SHEEN_WAY_PHONG_LIGHTS:
+        sheen_shade_phong_lights(t, s);
+        break;
+    case SHEEN_WAY_SLERP:
+        sheen_shade_slerp(t, s);
+        break;
+    default:
+        sheen_shade_flat(t, s);
+    }
+}
+
+static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, struct setup *s)
+{
+    t->rows = sheen_spans(f, s, t->rect, w->spans, &t->first_row);
+    w->stats.spans += t->rows;
+    for (unsigned i = 0; i < t->rows; i++)
+        if (SHEEN_STATS && w->spans[i].x1 > w->spans[i].x0)
+            w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
+    shade(t, s);
+}
+
+/*
+ * Draw entry e's rows in the tile. *link is the carried list's place for e.
+ * Returns the link for the next entry; clears *going_on when the triangle is done.
+ */
+static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
+                           const struct draw_record *d, uint8_t *link, int *going_on)
+{
+    struct setup *s = &w->carried[f->config.max_carried]; /* the spare one, where no slot is free */
+    uint8_t slot = *link;
+    int carried = slot != NO_SLOT && w->carried[slot].entry == e;
+
+    if (carried) {
+        s = &w->carried[slot];
+    } else {
+        slot = w->first_free;
+        uint8_t next_free = NO_SLOT;
+        if (slot != NO_SLOT) {
+            s = &w->carried[slot];
+            next_free = s->next;
+        }
+        *going_on = sheen_setup(f, d, e, t->rect.y0, s);
+        s->next = next_free; /* set-up leaves the slot where it was: free */
+        if (!*going_on)
+            return link;
+        w->stats.setups++;
+        w->stats.by_way[s->way]++;
+    }
+    draw_rows(f, w, t, s);
+    *going_on = s->row < s->end_row;
+    if (*going_on && !carried && slot != NO_SLOT) { /* free list -> carried list */
+        w->first_free = s->next;
+        s->next = *link;
+        *link = slot;
+    } else if (!*going_on && carried) { /* carried list -> free list */
+        *link = s->next;
+        s->next = w->first_free;
+        w->first_free = slot;
+        return link;
+    }
+    return *going_on && slot != NO_SLOT ? &s->next : link;
+}
+
+static void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
+{
+    const struct draw_record *d = f->draw;
+    uint8_t *link = &w->first_carried;
+
+    for (uint32_t word = 0; 32 * word < f->entries; word++) {
+        uint32_t bits = w->pending[word], done = 0;
+        while (bits != 0) {
+            uint32_t lowest = bits & (0u - bits), e = 32 * word + 31 - clz32(lowest);
+            int going_on = 1;
+            bits ^= lowest;
+            while (e >= d->end_entry)
+                d++;
+            link = draw_entry(f, w, t, e, d, link, &going_on);
+            done |= going_on ? 0 : lowest;
+        }
+        w->pending[word] &= ~done;
+    }
+}
+
+/* ---- sending ---- */
+
+int sheen_worker_wait(struct sheen_frame *f, struct worker *w)
+{
+    if (!w->in_flight)
+        return SHEEN_OK;
+    w->in_flight = 0;
+    return f->target->wait != NULL ? f->target->wait(f->target->ctx) : SHEEN_OK;
+}
+
+static int push(struct sheen_frame *f, struct worker *w, const struct tile *t)
+{
+    int error = sheen_worker_wait(f, w);
+
+    if (error < 0)
+        return error;
+    error = f->target->push(f->target->ctx, t->rect, t->pixels);
+    if (error < 0)
+        return error;
+    w->in_flight = 1;
+    w->buffer = (uint8_t)((w->buffer + 1u) % f->config.buffers);
+    w->stats.rectangles++;
+    w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
+    return SHEEN_OK;
+}
+
+/* Draw into the worker's free buffer and send. */
+static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_rect rect)
+{
+    int error = f->config.buffers == 1 ? sheen_worker_wait(f, w) : SHEEN_OK;
+
+    if (error < 0)
+        return error;
+    struct tile t = {.rect = rect,
+                     .pitch = (unsigned)(rect.x1 - rect.x0),
+                     .pixels = w->pixels[w->buffer],
+                     .depth = w->depth,
+                     .format = &f->format,
+                     .dither = f->view.dither,
+                     .centre_x = target_x(f, 0),
+                     .centre_y = target_y(f, 0),
+                     .spans = w->spans};
+#if SHEEN_STATS
+    t.shaded = &w->stats.shaded;
+#endif
+    clear_tile(f, &t);
+    draw_pending(f, w, &t);
+    if (f->view.overlay != NULL)
+        f->view.overlay(f->view.ctx, rect, t.pixels, t.pitch);
+    if (f->format.grey)
+        sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(rect.y1 - rect.y0));
+    return push(f, w, &t);
+}
+
+int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
+{
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    if (worker >= f->config.workers || b >= f->bands)
+        return SHEEN_ERR_ARGUMENT;
+    struct worker *w = &f->worker[worker];
+    if (w->error < 0)
+        return w->error;
+
+    struct sheen_rect rect = band_rect(f, b);
+    w->done++;
+    if (rect_empty(rect))
+        return SHEEN_OK; /* nothing crosses this band, so nothing is pending below it either */
+    collect(f, w, b);
+    w->error = draw_and_push(f, w, rect);
+    return w->error;
+}

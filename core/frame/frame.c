@@ -1,0 +1,278 @@
+/*
+ * frame.c - the main path: begin, draw, band, end. (init is arena.c, band band.c)
+ */
+#include <string.h>
+
+#include "frame.h"
+
+/* ---- begin ---- */
+
+static int same_rect(struct sheen_rect a, struct sheen_rect b)
+{
+    return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+}
+
+static int same_colour(const uint8_t a[3], const uint8_t b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
+static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
+{
+    const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
+    int x = (int)or_default(t->align_x, 1), y = (int)or_default(t->align_y, 1);
+
+    *viewport = rect_empty(asked) ? all : asked;
+    if (!same_rect(sheen_rect_intersection(*viewport, all), *viewport))
+        return SHEEN_ERR_ARGUMENT;
+    int aligned = viewport->x0 % x == 0 && viewport->y0 % y == 0 && (viewport->x1 % x == 0 || viewport->x1 == all.x1) &&
+                  (viewport->y1 % y == 0 || viewport->y1 == all.y1);
+    return aligned ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+}
+
+static void workers_begin(struct sheen_frame *f)
+{
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        struct worker *w = &f->worker[i];
+        w->last_band = -2; /* no band's pending triangles are at hand */
+        w->error = 0;
+        w->done = 0;
+        memset(&w->stats, 0, sizeof w->stats);
+    }
+}
+
+/* What the last frame touched becomes stale; it has to be drawn over. */
+static void bands_begin(struct sheen_frame *f)
+{
+    unsigned rows = f->config.band_rows;
+    int moved = !f->begun || f->send_all;
+
+    f->bands = ((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1) / rows;
+    f->band_scale = ((1u << 20) + rows - 1) / rows;
+    for (unsigned b = 0; b < f->bands; b++)
+        f->band[b].stale = moved ? (struct sheen_rect){0, 0, 0, 0} : f->band[b].cover;
+    sheen_bin_clear(f);
+}
+
+int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
+{
+    struct sheen_rect viewport;
+    struct projection projection;
+
+    if (f->state != IDLE)
+        return SHEEN_ERR_STATE;
+    int error = sheen_wait(f);
+    if (error == 0)
+        error = viewport_of(f->target, view->viewport, &viewport);
+    if (error == 0)
+        error = sheen_project_begin(&projection, view, (unsigned)(viewport.y1 - viewport.y0));
+    if (error < 0)
+        return error;
+
+    int changed = !f->begun || !same_rect(viewport, f->viewport) || !same_colour(view->background, f->view.background);
+    f->send_all = (uint8_t)(changed || f->failed || f->stale);
+    f->failed = 1; /* until sheen_finish has seen every band through */
+    f->stale = 0;
+    f->view = *view;
+    f->viewport = viewport;
+    f->projection = projection;
+    f->vertices = f->entries = f->pieces = f->draws = 0;
+    memset(&f->stats, 0, sizeof f->stats);
+    workers_begin(f);
+    bands_begin(f);
+    f->begun = 1;
+    f->state = OPEN;
+    return SHEEN_OK;
+}
+
+/* ---- draw: transform, light, clip, bin ---- */
+
+static void transform_mesh(struct sheen_frame *f, const struct sheen_mesh *mesh, const struct transform *t,
+                           struct vertex *v)
+{
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        sheen_q24_t eye[3];
+        sheen_transform_point(t, mesh->positions + 3 * i, eye);
+        sheen_project(&f->projection, eye, &v[i]);
+    }
+}
+
+/* Gouraud: light the corners of a listed triangle, each vertex once. */
+static void light_corners(const struct draw_record *d, struct vertex *store, const uint32_t index[3])
+{
+    for (int k = 0; k < 3; k++) {
+        struct vertex *v = &store[index[k]];
+        if ((v->flags & LIT) != 0)
+            continue;
+        struct lit lit;
+        sheen_light_normal(&d->light, d->material, d->mesh->normals + 3 * index[k], &lit);
+        v->diffuse = (uint16_t)lit.diffuse;
+        v->specular = (uint16_t)lit.specular;
+        v->flags |= LIT;
+    }
+}
+
+/* Cull, clip and list one triangle: 0, or SHEEN_ERR_CAPACITY. */
+static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                         uint32_t triangle)
+{
+    struct vertex *store = f->vertex + d->first_vertex;
+    const uint32_t index[3] = {mesh_index(d->mesh, 3 * triangle), mesh_index(d->mesh, 3 * triangle + 1),
+                               mesh_index(d->mesh, 3 * triangle + 2)};
+    const struct vertex *const v[3] = {&store[index[0]], &store[index[1]], &store[index[2]]};
+
+    if ((v[0]->flags & v[1]->flags & v[2]->flags & OUTSIDE) != 0)
+        return 0;
+    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OUTSIDE) != 0)
+        return sheen_clip(f, d, t, (uint16_t)triangle);
+
+    int64_t area = twice_area(v[0], v[1], v[2]);
+    if (area >= 0 && (area == 0 || !d->two_sided))
+        return 0;
+    f->stats.front++;
+    int listed = sheen_bin_triangle(f, v, triangle, 0);
+    if (listed == 1 && d->shading == SHEEN_GOURAUD)
+        light_corners(d, store, index);
+    return listed < 0 ? listed : 0;
+}
+
+static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw)
+{
+    const struct sheen_mesh *mesh = draw->mesh;
+
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_SLERP || mesh->positions == NULL ||
+        mesh->indices == NULL || draw->material->shininess == 0 || draw->material->power_shift > 3 ||
+        (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
+        return SHEEN_ERR_ARGUMENT;
+    if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)
+        return SHEEN_ERR_CAPACITY;
+    return SHEEN_OK;
+}
+
+/* Rows of unit length and at right angles, within 1/1024. */
+static int orthonormal(const sheen_q30_t r[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0; /* Q.30; the terms are cut first, since any rotation may come */
+            for (int k = 0; k < 3; k++)
+                dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
+            dot -= i == j ? 1 << 30 : 0;
+            if (dot > 1 << 20 || dot < -(1 << 20))
+                return 0;
+        }
+    return 1;
+}
+
+int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
+{
+    struct transform t;
+    struct sheen_stats stats = f->stats;
+    uint32_t entries = f->entries, pieces = f->pieces;
+    int error = draw_valid(f, draw);
+
+    if (error < 0)
+        return error;
+    struct draw_record *d = &f->draw[f->draws];
+    d->mesh = draw->mesh;
+    d->material = draw->material;
+    d->shading = draw->shading;
+    d->two_sided = draw->two_sided;
+    d->forced = draw->way;
+    d->first_vertex = f->vertices;
+    if (!orthonormal(draw->pose.rotation))
+        return SHEEN_ERR_ARGUMENT;
+    error = sheen_light_begin(&d->light, draw);
+    if (error == 0)
+        error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
+    if (error < 0)
+        return error;
+    sheen_colour_begin(&d->colour, &f->format, draw->material, &d->light);
+    transform_mesh(f, draw->mesh, &t, f->vertex + d->first_vertex);
+    for (uint32_t i = 0; i < draw->mesh->triangles && error == 0; i++)
+        error = draw_triangle(f, d, &t, i);
+    if (error < 0) {
+        f->pieces = pieces;
+        f->stats = stats;
+        sheen_bin_rollback(f, entries);
+        return error;
+    }
+    d->end_entry = f->entries;
+    f->vertices += draw->mesh->vertices;
+    f->draws++;
+    f->stats.triangles += draw->mesh->triangles;
+    f->stats.drawn += f->entries - entries;
+    return SHEEN_OK;
+}
+
+int sheen_mark(struct sheen_frame *f, struct sheen_rect rect)
+{
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    int32_t rows = f->config.band_rows;
+    for (unsigned b = 0; b < f->bands; b++) {
+        struct sheen_rect strip = f->viewport;
+        strip.y0 = (int16_t)(f->viewport.y0 + (int32_t)b * rows);
+        strip.y1 = (int16_t)min32(strip.y0 + rows, f->viewport.y1);
+        strip = sheen_rect_intersection(strip, rect);
+        if (!rect_empty(strip))
+            f->band[b].stale = sheen_rect_union(f->band[b].stale, strip);
+    }
+    return SHEEN_OK;
+}
+
+/* ---- end: the bands are in band.c ---- */
+
+unsigned sheen_band_count(const struct sheen_frame *f)
+{
+    return f->bands;
+}
+
+int sheen_wait(struct sheen_frame *f)
+{
+    int error = 0;
+
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        int result = sheen_worker_wait(f, &f->worker[i]);
+        if (error == 0)
+            error = result;
+    }
+    if (error < 0)
+        f->failed = 1;
+    return error;
+}
+
+int sheen_finish(struct sheen_frame *f)
+{
+    int error = 0;
+    unsigned done = 0;
+
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    for (unsigned i = 0; i < f->config.workers; i++) {
+        if (error == 0)
+            error = f->worker[i].error;
+        done += f->worker[i].done;
+    }
+    f->failed = error < 0 || done < f->bands;
+    f->state = IDLE;
+    return error;
+}
+
+int sheen_end(struct sheen_frame *f)
+{
+    int error = f->state == OPEN ? 0 : SHEEN_ERR_STATE;
+
+    for (unsigned b = 0; b < f->bands && error == 0; b++)
+        error = sheen_band(f, 0, b);
+    int finished = sheen_finish(f);
+    return error < 0 ? error : finished;
+}
+
+void sheen_invalidate(struct sheen_frame *f)
+{
+    f->stale = 1;
+}

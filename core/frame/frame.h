@@ -1,0 +1,156 @@
+/*
+ * frame.h - private: what each stage of a frame hands the next.
+ *
+ *   transform -> light -> clip -> bin -> setup -> spans -> *_rows.c -> target
+ *
+ * frame.c calls them in this order. Everything here lives in the caller's arena.
+ */
+#ifndef SHEEN_FRAME_H
+#define SHEEN_FRAME_H
+
+#include "../pixel/colour.h"
+#include "../triangle/triangle.h"
+#include "../vertex/vertex.h"
+
+#define NONE 0xffffu /* end of a list of entries */
+
+/* ---- draws and lists ---- */
+
+/* What a draw call left behind for the bands. */
+struct draw_record {
+    const struct sheen_mesh *mesh;
+    const struct sheen_material *material;
+    struct lighting light;
+    struct colour_terms colour;
+    uint32_t first_vertex;              /* of the mesh in the frame's store */
+    uint32_t end_entry;                 /* entries of this draw end here */
+    uint8_t shading, two_sided, forced; /* forced: 1 + enum sheen_way, or 0 */
+};
+
+/* A visible triangle, in submission order; `next` links those that begin in the same band. */
+struct entry {
+    uint16_t triangle; /* of the draw's mesh, or a piece's index where its bit in `cut` is set */
+    uint16_t next;
+};
+
+/* A piece of a triangle that was cut. */
+struct piece {
+    struct vertex corner[3];
+    int16_t normal[3][3]; /* unit vectors no more: linear in space between the mesh's */
+    uint16_t triangle;
+};
+
+struct band {
+    struct sheen_rect cover; /* what this frame's triangles may touch */
+    struct sheen_rect stale; /* what the last frame's touched, and marks */
+    uint16_t first;          /* entry that begins here, or NONE */
+    uint16_t back;           /* the oldest triangle here begins this many bands back */
+};
+
+/* ---- workers and the frame ---- */
+
+#define MAX_WORKERS 4
+
+struct worker {
+    void *pixels[2];
+    uint16_t *depth;
+    struct span *spans;    /* band_rows */
+    uint32_t *pending;     /* a bit an entry: begun, not done */
+    struct setup *carried; /* max_carried slots and a spare one */
+    uint8_t first_carried, first_free;
+    uint8_t buffer;    /* the one to draw into next */
+    uint16_t done;     /* bands of this frame */
+    uint8_t in_flight; /* a push of this worker awaits its wait */
+    int32_t last_band; /* -1 before the first */
+    int error;
+    struct sheen_stats stats;
+};
+
+enum frame_state {
+    IDLE,
+    OPEN
+};
+
+struct sheen_frame {
+    struct sheen_config config;
+    const struct sheen_target *target;
+    struct sheen_view view;
+    struct sheen_rect viewport;
+    struct pixel_format format;
+    struct projection projection;
+    uint8_t state;    /* enum frame_state */
+    uint8_t send_all; /* this frame sends every band whole */
+    uint8_t failed;   /* a push failed or a band was left out: the next frame sends every band whole */
+    uint8_t stale;    /* sheen_invalidate was called: likewise */
+    uint8_t begun;    /* a frame has begun before */
+    unsigned bands, max_bands;
+    uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
+    uint32_t vertices, entries, pieces, draws;
+    struct vertex *vertex;
+    struct entry *entry;
+    uint32_t *cut; /* a bit an entry: its triangle is a piece */
+    struct piece *piece;
+    void *scratch; /* two polygons of clip.c */
+    struct draw_record *draw;
+    struct band *band;
+    struct worker *worker; /* config.workers */
+    struct sheen_stats stats;
+    size_t arena_bytes;
+};
+
+/* 1 where pixels are 565 without dither: the half of the one rounding can be added in advance. */
+static inline uint8_t sheen_rounds_early(const struct sheen_frame *f)
+{
+    return FAST_LOOPS && !f->format.grey && !f->view.dither;
+}
+
+/* 1 where a way is not ruled out by a draw that forces another. */
+static inline int sheen_way_wanted(const struct draw_record *d, enum sheen_way way)
+{
+    return d->forced == 0 || d->forced == 1 + (unsigned)way;
+}
+
+static inline uint32_t mesh_index(const struct sheen_mesh *mesh, uint32_t i)
+{
+    return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
+}
+
+/* Screen coordinates of a vertex on the target, 1/64 px. */
+static inline int32_t target_x(const struct sheen_frame *f, int32_t x)
+{
+    return x + SUBPIXEL_HALF * (f->viewport.x0 + f->viewport.x1);
+}
+
+static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
+{
+    return y + SUBPIXEL_HALF * (f->viewport.y0 + f->viewport.y1);
+}
+
+/* clip.c: cut a triangle and list its pieces; 0 or SHEEN_ERR_CAPACITY. */
+#define MAX_CLIP_CORNERS 9 /* of a triangle cut by six planes: each adds one at most */
+size_t sheen_clip_scratch_bytes(void);
+int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
+
+static inline uint32_t or_default(uint32_t value, uint32_t fallback)
+{
+    return value != 0 ? value : fallback;
+}
+
+/* bin.c */
+void sheen_bin_clear(struct sheen_frame *f);
+int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3]);
+int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece);
+void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);
+void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c);
+struct sheen_rect sheen_rect_union(struct sheen_rect a, struct sheen_rect b);
+struct sheen_rect sheen_rect_intersection(struct sheen_rect a, struct sheen_rect b);
+
+static inline int rect_empty(struct sheen_rect r)
+{
+    return r.x0 >= r.x1 || r.y0 >= r.y1;
+}
+
+/* band.c: collect the push of a worker that may still be under way; its result. */
+int sheen_worker_wait(struct sheen_frame *f, struct worker *w);
+
+#endif

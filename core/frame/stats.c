@@ -1,0 +1,67 @@
+/*
+ * stats.c - counters of a frame, error texts and checks of what the caller hands in.
+ */
+#include "frame.h"
+
+void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
+{
+    const struct sheen_config *c = &f->config;
+    size_t tile = (size_t)c->target->width * c->band_rows, pixel = f->format.grey ? 1 : 2;
+
+    *stats = f->stats;
+    for (unsigned i = 0; i < c->workers; i++) {
+        const struct sheen_stats *w = &f->worker[i].stats;
+        for (unsigned way = 0; way < sizeof stats->by_way / sizeof stats->by_way[0]; way++)
+            stats->by_way[way] += w->by_way[way];
+        stats->setups += w->setups;
+        stats->spans += w->spans;
+        stats->covered += w->covered;
+        stats->shaded += w->shaded;
+        stats->rectangles += w->rectangles;
+        stats->pixels += w->pixels;
+    }
+    stats->ram_arena = (uint32_t)f->arena_bytes;
+    stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof(struct vertex));
+    stats->ram_lists = (uint32_t)(c->max_triangles * sizeof(struct entry));
+    stats->ram_bands = (uint32_t)(c->workers * tile * (c->buffers * pixel + sizeof(uint16_t)));
+}
+
+int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
+{
+    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->vertices == 0 ||
+        mesh->triangles == 0 || mesh->scale <= 0 || mesh->index_bytes < 1 || mesh->index_bytes > 2)
+        return SHEEN_ERR_ARGUMENT;
+    for (uint32_t i = 0; i < 3u * mesh->triangles; i++)
+        if (mesh_index(mesh, i) >= mesh->vertices)
+            return SHEEN_ERR_ARGUMENT;
+    for (uint32_t i = 0; i < mesh->triangles && mesh->polygon_normals != NULL; i++)
+        if ((mesh->polygons != NULL ? mesh->polygons[i] : i) >= polygon_count)
+            return SHEEN_ERR_ARGUMENT;
+    return SHEEN_OK;
+}
+
+const char *sheen_strerror(int error)
+{
+    switch (error) {
+    case SHEEN_OK:
+        return "no error";
+    case SHEEN_ERR_ARGUMENT:
+        return "value out of range";
+    case SHEEN_ERR_MEMORY:
+        return "arena too small";
+    case SHEEN_ERR_CAPACITY:
+        return "capacity exceeded";
+    case SHEEN_ERR_STATE:
+        return "call out of order";
+    case SHEEN_ERR_DEGENERATE:
+        return "no direction";
+    case SHEEN_ERR_BUS:
+        return "bus error";
+    case SHEEN_ERR_TIMEOUT:
+        return "bus timed out";
+    case SHEEN_ERR_UNSUPPORTED:
+        return "not supported";
+    default:
+        return "unknown error";
+    }
+}

@@ -1,0 +1,103 @@
+/*
+ * normals.c - unit vectors and the normals of polygons (at load, not in draw).
+ */
+#include "normals.h"
+#include "../math/fixed.h"
+#include "../math/newton.h"
+#include "../sheen.h"
+
+/*
+ * The vector is scaled by a power of two until its largest part lies in
+ * [2^30, 2^31); then |v|^2 / 4 < 3 * 2^60 fits 64 bits and the reciprocal root
+ * needs 32 of them.
+ */
+int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3])
+{
+    uint64_t bits = 0;
+    for (int k = 0; k < 3; k++)
+        bits |= v[k] < 0 ? 0u - (uint64_t)v[k] : (uint64_t)v[k];
+    if (bits == 0)
+        return SHEEN_ERR_DEGENERATE;
+
+    unsigned zeros = clz64(bits);
+    int32_t part[3];
+    uint64_t square = 0;
+    for (int k = 0; k < 3; k++) {
+        int64_t scaled = zeros >= 33 ? v[k] * ((int64_t)1 << (zeros - 33)) : asr64(v[k], 33 - zeros);
+        part[k] = (int32_t)scaled; /* in [-2^31, 2^31), one of them 2^30 or more; -2^31 only where a floor made it */
+        square += (uint64_t)((int64_t)part[k] * part[k]) >> 2;
+    }
+
+    /* x = square * 2^up / 2^64 in [1/4, 1), so |part| = sqrt(x) * 2^(33 - up/2) and
+       part / |part| = part * root / 2^(64 - up/2); up is 2 or 4. */
+    unsigned up = clz64(square) & ~1u;
+    uint32_t root = sheen_reciprocal_root((uint32_t)((square << up) >> 32)); /* UQ1.31 */
+    for (int k = 0; k < 3; k++)
+        out[k] = (int32_t)round_shift64(part[k] * (int64_t)root, 34 - up / 2);
+    return SHEEN_OK;
+}
+
+int sheen_normalize(const int32_t v[3], sheen_q30_t out[3])
+{
+    const int64_t wide[3] = {v[0], v[1], v[2]};
+
+    return sheen_normalize_wide(wide, out);
+}
+
+/* The largest coordinate distance of a polygon's corners from its first, < 2^30. */
+static uint32_t reach(const int32_t *points, const uint32_t *corners, unsigned count)
+{
+    const int32_t *origin = points + 3 * (size_t)corners[0];
+    uint32_t all = 0;
+
+    for (unsigned i = 1; i < count; i++)
+        for (int k = 0; k < 3; k++)
+            all |= magnitude32(points[3 * (size_t)corners[i] + (size_t)k] - origin[k]);
+    return all;
+}
+
+/* Newell's sum, exact: part k is high[k] * 2^drop + low[k], 0 <= low < 2^31 * count. */
+struct newell {
+    int64_t high[3], low[3];
+    unsigned drop; /* 0..31 */
+};
+
+/* The edge from p to q, seen from the first corner. */
+static void add_edge(struct newell *sum, const int32_t *origin, const int32_t *p, const int32_t *q)
+{
+    for (int k = 0; k < 3; k++) {
+        int m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+        int64_t am = p[m] - origin[m], an = p[n] - origin[n], bm = q[m] - origin[m], bn = q[n] - origin[n];
+        int64_t term = am * bn - an * bm, high = asr64(term, sum->drop);
+        sum->high[k] += high;
+        sum->low[k] += term - high * ((int64_t)1 << sum->drop);
+    }
+}
+
+/*
+ * Newell's sum is cyclic and does not depend on the origin; taken from the first
+ * corner it needs the differences only.
+ * Range: differences below 2^d (d <= 30), a term of two products below 2^(2d + 1),
+ * count - 2 terms below 2^(2d + 1 + c): of each term, what exceeds 62 bits is summed apart.
+ */
+int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigned count, sheen_q30_t normal[3])
+{
+    unsigned bits = 2 * (32 - clz32(reach(points, corners, count))) + 1 + (32 - clz32(count - 2));
+    struct newell sum = {.drop = bits > 62 ? bits - 62 : 0};
+    const int32_t *origin = points + 3 * (size_t)corners[0];
+    uint64_t large = 0;
+
+    for (unsigned i = 1; i + 1 < count; i++)
+        add_edge(&sum, origin, points + 3 * (size_t)corners[i], points + 3 * (size_t)corners[i + 1]);
+    for (int k = 0; k < 3; k++) {
+        sum.high[k] += asr64(sum.low[k], sum.drop);
+        sum.low[k] &= ((int64_t)1 << sum.drop) - 1;
+        large |= (uint64_t)(sum.high[k] < 0 ? ~sum.high[k] : sum.high[k]);
+    }
+    /* Below 2^31 the whole sum fits 62 bits, down to an area of exactly zero; above, the low part is under 2^-30. */
+    if (large >> 31 == 0) {
+        for (int k = 0; k < 3; k++)
+            sum.high[k] = sum.high[k] * ((int64_t)1 << sum.drop) + sum.low[k];
+    }
+    return sheen_normalize_wide(sum.high, normal);
+}

@@ -1,0 +1,198 @@
+/*
+ * polygons.c - polygons to triangles, seen along their Newell normal (at load, not in draw).
+ *
+ * Every test is the sign of an exact number, so a fan is a fan on every machine and an
+ * ear never depends on rounding. Only the direction of view, the unit normal, is rounded
+ * (4 raw steps a part): a plane polygon's corners stay straight where they are straight.
+ */
+#include "../math/fixed.h"
+#include "../sheen.h"
+
+/* A polygon that loses its ears: a ring in the corners' order. */
+struct ring {
+    const int32_t *points;
+    const uint32_t *corners;
+    const sheen_q30_t *normal;
+    uint32_t *next, *before; /* next[i] == i: i is gone */
+    uint32_t *blocker;       /* of a corner that is no ear: a corner inside it, or itself if it does not turn left */
+    uint32_t head, count;
+};
+
+#define UNKNOWN UINT32_MAX /* a blocker: the corner is to be looked at */
+
+static const int32_t *point(const struct ring *ring, uint32_t i)
+{
+    return ring->points + 3 * (size_t)ring->corners[i];
+}
+
+/* |difference| <= 2^29. */
+static void subtract(const int32_t *a, const int32_t *b, int32_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] - b[k];
+}
+
+/*
+ * The sign of (u x v).normal: 1 where v is to the left of u.
+ * Range: |u|, |v| <= 2^29 a part, so a part of the cross product is at most 2^59. Split at bit 29 its high part
+ * times 2^30 is at most 2^60, its low part times 2^30 below 2^59, and three of either fit 62 bits.
+ */
+static int turn(const int32_t u[3], const int32_t v[3], const sheen_q30_t normal[3])
+{
+    const int64_t below = ((int64_t)1 << 29) - 1;
+    int64_t high = 0, low = 0;
+
+    for (int k = 0; k < 3; k++) {
+        int m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+        int64_t cross = (int64_t)u[m] * v[n] - (int64_t)u[n] * v[m];
+        high += asr64(cross, 29) * normal[k];
+        low += (cross & below) * normal[k];
+    }
+    high += asr64(low, 29);
+    return high < 0 ? -1 : high > 0 || (low & below) != 0;
+}
+
+/* An edge seen along the normal: exact coordinates in the plane of two axes, all times the normal's largest part. */
+struct seen {
+    int64_t x, y; /* at most 2^60 */
+};
+
+static struct seen see(const int32_t edge[3], const sheen_q30_t normal[3])
+{
+    int m = magnitude32(normal[0]) >= magnitude32(normal[1]) ? 0 : 1;
+    m = magnitude32(normal[2]) > magnitude32(normal[m]) ? 2 : m;
+    int x = m == 2 ? 0 : m + 1, y = m == 0 ? 2 : m - 1;
+
+    return (struct seen){(int64_t)edge[x] * normal[m] - (int64_t)edge[m] * normal[x],
+                         (int64_t)edge[y] * normal[m] - (int64_t)edge[m] * normal[y]};
+}
+
+/* Half of all directions: those of y > 0, and +x. */
+static int is_up(struct seen e)
+{
+    return e.y > 0 || (e.y == 0 && e.x > 0);
+}
+
+/*
+ * Convex: no corner turns right, and the edges' direction goes around once (a five-pointed star turns left
+ * everywhere, but goes around twice). A corner that turns straight back counts as half a round: the other half
+ * has no way to close the polygon but by turning right, or with no area. An edge between two points that are
+ * seen at one place has no direction and is passed over.
+ */
+static int is_convex(const struct ring *ring)
+{
+    int32_t last[3] = {0, 0, 0}; /* the edge before */
+    int was_up = 0, rounds = 0;
+
+    for (uint32_t i = 0; i < 2 * ring->count; i++) { /* the first time around finds the last edge */
+        uint32_t a = i < ring->count ? i : i - ring->count, b = a + 1 < ring->count ? a + 1 : 0;
+        int32_t edge[3];
+        subtract(point(ring, b), point(ring, a), edge);
+        struct seen seen = see(edge, ring->normal);
+        if (seen.x == 0 && seen.y == 0)
+            continue;
+        if (i >= ring->count) {
+            if (turn(last, edge, ring->normal) < 0)
+                return 0;
+            rounds += is_up(seen) && !was_up;
+        }
+        was_up = is_up(seen);
+        for (int k = 0; k < 3; k++)
+            last[k] = edge[k];
+    }
+    return rounds <= 1;
+}
+
+/* Whether point q lies in or on the triangle, other than at a corner of it. */
+static int is_inside(const int32_t *const triangle[3], const int32_t *q, const sheen_q30_t normal[3])
+{
+    for (int k = 0; k < 3; k++) {
+        int32_t edge[3], to[3];
+        subtract(q, triangle[k], to);
+        if (to[0] == 0 && to[1] == 0 && to[2] == 0)
+            return 0;
+        subtract(triangle[k == 2 ? 0 : k + 1], triangle[k], edge);
+        if (turn(edge, to, normal) < 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* The first corner of the ring in or on the triangle at corner i, itself where that does not turn left, or UNKNOWN. */
+static uint32_t find_blocker(const struct ring *ring, uint32_t i)
+{
+    /* The cut first: of its three sides it is the one that most corners are beyond. */
+    const int32_t *const triangle[3] = {point(ring, ring->next[i]), point(ring, ring->before[i]), point(ring, i)};
+    int32_t in[3], out[3];
+
+    subtract(triangle[2], triangle[1], in);
+    subtract(triangle[0], triangle[2], out);
+    if (turn(in, out, ring->normal) <= 0)
+        return i;
+    uint32_t j = ring->head;
+    do {
+        if (is_inside(triangle, point(ring, j), ring->normal))
+            return j;
+        j = ring->next[j];
+    } while (j != ring->head);
+    return UNKNOWN;
+}
+
+/* The first ear, or the head. A corner is looked at again only when a neighbour or what blocked it is gone. */
+static uint32_t find_ear(struct ring *ring)
+{
+    uint32_t i = ring->head;
+
+    do {
+        uint32_t blocker = ring->blocker[i];
+        if (blocker == UNKNOWN || ring->next[blocker] == blocker)
+            ring->blocker[i] = blocker = find_blocker(ring, i);
+        if (blocker == UNKNOWN)
+            return i;
+        i = ring->next[i];
+    } while (i != ring->head);
+    return ring->head;
+}
+
+/* Every turn cuts one corner off, so it ends. */
+static void cut_ears(struct ring *ring, uint32_t *triangles)
+{
+    for (uint32_t i = 0; i < ring->count; i++) {
+        ring->next[i] = i + 1 < ring->count ? i + 1 : 0;
+        ring->before[i] = i > 0 ? i - 1 : ring->count - 1;
+        ring->blocker[i] = UNKNOWN;
+    }
+    for (; ring->count >= 3; ring->count--) {
+        uint32_t ear = ring->count > 3 ? find_ear(ring) : ring->next[ring->head];
+        uint32_t before = ring->before[ear], next = ring->next[ear];
+
+        *triangles++ = before;
+        *triangles++ = ear;
+        *triangles++ = next;
+        ring->next[before] = next;
+        ring->before[next] = before;
+        ring->blocker[before] = ring->blocker[next] = UNKNOWN;
+        ring->next[ear] = ear;
+        if (ear == ring->head)
+            ring->head = next;
+    }
+}
+
+int sheen_triangulate(const int32_t *points, const uint32_t *corners, unsigned count, const sheen_q30_t normal[3],
+                      uint32_t *scratch, uint32_t *triangles)
+{
+    struct ring ring = {points, corners, normal, scratch, scratch + count, scratch + 2 * (size_t)count, 0, count};
+
+    if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
+        return SHEEN_ERR_DEGENERATE;
+    if (count > 3 && !is_convex(&ring)) {
+        cut_ears(&ring, triangles);
+        return SHEEN_OK;
+    }
+    for (uint32_t k = 1; k + 1 < count; k++) {
+        *triangles++ = 0;
+        *triangles++ = k;
+        *triangles++ = k + 1;
+    }
+    return SHEEN_OK;
+}

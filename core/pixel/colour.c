@@ -1,0 +1,159 @@
+/*
+ * colour.c - materials: the power table, and intensities to channels of the target.
+ *
+ * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
+ * carry 10 fraction bits, one less for each doubling of the intensities above 1.
+ */
+#include "../frame/frame.h"
+
+/* a * b for UQ0.32 factors, 1.0 held as 0xffffffff. */
+static uint32_t multiply(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(((uint64_t)a * b + a + b) >> 32);
+}
+
+/* s^n by repeated squaring, UQ0.32; error below n * 2^-32. */
+static uint32_t raised(uint32_t s, unsigned n)
+{
+    uint32_t result = UINT32_MAX;
+
+    for (; n > 0; n >>= 1) {
+        if ((n & 1u) != 0)
+            result = multiply(result, s);
+        s = multiply(s, s);
+    }
+    return result;
+}
+
+static int in_range(sheen_q16_t x)
+{
+    return x >= 0 && x <= 4 << 16;
+}
+
+/*
+ * The table spans u = 1 - s from 0 to 2^-shift, the smallest power of two below
+ * which s^n stays under 2^-16. Linear between entries it is off by at most
+ * n (n - 1) / 8 / (256 * 2^shift)^2 < 1e-3 of the highlight.
+ */
+int sheen_material_prepare(struct sheen_material *m)
+{
+    if (!in_range(m->ambient) || !in_range(m->diffuse) || !in_range(m->specular) || m->shininess < 1 ||
+        m->shininess > 128)
+        return SHEEN_ERR_ARGUMENT;
+
+    unsigned shift = 0;
+    while (shift < 3 && raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), m->shininess) < 1u << 16)
+        shift++;
+    m->power_shift = (uint8_t)shift;
+    for (uint32_t i = 0; i < SHEEN_POWER_ENTRIES; i++) {
+        uint32_t power = raised(UINT32_MAX - (i << (24 - shift)), m->shininess);
+        m->power[i] = (uint16_t)((power >> 17) + (power >> 16 & 1u));
+    }
+    m->power[SHEEN_POWER_ENTRIES] = 0;
+    return SHEEN_OK;
+}
+
+/*
+ * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
+ * UQ0.16 and their sum exactly 1.0.
+ */
+void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target)
+{
+    static const uint32_t weight[3] = {13933, 46871, 4732};
+    static const uint8_t level_bits[] = {6, 6, 1, 4, 8};
+    const uint16_t probe = 1;
+    unsigned little_endian = *(const uint8_t *)&probe;
+
+    format->grey = target->pixel > SHEEN_RGB565_LE;
+    format->level_bits = level_bits[target->pixel];
+    format->pixel_bits = (uint8_t)sheen_pixel_bits((enum sheen_pixel)target->pixel);
+    format->swap = little_endian == (target->pixel == SHEEN_RGB565_BE);
+    for (int k = 0; k < 3; k++)
+        format->scale[k] = format->grey ? ((1u << format->level_bits) - 1) * weight[k] : (k == 1 ? 63u : 31u) << 16;
+}
+
+/* A byte of colour as UQ1.16, 255 = 1.0 exactly, within half a step. */
+static uint32_t colour_share(uint8_t colour)
+{
+    return colour * 257u + (colour >> 7);
+}
+
+/* scale * colour * intensity, UQ.32. Range: 2^24 * 2^16 * 2^22 = 2^62. */
+static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
+{
+    return ((uint64_t)format->scale[k] * colour_share(colour) * intensity) >> 16;
+}
+
+/*
+ * The headroom h is the number of bits by which the brightest sum exceeds 1.0;
+ * fraction = 31 - level_bits - h keeps every sum below 2^31, and the factors of
+ * UQ1.15 intensities, with 15 bits less, below 2^16.
+ * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, so h <= 6 and fraction >= 17.
+ */
+void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                        const struct lighting *l)
+{
+    uint64_t a[3], b[3], c[3];
+    unsigned headroom = 0;
+
+    t->clamp = 0;
+    for (int k = 0; k < 3; k++) {
+        a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
+        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)l->diffuse_sum) >> 16);
+        c[k] = channel_of(format, k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)l->specular_sum) >> 16);
+        /* 1/256 level above the highest still rounds to it */
+        uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)format->scale[k] << 16) + (1u << 24);
+        t->clamp |= most > top;
+        while (most > top << headroom)
+            headroom++;
+    }
+    t->fraction = (uint8_t)(31u - format->level_bits - headroom);
+    unsigned drop = 32u - t->fraction, drop_factor = drop + 15;
+    for (int k = 0; k < 3; k++) {
+        t->a[k] = (uint32_t)(a[k] >> drop);
+        t->b[k] = (uint16_t)((b[k] + (1ull << (drop_factor - 1))) >> drop_factor);
+        t->c[k] = (uint16_t)((c[k] + (1ull << (drop_factor - 1))) >> drop_factor);
+        t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
+    }
+}
+
+uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])
+{
+    uint32_t channel[3], sum = 0; /* UQ8.16 */
+
+    for (int k = 0; k < 3; k++) {
+        channel[k] = (uint32_t)(((uint64_t)format->scale[k] * colour_share(rgb[k])) >> 16);
+        sum += channel[k];
+    }
+    if (format->grey)
+        return (uint16_t)((sum + 0x8000u) >> 16);
+    return pixel_order(((channel[0] + 0x8000u) >> 16) << 11 | ((channel[1] + 0x8000u) >> 16) << 5 |
+                           (channel[2] + 0x8000u) >> 16,
+                       format->swap);
+}
+
+/* The thresholds 2 B + 1, B the 8x8 Bayer matrix built up from [[0, 2], [3, 1]]. */
+const uint8_t sheen_thresholds[9][8] = {
+    {1, 65, 17, 81, 5, 69, 21, 85},       {97, 33, 113, 49, 101, 37, 117, 53},  {25, 89, 9, 73, 29, 93, 13, 77},
+    {121, 57, 105, 41, 125, 61, 109, 45}, {7, 71, 23, 87, 3, 67, 19, 83},       {103, 39, 119, 55, 99, 35, 115, 51},
+    {31, 95, 15, 79, 27, 91, 11, 75},     {127, 63, 111, 47, 123, 59, 107, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
+};
+
+/* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
+void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)
+{
+    unsigned bits = format->pixel_bits, per_byte = 8 / bits;
+    const uint8_t *in = pixels;
+    uint8_t *out = pixels;
+
+    if (per_byte == 1)
+        return;
+    for (unsigned y = 0; y < rows; y++) {
+        for (unsigned x = 0; x < width; x += per_byte) {
+            unsigned byte = 0;
+            for (unsigned i = 0; i < per_byte; i++)
+                byte = byte << bits | (x + i < width ? *in++ : 0u);
+            *out++ = (uint8_t)byte;
+        }
+    }
+}

@@ -1,0 +1,130 @@
+/*
+ * phong.c - normals at the corners to L.N, V.N and N.N over the triangle
+ * (lecture, "Clever Implementation"; the change in D as mended: its second
+ * difference is constant).
+ */
+#include "../frame/frame.h"
+
+/* Steps of the normal below 2 a px in Q2.29, or the triangle is scaled down, at most so many bits. */
+#define STEEPEST ((int64_t)1 << 30)
+#define MAX_SCALE 6
+
+/* Corner normals times weight, Q2.29; component i of corner k at [i][k]. Range: |normal| < 2^15, weight <= 2^16. */
+static void weighted_normals(const struct surface_corners *c, int32_t n[3][3])
+{
+    for (int k = 0; k < 3; k++) {
+        int32_t weight = (int32_t)((c->weight[k] >> 16) + (c->weight[k] >> 15 & 1u));
+        for (int i = 0; i < 3; i++) {
+            int32_t component = max32(c->at.normal[k][i], -32767);
+            n[i][k] = asr32((c->back ? -component : component) * weight, 2);
+        }
+    }
+}
+
+/* Normal at the origin pixel and its steps; 0 where they do not fit however scaled. */
+static int normal_slopes(const struct gradients *g, int32_t n[3][3], struct slope slope[3])
+{
+    for (int scale = 0; scale <= MAX_SCALE; scale++) {
+        int64_t steepest = 0;
+        for (int i = 0; i < 3; i++) {
+            sheen_slope(g, n[i], 0, &slope[i]);
+            steepest |= (slope[i].dx < 0 ? -slope[i].dx : slope[i].dx) | (slope[i].dy < 0 ? -slope[i].dy : slope[i].dy);
+        }
+        if (steepest < STEEPEST)
+            return 1;
+        for (int i = 0; i < 3; i++)
+            for (int k = 0; k < 3; k++)
+                n[i][k] = asr32(n[i][k], 1);
+    }
+    return 0;
+}
+
+/* v . N as a plane, Q1.30: Q1.30 times Q2.29 is Q.59. Range: three terms below 2^60. */
+static struct plane dot_plane(const struct gradients *g, const sheen_q30_t v[3], const struct slope n[3])
+{
+    struct slope s = {0, 0, 0};
+
+    for (int i = 0; i < 3; i++) {
+        s.value += v[i] * n[i].value;
+        s.dx += v[i] * n[i].dx;
+        s.dy += v[i] * n[i].dy;
+    }
+    s.value = round_shift64(s.value, 29);
+    s.dx = round_shift64(s.dx, 29);
+    s.dy = round_shift64(s.dy, 29);
+    return sheen_slope_plane(g, &s);
+}
+
+/* A component of N as a plane, Q1.30. */
+static struct plane normal_plane(const struct gradients *g, const struct slope *n)
+{
+    const struct slope s = {n->value * 2, n->dx * 2, n->dy * 2};
+
+    return sheen_slope_plane(g, &s);
+}
+
+/*
+ * D = N.N by second differences, UQ1.31: Q2.29 squared is Q.58. With a px as the
+ * step, N(x, y) = N + x Nx + y Ny gives D_xx = 2 Nx.Nx, D_xy = 2 Nx.Ny and the
+ * first difference D(1, 0) - D(0, 0) = 2 N.Nx + Nx.Nx.
+ * Range: |Nx|, |Ny| < 2^30 and |N| < 2^29 + 2^30 a part: sums of three products below 2^62.8.
+ */
+static struct quadric square_quadric(const struct gradients *g, const struct slope n[3])
+{
+    int64_t nn = 0, nx = 0, ny = 0, xx = 0, xy = 0, yy = 0;
+
+    for (int i = 0; i < 3; i++) {
+        nn += n[i].value * n[i].value;
+        nx += n[i].value * n[i].dx;
+        ny += n[i].value * n[i].dy;
+        xx += n[i].dx * n[i].dx;
+        xy += n[i].dx * n[i].dy;
+        yy += n[i].dy * n[i].dy;
+    }
+    uint32_t dxx = (uint32_t)round_shift64(xx, 26), dxy = (uint32_t)round_shift64(xy, 26);
+    uint32_t dyy = (uint32_t)round_shift64(yy, 26);
+    uint32_t dx = (uint32_t)round_shift64(nx, 26) + (uint32_t)round_shift64(xx, 27);
+    uint32_t dy = (uint32_t)round_shift64(ny, 26) + (uint32_t)round_shift64(yy, 27);
+
+    return sheen_quadric(g, (uint32_t)round_shift64(nn, 27), dx, dy, dxx, dxy, dyy);
+}
+
+/* Blocks of 16 px to 1/4 degree a px, of 8 px to 1/2 (with |N| = 1/2; twice that with 1); 0: neither. Steps: Q2.29. */
+static uint8_t block_shift(const struct slope slope[3])
+{
+    const int64_t half_degree = 4685000; /* 2^29 * pi / 360 */
+    int64_t steepest = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int64_t step = slope[i].dx < 0 ? -slope[i].dx : slope[i].dx;
+        steepest = step > steepest ? step : steepest;
+    }
+    return steepest <= half_degree / 4 ? 4 : steepest <= half_degree / 2 ? 3 : 0;
+}
+
+/* Returns 0 where the normal's steps do not fit. */
+int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
+                      const struct gradients *g)
+{
+    const struct lighting *l = &s->draw->light;
+    int32_t n[3][3];
+    struct slope slope[3];
+
+    weighted_normals(c, n);
+    if (!normal_slopes(g, n, slope))
+        return 0;
+    s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
+    if (l->count > 1) {
+        s->way = SHEEN_WAY_PHONG_LIGHTS;
+        for (int i = 0; i < 3; i++)
+            s->shade.normal[i] = normal_plane(g, &slope[i]);
+        return 1;
+    }
+    s->block_shift = block_shift(slope);
+    s->way = s->block_shift != 0 && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_BLOCKS) ? SHEEN_WAY_PHONG_BLOCKS
+                                                                                      : SHEEN_WAY_PHONG_ROOT;
+    s->shade.phong.light = dot_plane(g, l->to[0], slope);
+    s->shade.phong.view = dot_plane(g, l->view, slope);
+    s->shade.phong.square = square_quadric(g, slope);
+    return 1;
+}

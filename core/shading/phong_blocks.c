@@ -1,0 +1,100 @@
+/*
+ * phong_blocks.c - Phong over runs of 8 or 16 px: exact nodes half a block apart,
+ * a parabola through three of them in between.
+ */
+#include "../triangle/rows.h"
+
+/* To the pixel n further on. */
+static void run_next(const struct setup *s, struct normal_run *r, int32_t n)
+{
+    r->ln += (uint32_t)n * s->shade.phong.light.dx;
+    r->nv += (uint32_t)n * s->shade.phong.view.dx;
+    r->d += (uint32_t)n * r->d_step + pairs(n) * s->shade.phong.square.dxx;
+    r->d_step += (uint32_t)n * s->shade.phong.square.dxx;
+}
+
+static struct normal_run run_at(const struct setup *s, const struct quadric_row *square, int32_t x, int32_t y)
+{
+    struct normal_run r = {plane_at(&s->shade.phong.light, x, y), plane_at(&s->shade.phong.view, x, y), 0, 0};
+
+    quadric_run(square, x, &r.d, &r.d_step);
+    return r;
+}
+
+/* An exact node: L.N / |N| (just below Q1.30, so that sums of three hold) and 1 - R.V (Q2.29). */
+struct node {
+    int32_t diffuse, reflected;
+};
+
+/* 0 where there is no direction. */
+static int node_at(int32_t lv1, const struct normal_run *r, struct node *n)
+{
+    int32_t ln = (int32_t)r->ln, nv = (int32_t)r->nv;
+    uint32_t d = r->d;
+
+    if (d - ROOT_LOWEST >= ROOT_RANGE && !sheen_rescale(&d, &ln, &nv))
+        return 0;
+    uint32_t root = root_seed(d);
+    int32_t diffuse = min32(max32(normalised(ln, root), -32768), 32768);
+    int32_t facing = min32(max32(normalised(nv, root), -32768), 32768);
+    n->diffuse = diffuse * 32767;
+    /* 2.0 at the most, where there is no highlight any more; halved on the way, so that nothing overflows */
+    n->reflected = 2 * min32(asr32(lv1, 1) - asr32(diffuse * facing, 1), (1 << 29) - 1);
+    return 1;
+}
+
+/* Through f0, f1 (half a block on) and f2; block of 2^shift px. */
+static struct parabola through(int32_t f0, int32_t f1, int32_t f2, unsigned shift)
+{
+    int32_t half = 1 << (shift - 1), bend = asr32(f0, 1) - f1 + asr32(f2, 1); /* half of f0 - 2 f1 + f2 */
+    struct parabola p = {f0, 0, asr32(bend, 2 * shift - 3)};                  /* over half^2 / 2 */
+
+    /* f1 - f0 over half, less (half - 1) / 2 bends */
+    p.step = asr32(f1, shift - 1) - asr32(f0, shift - 1) - asr32(p.bend * (half - 1), 1);
+    return p;
+}
+
+/* Blocks from x on while they fit before x1; returns where the rest begins, *run there. */
+static int32_t block_row(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
+                         struct normal_run *run)
+{
+    const int32_t lv1 = s->draw->light.lv1[0], length = 1 << s->block_shift;
+    struct node node[3];
+
+    if (x + length > x1 || !node_at(lv1, run, &node[0]))
+        return x;
+    node[0].diffuse += (int32_t)HALF; /* rounding */
+    while (x + length <= x1) {
+        struct normal_run next = *run;
+        run_next(s, &next, length / 2);
+        if (!node_at(lv1, &next, &node[1]))
+            return x;
+        run_next(s, &next, length / 2);
+        if (!node_at(lv1, &next, &node[2]))
+            return x;
+        node[1].diffuse += (int32_t)HALF;
+        node[2].diffuse += (int32_t)HALF;
+        sheen_shade_block(t, s, x, y, through(node[0].diffuse, node[1].diffuse, node[2].diffuse, s->block_shift),
+                          through(node[0].reflected, node[1].reflected, node[2].reflected, s->block_shift));
+        node[0] = node[2];
+        *run = next;
+        x += length;
+    }
+    return x;
+}
+
+/* The rows of a triangle: blocks where they are wanted and fit, a root a pixel for the rest. */
+void sheen_shade_phong_root(const struct tile *t, const struct setup *s)
+{
+    struct quadric_row square = quadric_row_at(&s->shade.phong.square, t->first_row);
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        struct normal_run run = run_at(s, &square, x, y);
+        if (s->way == SHEEN_WAY_PHONG_BLOCKS)
+            x = block_row(t, s, x, x1, y, &run);
+        if (x < x1)
+            sheen_shade_root_run(t, s, x, x1, y, run);
+        quadric_row_next(&square);
+    }
+}

@@ -1,0 +1,233 @@
+/*
+ * clip.c - triangles that leave the view volume are cut in eye space, once, in
+ * sheen_draw(): near and far plane, then the guard band's four sides.
+ *
+ * Which side a corner lies on is what its flags say, and a corner inside is never
+ * moved: a neighbour that was not cut has the same corner. An edge is always cut
+ * from its inner end, so two triangles that share it get the same point. The
+ * sides cut at 510.5 px, so that the point lies inside the guard band of 511.
+ *
+ * A polygon of exact corners crosses a plane at most twice. One of rounded corners
+ * may wind about the plane; only one run of its corners is then kept, so a plane
+ * takes at least one corner away where it adds two: MAX_CLIP_CORNERS = 3 + PLANES.
+ */
+#include "../frame/frame.h"
+#include "../math/newton.h"
+
+#define CUT_SIDE (511 * 2 - 1) /* half px */
+#define PLANES (MAX_CLIP_CORNERS - 3)
+
+/* A corner of the polygon that is left of a triangle. */
+struct clip_corner {
+    sheen_q24_t eye[3];
+    int32_t share[3]; /* of the triangle's corners, Q1.30: attributes are linear in space */
+    struct vertex v;
+};
+
+/* Distance inside plane p (0..5: the order of enum vertex_flag), Q.24 lengths, any common scale for a side. */
+static int64_t inside(const struct projection *p, const sheen_q24_t eye[3], unsigned plane)
+{
+    int64_t m = -(int64_t)eye[2];
+
+    if (plane == 0)
+        return m - p->near;
+    if (plane == 1)
+        return p->far - m;
+    /* |x| focal <= side m, m fixed in an orthographic view. Range, with 16 bits of focal: 2^31 * 2^16, 2^31 * 2^24 */
+    int64_t coordinate = plane < 4 ? eye[0] : -(int64_t)eye[1];
+    int64_t across = coordinate * (int64_t)(p->focal.mantissa >> 16);
+    int64_t side = (p->orthographic != 0 ? p->orthographic : m) * CUT_SIDE << 14;
+    if (p->focal.exponent >= 0)
+        side = asr64(side, (unsigned)p->focal.exponent);
+    else
+        across = asr64(across, (unsigned)-p->focal.exponent);
+    return (plane & 1u) == 0 ? side + across : side - across;
+}
+
+static int32_t between(int32_t a, int32_t b, int32_t t)
+{
+    return (int32_t)(a + round_shift64(((int64_t)b - a) * t, 30));
+}
+
+/* The point of the edge from a (inside) to b (outside) that lies on the plane. */
+static void cut_edge(const struct projection *p, const struct clip_corner *a, const struct clip_corner *b,
+                     unsigned plane, struct clip_corner *out)
+{
+    int64_t da = inside(p, a->eye, plane), db = inside(p, b->eye, plane);
+    int32_t t = 0; /* a corner inside by its flags may lie beyond the cut: then it is the point */
+
+    if (da > 0) {
+        unsigned bits = 64 - clz64((uint64_t)(da - db)), drop = bits > 32 ? bits - 32 : 0;
+        t = (int32_t)(sheen_ratio((uint32_t)(da >> drop), (uint32_t)((da - db) >> drop)) >> 2);
+    }
+    for (int k = 0; k < 3; k++) {
+        out->eye[k] = between(a->eye[k], b->eye[k], t);
+        out->share[k] = between(a->share[k], b->share[k], t);
+    }
+    if (plane < 2)
+        out->eye[2] = -(plane == 0 ? p->near : p->far);
+    sheen_project(p, out->eye, &out->v);
+}
+
+/* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */
+static unsigned deepest_run(const struct projection *p, const struct clip_corner *in, unsigned count, unsigned plane,
+                            unsigned out)
+{
+    unsigned deepest = 0, run;
+    int64_t depth = INT64_MIN;
+
+    for (unsigned i = 0; i < count; i++) {
+        int64_t here = inside(p, in[i].eye, plane);
+        if ((out >> i & 1u) == 0 && here > depth) {
+            depth = here;
+            deepest = i;
+        }
+    }
+    run = 1u << deepest;
+    for (unsigned i = deepest; (out >> (i = i + 1 < count ? i + 1 : 0) & 1u) == 0;)
+        run |= 1u << i;
+    for (unsigned i = deepest; (out >> (i = i > 0 ? i - 1 : count - 1) & 1u) == 0;)
+        run |= 1u << i;
+    return run;
+}
+
+/* The corners outside a plane, a bit each: none, or one run (round the end too), so that the rest is one as well. */
+static unsigned corners_outside(const struct projection *p, const struct clip_corner *in, unsigned count,
+                                unsigned plane)
+{
+    unsigned out = 0, all = (1u << count) - 1;
+
+    for (unsigned i = 0; i < count; i++)
+        out |= (unsigned)(in[i].v.flags >> plane & 1) << i;
+    unsigned ends = out & ~(out >> 1 | out << (count - 1)); /* each run's last corner; after the last comes the first */
+    return (ends & (ends - 1)) == 0 ? out : all & ~deepest_run(p, in, count, plane, out);
+}
+
+/*
+ * Sutherland and Hodgman's step: what of `in` lies inside a plane. Returns the number of corners: at most one more
+ * than before, for one run of at least one corner gives way to the two points where the edges enter and leave it.
+ */
+static unsigned cut_polygon(const struct projection *p, const struct clip_corner *in, unsigned count, unsigned plane,
+                            struct clip_corner *out)
+{
+    unsigned outside = corners_outside(p, in, count, plane), kept = 0;
+
+    for (unsigned i = 0; i < count; i++) {
+        unsigned next = i + 1 < count ? i + 1 : 0;
+        const struct clip_corner *a = &in[i], *b = &in[next];
+        int a_out = (outside >> i & 1u) != 0, b_out = (outside >> next & 1u) != 0;
+        if (!a_out)
+            out[kept++] = *a;
+        if (a_out && !b_out)
+            cut_edge(p, b, a, plane, &out[kept++]);
+        else if (!a_out && b_out)
+            cut_edge(p, a, b, plane, &out[kept++]);
+    }
+    return kept;
+}
+
+/* The corners of a mesh's triangle in eye space, and their normals. */
+static void triangle_corners(const struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                             uint16_t triangle, struct clip_corner corner[3], const int16_t *normal[3])
+{
+    for (uint32_t k = 0; k < 3; k++) {
+        uint32_t index = mesh_index(d->mesh, 3u * triangle + k);
+        sheen_transform_point(t, d->mesh->positions + 3 * index, corner[k].eye);
+        corner[k].v = f->vertex[d->first_vertex + index];
+        for (uint32_t i = 0; i < 3; i++)
+            corner[k].share[i] = i == k ? 1 << 30 : 0;
+        normal[k] = d->mesh->normals != NULL ? d->mesh->normals + 3 * index : NULL;
+    }
+}
+
+/* Intensities of the triangle's corners for the side that is seen; pieces store what lies between. */
+static void light_triangle(const struct draw_record *d, const int16_t *const normal[3], int back, struct lit lit[3])
+{
+    for (int k = 0; k < 3; k++) {
+        int16_t seen[3];
+        for (int i = 0; i < 3; i++)
+            seen[i] = (int16_t)(back ? -max32(normal[k][i], -32767) : normal[k][i]);
+        sheen_light_normal(&d->light, d->material, seen, &lit[k]);
+    }
+}
+
+static int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
+{
+    return (int32_t)round_shift64((int64_t)share[0] * a + (int64_t)share[1] * b + (int64_t)share[2] * c, 30);
+}
+
+/* A corner as pieces store it; unit: slerp goes from unit vector to unit vector. */
+static void piece_corner(const struct clip_corner *from, const int16_t *const normal[3], const struct lit lit[3],
+                         int unit, struct vertex *v, int16_t out[3])
+{
+    *v = from->v;
+    v->flags = LIT | LIT_AS_SEEN;
+    if (normal[0] == NULL)
+        return;
+    int32_t n[3];
+    for (int i = 0; i < 3; i++)
+        n[i] = out[i] = (int16_t)shared(from->share, normal[0][i], normal[1][i], normal[2][i]);
+    if (unit && sheen_normalize(n, n) == SHEEN_OK)
+        for (int i = 0; i < 3; i++)
+            out[i] = (int16_t)min32(asr32(n[i] + (1 << 14), 15), 32767);
+    v->diffuse = (uint16_t)max32(
+        0, shared(from->share, (int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse));
+    v->specular = (uint16_t)max32(
+        0, shared(from->share, (int32_t)lit[0].specular, (int32_t)lit[1].specular, (int32_t)lit[2].specular));
+}
+
+/* List the fan of what is left. Returns 0 or SHEEN_ERR_CAPACITY. */
+static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
+                       const struct clip_corner *polygon, unsigned count, const int16_t *const normal[3])
+{
+    struct lit lit[3] = {{0, 0}, {0, 0}, {0, 0}};
+    int64_t whole = 0; /* the polygon's side decides; a sliver of the fan that snapping turned over is left out */
+
+    for (unsigned i = 1; i + 1 < count; i++)
+        whole += twice_area(&polygon[0].v, &polygon[i].v, &polygon[i + 1].v);
+    if (whole >= 0 && (whole == 0 || !d->two_sided))
+        return SHEEN_OK;
+    f->stats.front++;
+    if (d->shading == SHEEN_GOURAUD)
+        light_triangle(d, normal, whole > 0, lit);
+    for (unsigned i = 1; i + 1 < count; i++) {
+        const struct clip_corner *fan[3] = {&polygon[0], &polygon[i], &polygon[i + 1]};
+        const struct vertex *const v[3] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
+        int64_t area = twice_area(v[0], v[1], v[2]);
+        if (area == 0 || (area > 0) != (whole > 0))
+            continue;
+        int listed = f->pieces == f->config.max_clipped ? sheen_bin_would_list(f, v) ? SHEEN_ERR_CAPACITY : 0
+                                                        : sheen_bin_triangle(f, v, f->pieces, 1);
+        if (listed < 0)
+            return listed;
+        if (listed == 0)
+            continue;
+        struct piece *piece = &f->piece[f->pieces++];
+        piece->triangle = triangle;
+        for (int k = 0; k < 3; k++)
+            piece_corner(fan[k], normal, lit, d->shading == SHEEN_SLERP, &piece->corner[k], piece->normal[k]);
+    }
+    return SHEEN_OK;
+}
+
+int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle)
+{
+    struct clip_corner *polygon = f->scratch, *next = polygon + MAX_CLIP_CORNERS;
+    const int16_t *normal[3];
+    unsigned count = 3;
+
+    triangle_corners(f, d, t, triangle, polygon, normal);
+    for (unsigned plane = 0; plane < PLANES && count >= 3; plane++) {
+        count = cut_polygon(&f->projection, polygon, count, plane, next);
+        struct clip_corner *swapped = polygon;
+        polygon = next;
+        next = swapped;
+    }
+    f->stats.clipped++;
+    return count >= 3 ? list_pieces(f, d, triangle, polygon, count, normal) : SHEEN_OK;
+}
+
+size_t sheen_clip_scratch_bytes(void)
+{
+    return 2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner);
+}

@@ -1,0 +1,89 @@
+/*
+ * light.c - ambient + diffuse + specular at a normal (lecture, "Illumination Models").
+ *
+ * Lights and the eye are turned into model space once a draw. What comes out is
+ * relative: diffuse and specular in [0, 1] of what the draw's lights can give,
+ * so 16 bits hold it whatever the intensities; pixel/colour.c puts them back.
+ */
+#include "../frame/frame.h"
+
+/* v in model space: transpose(R) * v; R's rows are orthonormal. Q1.30. */
+static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = mul_round(r[k], v[0], 30) + mul_round(r[3 + k], v[1], 30) + mul_round(r[6 + k], v[2], 30);
+}
+
+/*
+ * Intensities to weights, UQ1.15, that sum to at most 1.0. Below 1/1000 in all they
+ * get coarse, where no level can show it.
+ */
+static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned count, sheen_q16_t sum)
+{
+    for (unsigned i = 0; i < count; i++)
+        weight[i] = (uint16_t)(sum > 0 ? ((uint32_t)intensity[i] << 13) / (((uint32_t)sum + 3) >> 2) : 0);
+}
+
+int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw)
+{
+    const sheen_q30_t *r = draw->pose.rotation;
+    const sheen_q30_t eye[3] = {0, 0, 1 << 30};
+    sheen_q16_t diffuse[SHEEN_MAX_LIGHTS], specular[SHEEN_MAX_LIGHTS];
+
+    if (draw->light_count > SHEEN_MAX_LIGHTS || (draw->light_count > 0 && draw->lights == NULL))
+        return SHEEN_ERR_ARGUMENT;
+    to_model(r, eye, l->view);
+    l->count = draw->light_count;
+    l->diffuse_sum = 0;
+    l->specular_sum = 0;
+    for (unsigned i = 0; i < l->count; i++) {
+        const struct sheen_light *light = &draw->lights[i];
+        sheen_q30_t to[3];
+        int error = sheen_normalize(light->to, to);
+        if (error < 0)
+            return error;
+        if (light->intensity < 0 || light->intensity > 1 << 16)
+            return SHEEN_ERR_ARGUMENT;
+        to_model(r, to, l->to[i]);
+        l->lv1[i] = (1 << 29) + to[2] / 2;
+        diffuse[i] = light->intensity;
+        specular[i] = light->highlight ? light->intensity : 0;
+        l->diffuse_sum += diffuse[i];
+        l->specular_sum += specular[i];
+    }
+    weights(l->diffuse_weight, diffuse, l->count, l->diffuse_sum);
+    weights(l->specular_weight, specular, l->count, l->specular_sum);
+    return SHEEN_OK;
+}
+
+/*
+ * L.N or N.V of a unit normal that holds 1.0 as 32767: Q0.15, within +-1.0 though
+ * rounding may have made the normal a little longer.
+ */
+static int32_t cosine(const int16_t normal[3], const sheen_q30_t v[3])
+{
+    int32_t dot = dot_q29(normal, v); /* Q2.29 of 32767/32768 */
+    int32_t value = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
+
+    return min32(max32(value, -32768), 32768);
+}
+
+void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
+                        struct lit *out)
+{
+    int32_t nv = cosine(normal, l->view);
+    struct power power = power_of(m);
+    uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
+
+    for (unsigned i = 0; i < l->count; i++) {
+        int32_t ln = cosine(normal, l->to[i]);
+        if (ln <= 0)
+            continue;
+        diffuse += l->diffuse_weight[i] * (uint32_t)ln;
+        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V); a product of two Q0.15 is half of it in Q2.29 */
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv));
+        specular += l->specular_weight[i] * highlight_at(power, u, (uint32_t)ln);
+    }
+    out->diffuse = (diffuse + (1u << 14)) >> 15;
+    out->specular = (specular + (1u << 14)) >> 15;
+}

@@ -1,0 +1,92 @@
+/*
+ * vertex.h - private: vertices on the screen, and how a mesh's get there.
+ */
+#ifndef SHEEN_VERTEX_H
+#define SHEEN_VERTEX_H
+
+#include "../math/fixed.h"
+#include "../sheen.h"
+
+#define SUBPIXEL_BITS 6 /* vertices are snapped to 1/64 px */
+#define SUBPIXEL_ONE 64
+#define SUBPIXEL_HALF 32                  /* a pixel's centre */
+#define GUARD_BAND (511 << SUBPIXEL_BITS) /* 1/64 px from the viewport's centre */
+
+/*
+ * Depth in 16 bits: z16 = DEPTH_FAR + DEPTH_RANGE * (1/m - 1/far) / (1/near - 1/far).
+ * The margins on both sides keep what interpolation rounds off from wrapping. The
+ * buffer is cleared to DEPTH_FAR, two equal bytes, so m >= far is not drawn.
+ */
+#define DEPTH_RANGE 65020
+#define DEPTH_FAR 0x0101
+
+enum vertex_flag { /* sides of the view volume a vertex lies outside of, and what was done to it */
+    OUTSIDE_NEAR = 1,
+    OUTSIDE_FAR = 2,
+    OUTSIDE_LEFT = 4,
+    OUTSIDE_RIGHT = 8,
+    OUTSIDE_TOP = 16,
+    OUTSIDE_BOTTOM = 32,
+    OUTSIDE = 63,
+    LIT = 64,         /* diffuse and specular are set, for the mesh's normal */
+    LIT_AS_SEEN = 128 /* for the side that is seen, front or back: corners of pieces */
+};
+
+struct vertex {
+    int16_t x, y;      /* Q9.6 px from the viewport's centre, +-511 px; undefined where OUTSIDE */
+    uint16_t z;        /* z16 */
+    uint16_t flags;    /* enum vertex_flag */
+    uint16_t diffuse;  /* UQ1.15, Gouraud, once LIT: weighted sum of max(0, L.N) */
+    uint16_t specular; /* UQ1.15, likewise of (R.V)^n */
+};
+
+/*
+ * A positive number as mantissa / 2^31 * 2^exponent, mantissa in [2^31, 2^32).
+ */
+struct scaled {
+    uint32_t mantissa;
+    int exponent;
+};
+
+/* Of the view, a frame long. Made by sheen_project_begin. */
+struct projection {
+    struct scaled focal; /* px */
+    struct scaled depth; /* z16 = DEPTH_FAR + depth / m - depth / far */
+    int64_t depth_far;   /* depth / far, Q.8 */
+    sheen_q24_t near, far;
+    sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
+    struct scaled fixed;      /* its reciprocal; `depth` then is a unit's steps of z16 */
+    unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
+    uint32_t weight_offset;   /* which lies in (0, 2^32) for every z16 from near to far */
+};
+
+/* Model to eye: e = (sum of raw position * m) / 2^(16 + shift) + t, Q7.24. |m| <= 2^30, shift -1..28. */
+struct transform {
+    int32_t m[9];
+    int shift;
+    sheen_q24_t t[3];
+};
+
+int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned height);
+int sheen_transform_begin(struct transform *t, const struct sheen_mesh *mesh, const struct sheen_pose *pose);
+void sheen_transform_point(const struct transform *t, const int16_t position[3], sheen_q24_t eye[3]);
+void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v);
+
+/* Twice the signed area, 1/4096 px^2, positive where clockwise on the screen (y down). Range: < 2^33. */
+static inline int64_t twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+    int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
+
+    if ((((uint32_t)(x1 + 32768) | (uint32_t)(y1 + 32768) | (uint32_t)(x2 + 32768) | (uint32_t)(y2 + 32768)) >> 16) ==
+        0)
+        return x1 * y2 - y1 * x2; /* spans under 512 px: products < 2^30 */
+    return (int64_t)x1 * y2 - (int64_t)y1 * x2;
+}
+
+/* First pixel whose centre is at or after a coordinate of 1/64 px: ceil(v - 1/2). */
+static inline int32_t first_centre(int32_t v)
+{
+    return asr32(v + SUBPIXEL_HALF - 1, SUBPIXEL_BITS);
+}
+
+#endif
