@@ -1,9 +1,19 @@
-# The readers of mesh files, for the command and for sheen-panel.
+# The readers of mesh files, for the command and for sheen-panel: what they are, link, and need to be found.
+set(sheen_mesh_packages assimp draco meshoptimizer nlohmann_json)
+set(sheen_mesh_libraries assimp::assimp draco::draco meshoptimizer::meshoptimizer PkgConfig::seccomp)
 set(sheen_mesh_sources
   confine.c
+  gltf_accessor.cpp
+  gltf_color.cpp
+  gltf_draco.cpp
+  gltf_file.cpp
+  gltf_json.cpp
+  gltf_nodes.cpp
+  gltf_shape.cpp
   mesh_assimp.c
   mesh_file.c
   mesh_format.c
+  mesh_gltf.cpp
   mesh_wire.c
   obj_check.c
   ply_check.c

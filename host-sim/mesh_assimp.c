@@ -197,13 +197,6 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
     return SHEEN_OK;
 }
 
-/* glTF's reader drops faces whose indices are out of range and says so in its log alone. user: int, set then. */
-static void note_dropped_faces(const char *message, char *user)
-{
-    if (strstr(message, "out-of-range indices"))
-        *(int *)(void *)user = 1;
-}
-
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     int error = sheen_obj_check(path, problem);
@@ -213,15 +206,10 @@ int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, st
         error = sheen_ply_check(path, problem);
     if (error)
         return error;
-    int dropped = 0;
-    struct aiLogStream log = {note_dropped_faces, (char *)&dropped};
-    aiAttachLogStream(&log);
     const struct aiScene *scene = aiImportFile(path, 0);
-    aiDetachLogStream(&log);
     if (!scene)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, aiGetErrorString());
-    error = dropped ? sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: a face names a vertex that there is not", path)
-                    : convert(polygons, scene, path, problem);
+    error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
     return error;
 }

@@ -9,15 +9,16 @@
 
 #include "mesh_assimp.h"
 #include "mesh_file.h"
+#include "mesh_gltf.h"
 
 static const struct format {
     const char *endings; /* each followed by a blank */
     const char *magic;   /* the file's first bytes, or NULL where they tell nothing */
     sheen_mesh_reader *read;
 } formats[] = {
-    {".obj ", NULL, sheen_mesh_assimp_read},       {".ply ", "ply", sheen_mesh_assimp_read},
-    {".off ", "OFF", sheen_mesh_assimp_read},      {".stl .stlb .stla ", "solid ", sheen_mesh_assimp_read},
-    {".gltf .vrm ", NULL, sheen_mesh_assimp_read}, {".glb ", "glTF", sheen_mesh_assimp_read},
+    {".obj ", NULL, sheen_mesh_assimp_read},     {".ply ", "ply", sheen_mesh_assimp_read},
+    {".off ", "OFF", sheen_mesh_assimp_read},    {".stl .stlb .stla ", "solid ", sheen_mesh_assimp_read},
+    {".gltf .vrm ", NULL, sheen_mesh_gltf_read}, {".glb ", "glTF", sheen_mesh_gltf_read},
 };
 
 /* The ending with its dot and a blank, or "". */

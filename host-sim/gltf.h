@@ -1,0 +1,194 @@
+/*
+ * gltf.h - what the parts of the glTF reader hand each other. Private to gltf_*.cpp and mesh_gltf.cpp.
+ *
+ *   gltf_json.cpp      values of the JSON text, with the names that messages call them by
+ *   gltf_file.cpp      the file, its buffers and views of them
+ *   gltf_accessor.cpp  numbers out of views
+ *   gltf_draco.cpp     numbers out of Draco's meshes
+ *   gltf_shape.cpp     a primitive as triangles, its morph targets applied
+ *   gltf_nodes.cpp     where nodes are, and what they show
+ *   gltf_color.cpp     materials
+ *   mesh_gltf.cpp      all of it together, to polygons
+ *
+ * Every number of a file is hostile until it was compared with what there is. What
+ * cannot be read throws a refusal, which mesh_gltf.cpp makes the one line for a person.
+ */
+#ifndef SHEEN_GLTF_H
+#define SHEEN_GLTF_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+extern "C" {
+#include "polygons.h"
+}
+
+namespace gltf
+{
+
+/* ---- gltf_json.cpp ---- */
+
+/* Why the file is not read: the line, without the file's name. */
+struct refusal {
+    std::string text;
+};
+
+[[noreturn]] [[gnu::format(printf, 1, 2)]] void refuse(const char *format, ...);
+
+/*
+ * A value of the text and what to call it, as in "accessors[3].sparse". What is not
+ * there, or null, is an item too: false, without parts. A value of another type than
+ * is asked for is refused by its name.
+ */
+class item
+{
+  public:
+    item(const nlohmann::json *value, std::string name);
+    explicit operator bool() const
+    {
+        return value_ != nullptr;
+    }
+    const char *name() const
+    {
+        return name_.c_str();
+    }
+    item get(const char *key) const;             /* of an object */
+    item at(size_t index) const;                 /* of an array; refused beyond its end */
+    size_t size() const;                         /* of an array */
+    uint64_t whole(uint64_t absent) const;       /* 0..2^53 */
+    uint64_t whole() const;                      /* refused where it is not there */
+    double real(double absent) const;            /* finite: JSON has no other numbers */
+    void reals(double *out, size_t count) const; /* an array of so many; absent: *out stays */
+    std::string text(const char *absent) const;
+    std::string word() const; /* a string, or what else stands there as JSON writes it */
+    bool flag() const;        /* absent: false */
+
+  private:
+    const nlohmann::json *value_;
+    std::string name_;
+};
+
+/* ---- gltf_file.cpp ---- */
+
+using bytes = std::vector<uint8_t>;
+using view = std::span<const uint8_t>;
+
+class document
+{
+  public:
+    explicit document(const std::string &path);
+    ~document();
+    const char *path() const
+    {
+        return path_.c_str();
+    }
+    item list(const char *key) const;                           /* of the whole file: "nodes" */
+    item entry(const char *key, const item &number) const;      /* which may be out of range: refused */
+    view bytes_of(const item &view_number);                     /* of a buffer view, decompressed */
+    void take(uint64_t count, uint64_t size, const item &whom); /* so much memory; refused beyond the bound */
+
+    struct sheen_notes notes = {};
+
+  private:
+    void open_binary(bytes &file);
+    void check_version() const;
+    void check_extensions() const;
+    view buffer(const item &number);
+    bytes load(const std::string &uri, const item &buffer);
+    const bytes &decompress(const item &number, const item &extension);
+
+    std::string path_;
+    uint64_t room_; /* bytes that may still be taken */
+    std::unique_ptr<nlohmann::json> json_;
+    bytes binary_; /* the second chunk of a .glb */
+    bool has_binary_ = false;
+    std::map<uint64_t, bytes> buffers_, decompressed_;
+};
+
+/* `count` bytes from `offset` on; refused where they are not there. */
+view part(view whole, uint64_t offset, uint64_t count, const item &whom);
+
+/* ---- gltf_accessor.cpp ---- */
+
+/* count rows of `parts` numbers, as read; integers that stand for -1..1 or 0..1 are that. */
+struct table {
+    size_t count = 0, parts = 0;
+    std::vector<double> numbers;
+    const double *row(size_t i) const
+    {
+        return &numbers[i * parts];
+    }
+};
+
+/* types: the allowed ones, "VEC3 VEC4". */
+table read_accessor(document &file, const item &number, const char *types);
+
+size_t parts_of(const item &accessor, const char *types);
+double normalized(double raw, uint64_t component);
+
+/* ---- gltf_draco.cpp ---- */
+
+/* A mesh of Draco's. Its accessors say what its numbers mean; how many there are it knows itself. */
+class draco_mesh
+{
+  public:
+    draco_mesh(view data, const item &whom);
+    ~draco_mesh();
+    table attribute(const item &id, const item &accessor, const char *types) const;
+    std::vector<uint32_t> triangles() const; /* 3 corners each */
+
+  private:
+    struct holder;
+    std::unique_ptr<holder> holder_;
+};
+
+/* ---- gltf_shape.cpp ---- */
+
+/* A primitive at rest, in its mesh's space. Rows of tables are vertices; all but the points may be missing. */
+struct shape {
+    std::string name; /* "meshes[0].primitives[2]" */
+    table points, normals, colors;
+    std::vector<table> joints, weights; /* of each 4 a vertex, as many tables of both */
+    std::vector<uint32_t> triangles;    /* 3 corners each, below points.count */
+    item material;
+};
+
+/* Those of the mesh that have triangles. weights: of the morph targets; missing ones are 0. */
+std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights);
+
+/* ---- gltf_nodes.cpp ---- */
+
+using matrix = std::array<double, 16>; /* column by column, as in the file */
+
+/* A mesh somewhere: once for each matrix of `at`, or bent by its skin's joints where it has both. */
+struct placement {
+    item mesh;
+    std::vector<double> weights;
+    std::vector<matrix> at, joints;
+};
+
+/* Of everything that the scene shows. */
+std::vector<placement> place_meshes(document &file);
+
+/* ---- gltf_color.cpp ---- */
+
+/* Linear light, 1 = white, to the byte of sRGB. */
+uint8_t srgb(double linear);
+
+struct material {
+    std::string name;
+    double factor[3] = {1, 1, 1}; /* base colour, linear */
+};
+
+material read_material(document &file, const item &from);
+
+} // namespace gltf
+
+#endif

@@ -1,0 +1,176 @@
+/*
+ * gltf_shape.cpp - a glTF mesh's primitives as triangles, at rest: morph targets applied.
+ */
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "gltf.h"
+
+namespace gltf
+{
+
+namespace
+{
+
+enum mode {
+    TRIANGLES = 4,
+    STRIP = 5,
+    FAN = 6
+};
+
+/* A primitive, and where its numbers come from. */
+struct source {
+    document &file;
+    const item primitive;
+    const std::vector<double> &weights;
+    std::optional<draco_mesh> packed;
+    item packed_ids; /* of the attributes in it */
+};
+
+/* What its name names, as it is before any target; without rows where there is none. */
+table read_base(const source &from, const char *name, const char *types)
+{
+    const item number = from.primitive.get("attributes").get(name);
+    const item id = from.packed_ids.get(name);
+
+    if (!number)
+        return {};
+    if (from.packed && id)
+        return from.packed->attribute(id, from.file.entry("accessors", number), types);
+    return read_accessor(from.file, number, types);
+}
+
+/* Base plus targets, each times its weight. */
+table read_attribute(const source &from, const char *name, const char *types)
+{
+    const item targets = from.primitive.get("targets");
+    table out = read_base(from, name, types);
+
+    for (size_t t = 0; t < targets.size() && t < from.weights.size() && out.count > 0; t++) {
+        const item number = targets.at(t).get(name);
+        if (!number || from.weights[t] == 0)
+            continue;
+        const table delta = read_accessor(from.file, number, types);
+        if (delta.count != out.count || delta.parts != out.parts)
+            refuse("%s: %zu elements for %zu vertices", number.name(), delta.count, out.count);
+        for (size_t i = 0; i < out.numbers.size(); i++)
+            out.numbers[i] += from.weights[t] * delta.numbers[i];
+    }
+    return out;
+}
+
+/* The same for what a shape can do without: left out where it has not a row for each vertex. */
+table read_optional(const source &from, const char *name, const char *types, size_t vertices)
+{
+    table out = read_attribute(from, name, types);
+
+    if (out.count == vertices || out.count == 0)
+        return out;
+    sheen_note(&from.file.notes, 0, "%s: %s has %zu elements for %zu vertices and is left out", from.file.path(),
+               from.primitive.get("attributes").get(name).name(), out.count, vertices);
+    return {};
+}
+
+/* JOINTS_0 and WEIGHTS_0, _1 ... */
+void read_influences(const source &from, shape &to)
+{
+    for (unsigned set = 0;; set++) {
+        const std::string joints = "JOINTS_" + std::to_string(set), weights = "WEIGHTS_" + std::to_string(set);
+        table j = read_base(from, joints.c_str(), "VEC4"), w = read_base(from, weights.c_str(), "VEC4");
+        if (j.count == 0 && w.count == 0)
+            return;
+        if (j.count != to.points.count || w.count != to.points.count)
+            refuse("%s: %zu joints and %zu weights for %zu vertices", to.name.c_str(), j.count, w.count,
+                   to.points.count);
+        to.joints.push_back(std::move(j));
+        to.weights.push_back(std::move(w));
+    }
+}
+
+std::vector<uint32_t> read_indices(const source &from, size_t vertices)
+{
+    const item number = from.primitive.get("indices");
+    std::vector<uint32_t> out;
+
+    if (from.packed)
+        out = from.packed->triangles();
+    else if (number) {
+        const table indices = read_accessor(from.file, number, "SCALAR");
+        out.reserve(indices.count);
+        for (const double index : indices.numbers) /* NaN and what is negative become one that there is not */
+            out.push_back(index >= 0 && index < 4294967295.0 ? static_cast<uint32_t>(index) : UINT32_MAX);
+    } else {
+        out.resize(vertices);
+        std::iota(out.begin(), out.end(), 0u);
+    }
+    const auto wrong = std::find_if(out.begin(), out.end(), [=](uint32_t index) { return index >= vertices; });
+    if (wrong != out.end())
+        refuse("%s: its corner %zu is vertex %lu, there are %zu", from.primitive.name(),
+               static_cast<size_t>(wrong - out.begin()), static_cast<unsigned long>(*wrong), vertices);
+    return out;
+}
+
+/* Corner after corner to triangle after triangle; every second one of a strip runs the other way round. */
+std::vector<uint32_t> make_triangles(const std::vector<uint32_t> &corners, uint64_t mode)
+{
+    std::vector<uint32_t> out;
+
+    if (mode == TRIANGLES) {
+        out.assign(corners.begin(), corners.end() - static_cast<ptrdiff_t>(corners.size() % 3));
+        return out;
+    }
+    for (size_t i = 0; i + 2 < corners.size(); i++) {
+        const size_t odd = mode == STRIP ? i % 2 : 0;
+        out.push_back(corners[mode == STRIP ? i : 0]);
+        out.push_back(corners[i + 1 + odd]);
+        out.push_back(corners[i + 2 - odd]);
+    }
+    return out;
+}
+
+shape read_primitive(document &file, const item &primitive, const std::vector<double> &weights)
+{
+    const item extension = primitive.get("extensions").get("KHR_draco_mesh_compression");
+    const uint64_t mode = primitive.get("mode").whole(TRIANGLES);
+    source from{file, primitive, weights, {}, extension.get("attributes")};
+    shape out{primitive.name(), {}, {}, {}, {}, {}, {}, primitive.get("material")};
+
+    if (mode > FAN)
+        refuse("%s: mode %llu is none of glTF 2.0's", primitive.name(), static_cast<unsigned long long>(mode));
+    if (mode < TRIANGLES) {
+        sheen_note(&file.notes, 0, "%s: has points or lines, which are left out", file.path());
+        return out;
+    }
+    if (extension)
+        from.packed.emplace(file.bytes_of(extension.get("bufferView")), extension);
+    out.points = read_attribute(from, "POSITION", "VEC3");
+    if (out.points.count == 0)
+        refuse("%s has no POSITION", primitive.name());
+    out.normals = read_optional(from, "NORMAL", "VEC3", out.points.count);
+    out.colors = read_optional(from, "COLOR_0", "VEC3 VEC4", out.points.count);
+    read_influences(from, out);
+    const std::vector<uint32_t> corners = read_indices(from, out.points.count);
+    out.triangles = make_triangles(corners, from.packed ? static_cast<uint64_t>(TRIANGLES) : mode);
+    if (mode == TRIANGLES && corners.size() % 3 != 0)
+        sheen_note(&file.notes, 0, "%s: %s has %zu corners, no whole triangles; the rest is left out", file.path(),
+                   primitive.name(), corners.size());
+    return out;
+}
+
+} // namespace
+
+std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights)
+{
+    const item primitives = mesh.get("primitives");
+    std::vector<shape> out;
+
+    for (size_t i = 0; i < primitives.size(); i++) {
+        shape one = read_primitive(file, primitives.at(i), weights);
+        if (!one.triangles.empty())
+            out.push_back(std::move(one));
+    }
+    return out;
+}
+
+} // namespace gltf
