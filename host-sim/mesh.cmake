@@ -11,11 +11,19 @@ set(sheen_mesh_sources
   gltf_nodes.cpp
   gltf_shape.cpp
   mesh_assimp.c
+  mesh_bytes.c
   mesh_file.c
   mesh_format.c
   mesh_gltf.cpp
+  mesh_mtl.c
+  mesh_obj.c
+  mesh_off.c
+  mesh_ply.c
+  mesh_ply_header.c
+  mesh_ply_number.c
+  mesh_sink.c
+  mesh_stl.c
+  mesh_text.c
   mesh_wire.c
-  obj_check.c
-  ply_check.c
 )
 list(TRANSFORM sheen_mesh_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

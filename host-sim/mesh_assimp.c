@@ -4,15 +4,12 @@
 #include "mesh_assimp.h"
 
 #include <assimp/cimport.h>
-#include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "obj_check.h"
-#include "ply_check.h"
 #include "utf8.h"
 
 #define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
@@ -161,18 +158,6 @@ static void read_material(const struct aiMaterial *material, struct sheen_group 
     group->has_color = 1;
 }
 
-/* STL holds a normal a facet, which says nothing that its corners do not; assimp hands it on as if it were vn. */
-static int has_facet_normals(const struct aiScene *scene)
-{
-    const struct aiMetadata *data = scene->mMetaData;
-
-    for (unsigned i = 0; data && i < data->mNumProperties; i++) {
-        if (strcmp(data->mKeys[i].data, AI_METADATA_SOURCE_FORMAT) == 0 && data->mValues[i].mType == AI_AISTRING)
-            return strstr(((const struct aiString *)data->mValues[i].mData)->data, "Stereolithography") != NULL;
-    }
-    return 0;
-}
-
 static int convert(struct sheen_polygons *polygons, const struct aiScene *scene, const char *path,
                    struct sheen_problem *problem)
 {
@@ -187,11 +172,10 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
     if (walk.polygons == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
     int error = sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
-                                     walk.with_normals && !has_facet_normals(scene));
+                                     walk.with_normals);
     if (error)
         return sheen_problem(problem, error, "%s: not enough memory", path);
     walk_scene(&walk, scene, polygons);
-    polygons->z_up = (uint8_t)has_facet_normals(scene); /* STL */
     for (unsigned i = 0; i < scene->mNumMaterials; i++)
         read_material(scene->mMaterials[i], &polygons->group[i]);
     return SHEEN_OK;
@@ -199,17 +183,11 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
 
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
-    int error = sheen_obj_check(path, problem);
-
     memset(polygons, 0, sizeof *polygons);
-    if (!error)
-        error = sheen_ply_check(path, problem);
-    if (error)
-        return error;
     const struct aiScene *scene = aiImportFile(path, 0);
     if (!scene)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, aiGetErrorString());
-    error = convert(polygons, scene, path, problem);
+    int error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
     return error;
 }

@@ -10,15 +10,19 @@
 #include "mesh_assimp.h"
 #include "mesh_file.h"
 #include "mesh_gltf.h"
+#include "mesh_readers.h"
 
 static const struct format {
     const char *endings; /* each followed by a blank */
-    const char *magic;   /* the file's first bytes, or NULL where they tell nothing */
+    const char *magics;  /* first bytes that tell, each followed by a newline; "" where none do */
     sheen_mesh_reader *read;
 } formats[] = {
-    {".obj ", NULL, sheen_mesh_assimp_read},     {".ply ", "ply", sheen_mesh_assimp_read},
-    {".off ", "OFF", sheen_mesh_assimp_read},    {".stl .stlb .stla ", "solid ", sheen_mesh_assimp_read},
-    {".gltf .vrm ", NULL, sheen_mesh_gltf_read}, {".glb ", "glTF", sheen_mesh_gltf_read},
+    {".obj ", "", sheen_mesh_obj_read},
+    {".ply ", "ply\n", sheen_mesh_ply_read},
+    {".off .coff .noff .cnoff ", "OFF\nCOFF\nNOFF\nCNOFF\nSTOFF\n", sheen_mesh_off_read},
+    {".stl .stlb .stla ", "solid \n", sheen_mesh_stl_read},
+    {".gltf .vrm ", "", sheen_mesh_gltf_read},
+    {".glb ", "glTF\n", sheen_mesh_gltf_read},
 };
 
 /* The ending with its dot and a blank, or "". */
@@ -53,9 +57,11 @@ static sheen_mesh_reader *choose(const char *path)
     }
     size_t count = read_magic(path, magic, sizeof magic);
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        const char *expect = formats[i].magic;
-        if (expect && count >= strlen(expect) && memcmp(magic, expect, strlen(expect)) == 0)
-            return formats[i].read;
+        for (const char *m = formats[i].magics; *m; m += strcspn(m, "\n") + 1) {
+            size_t length = strcspn(m, "\n");
+            if (count >= length && memcmp(magic, m, length) == 0)
+                return formats[i].read;
+        }
     }
     return sheen_mesh_assimp_read;
 }

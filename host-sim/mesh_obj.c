@@ -1,0 +1,297 @@
+/*
+ * mesh_obj.c - Wavefront OBJ.
+ *
+ * OBJ has no counts: a file is complete where every index of its faces names a vertex that came, before or
+ * after, and no face ends with the file before its third corner.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "mesh_readers.h"
+#include "mesh_sink.h"
+
+/* What may stand in an OBJ and says nothing about faces. */
+static const char other_words[] = " vt vp g s o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
+                                  "cstype deg bmat step parm trim hole sp end con ctech stech bzp cdp res bsp ";
+/* Surfaces, curves and files that are not read. */
+static const char left_out_words[] = " surf curv curv2 scrv call csh cdc ";
+
+struct obj {
+    struct sheen_bytes bytes;
+    struct sheen_text text;
+    struct sheen_polygons *out;
+    size_t points, normals; /* so far */
+    size_t total[2];        /* of both, after the first pass */
+    double color_most;      /* of vertices' colours: 1, or 255 where any is more than 1 */
+    uint16_t group;         /* of faces */
+    struct sheen_word *names;
+    size_t names_count, names_room;
+    struct sheen_word left_out;
+};
+
+/* v x y z, then nothing, a weight, r g b, or a weight and r g b. The weight is of curves, and not of a face. */
+static int read_vertex(struct obj *obj, struct sheen_sink *sink)
+{
+    double point[3], more[5];
+    struct sheen_word word;
+    uint8_t color[3];
+    int count = 0;
+    int error = sheen_text_point(&obj->text, 0, "a vertex", point);
+
+    while (!error && count < 5 && sheen_text_word(&obj->text, &word)) {
+        if (!sheen_word_number(&word, &more[count++]))
+            return sheen_text_problem(&obj->text, "'%.*s' is not a number", SHEEN_WORD(word));
+    }
+    if (error)
+        return error;
+    const double *rgb = count == 3 ? more : count == 4 ? more + 1 : NULL;
+    for (int k = 0; rgb && k < 3; k++) {
+        obj->color_most = rgb[k] > 1 ? 255 : obj->color_most;
+        color[k] = sheen_color_byte(rgb[k], obj->color_most);
+    }
+    sheen_sink_point(sink, point, rgb ? color : NULL);
+    obj->points++;
+    return SHEEN_OK;
+}
+
+/* A normal that is no number counts as absent, later: sheen_polygons_finish. */
+static int read_normal(struct obj *obj, struct sheen_sink *sink)
+{
+    double normal[3];
+
+    for (int k = 0; k < 3; k++) {
+        struct sheen_word word;
+        if (!sheen_text_word(&obj->text, &word))
+            return sheen_text_problem(&obj->text, "a normal of %d numbers, not 3", k);
+        if (!sheen_word_number(&word, &normal[k]))
+            return sheen_text_problem(&obj->text, "'%.*s' is not a number", SHEEN_WORD(word));
+    }
+    sheen_sink_normal(sink, normal);
+    obj->normals++;
+    return SHEEN_OK;
+}
+
+/* The parts of v, v/vt, v//vn, v/vt/vn, and with nothing after the last slash; ABSENT where there is none. */
+#define ABSENT INT64_MIN
+static int split_corner(const struct sheen_word *word, int64_t part[3])
+{
+    const char *at = word->at, *end = word->at + word->length;
+
+    part[0] = part[1] = part[2] = ABSENT;
+    for (int k = 0; k < 3 && at < end; k++) {
+        struct sheen_word digits = {at, 0};
+        while (at < end && *at != '/')
+            at++;
+        digits.length = (size_t)(at - digits.at);
+        if (digits.length && !sheen_word_whole(&digits, &part[k]))
+            return 0;
+        at += at < end; /* the slash */
+    }
+    return at == end && part[0] != ABSENT;
+}
+
+/* An index of a face, from 1 or backwards from -1, to one from 0. Forwards it may name what is yet to come. */
+static int find(struct obj *obj, int64_t index, const char *what, size_t so_far, size_t total, size_t *found)
+{
+    if (index < 0 && index >= -(int64_t)so_far)
+        *found = (size_t)((int64_t)so_far + index);
+    else if (index > 0 && index <= (int64_t)total)
+        *found = (size_t)index - 1;
+    else
+        return sheen_text_problem(&obj->text, "a face names %s %lld of %zu", what, (long long)index,
+                                  index > 0 ? total : so_far);
+    return SHEEN_OK;
+}
+
+/* Which texture a corner has does not matter, whether there is one or not. */
+static int read_corner(struct obj *obj, struct sheen_sink *sink, const struct sheen_word *word)
+{
+    size_t point = 0, normal = SHEEN_NO_NORMAL;
+    int64_t part[3];
+    int error = SHEEN_OK;
+
+    if (!split_corner(word, part))
+        return sheen_text_problem(&obj->text, "'%.*s' is no corner of a face", SHEEN_WORD(*word));
+    if (sink->keeping) {
+        error = find(obj, part[0], "vertex", obj->points, obj->total[0], &point);
+        if (!error && part[2] != ABSENT && obj->total[1] > 0) /* a file may name normals and have none at all */
+            error = find(obj, part[2], "normal", obj->normals, obj->total[1], &normal);
+    }
+    if (!error)
+        sheen_sink_corner(sink, point, normal);
+    return error;
+}
+
+static int read_face(struct obj *obj, struct sheen_sink *sink)
+{
+    struct sheen_word word;
+
+    while (sheen_text_word(&obj->text, &word)) {
+        int error = read_corner(obj, sink, &word);
+        if (error)
+            return error;
+    }
+    if (sink->corners - sink->begun >= 3) {
+        sheen_sink_polygon(sink, obj->group, NULL);
+        return SHEEN_OK;
+    }
+    size_t corners = sheen_sink_drop(sink);
+    if (obj->text.at == obj->text.end)
+        return sheen_text_problem(&obj->text, "the file ends within a face, after %zu of its corners", corners);
+    sheen_note(&obj->out->notes, 0, "%s:%lu: a face of %zu corners is left out", obj->text.path, obj->text.line,
+               corners);
+    return SHEEN_OK;
+}
+
+/* Groups are numbered as they are first used; 0 is that of faces before any usemtl. */
+static int use_material(struct obj *obj, const struct sheen_word *name)
+{
+    for (size_t i = 1; i < obj->names_count; i++) {
+        if (obj->names[i].length == name->length && memcmp(obj->names[i].at, name->at, name->length) == 0) {
+            obj->group = (uint16_t)i;
+            return SHEEN_OK;
+        }
+    }
+    if (obj->names_count == obj->names_room) {
+        size_t room = obj->names_room ? 2 * obj->names_room : 16;
+        struct sheen_word *names = realloc(obj->names, room * sizeof *names);
+        if (!names)
+            return SHEEN_ERR_MEMORY;
+        obj->names = names;
+        obj->names_room = room;
+    }
+    if (obj->names_count == 0)
+        obj->names[obj->names_count++] = (struct sheen_word){"", 0};
+    if (obj->names_count > UINT16_MAX)
+        return sheen_text_problem(&obj->text, "more than %d materials", UINT16_MAX);
+    obj->group = (uint16_t)obj->names_count;
+    obj->names[obj->names_count++] = *name;
+    return SHEEN_OK;
+}
+
+static int is_one_of(const struct sheen_word *word, const char *words)
+{
+    char padded[20];
+
+    if (word->length > sizeof padded - 3)
+        return 0;
+    snprintf(padded, sizeof padded, " %.*s ", (int)word->length, word->at);
+    return strcasestr(words, padded) != NULL;
+}
+
+/* A line that is no vertex, normal, face or material. */
+static void read_other(struct obj *obj, const struct sheen_word *word)
+{
+    int left_out = is_one_of(word, left_out_words);
+
+    if (left_out && !obj->left_out.length)
+        obj->left_out = *word;
+    if (left_out || !is_one_of(word, other_words))
+        sheen_note(&obj->out->notes, 0, "%s:%lu: '%.*s' is not read, and left out", obj->text.path, obj->text.line,
+                   SHEEN_WORD(*word));
+}
+
+static int read_line(struct obj *obj, struct sheen_sink *sink, const struct sheen_word *word)
+{
+    struct sheen_word name;
+
+    if (sheen_word_is(word, "v"))
+        return read_vertex(obj, sink);
+    if (sheen_word_is(word, "vn"))
+        return read_normal(obj, sink);
+    if (sheen_word_is(word, "f") || sheen_word_is(word, "fo"))
+        return read_face(obj, sink);
+    if (sheen_word_is(word, "usemtl")) {
+        obj->group = 0; /* without a name: of none */
+        return sheen_text_line_rest(&obj->text, &name) ? use_material(obj, &name) : SHEEN_OK;
+    }
+    if (!sheen_word_is(word, "mtllib"))
+        read_other(obj, word);
+    return SHEEN_OK;
+}
+
+static int pass(void *context, struct sheen_sink *sink)
+{
+    struct obj *obj = context;
+    struct sheen_word word;
+    int error = SHEEN_OK;
+
+    obj->text.at = (const char *)obj->bytes.bytes;
+    obj->text.line = 1;
+    obj->group = 0;
+    obj->points = obj->normals = 0;
+    while (!error && sheen_text_any_word(&obj->text, &word)) {
+        error = read_line(obj, sink, &word);
+        sheen_text_skip_line(&obj->text);
+    }
+    obj->total[0] = obj->points;
+    obj->total[1] = obj->normals;
+    sink->groups = obj->names_count ? obj->names_count : 1;
+    if (!error && sink->polygons == 0 && obj->left_out.length)
+        return sheen_problem(obj->text.problem, SHEEN_ERR_ARGUMENT, "%s: no faces: '%.*s' is not read", obj->text.path,
+                             SHEEN_WORD(obj->left_out));
+    return error;
+}
+
+/* One file's name with blanks in it, or several names; in quotes or not. */
+static void read_library(struct obj *obj, struct sheen_word *rest)
+{
+    char path[4096];
+
+    if (rest->length >= 2 && rest->at[0] == '"' && rest->at[rest->length - 1] == '"')
+        *rest = (struct sheen_word){rest->at + 1, rest->length - 2};
+    if (sheen_beside(path, sizeof path, obj->text.path, rest->at, rest->length) == 0 &&
+        sheen_mtl_read(obj->out, obj->names, path) == 0)
+        return;
+    struct sheen_text words = {.at = rest->at, .end = rest->at + rest->length, .comments = 1};
+    struct sheen_word word;
+    while (sheen_text_word(&words, &word)) {
+        if (sheen_beside(path, sizeof path, obj->text.path, word.at, word.length) != 0 ||
+            sheen_mtl_read(obj->out, obj->names, path) != 0)
+            sheen_note(&obj->out->notes, 0, "%s: there is no %.*s, so its materials have no colour", obj->text.path,
+                       (int)(rest->length < 100 ? rest->length : 100), rest->at);
+    }
+}
+
+/* Once the groups are known: a .mtl may be named after they are used. */
+static void read_materials(struct obj *obj)
+{
+    struct sheen_word word, rest, last = {"", 0};
+
+    for (size_t g = 0; g < obj->names_count; g++)
+        sheen_group_name(&obj->out->group[g], obj->names[g].at, obj->names[g].length);
+    obj->text.at = (const char *)obj->bytes.bytes;
+    while (sheen_text_any_word(&obj->text, &word)) {
+        if (sheen_word_is(&word, "mtllib") && sheen_text_line_rest(&obj->text, &rest) &&
+            (rest.length != last.length || memcmp(rest.at, last.at, rest.length) != 0)) {
+            last = rest;
+            read_library(obj, &rest);
+        }
+        sheen_text_skip_line(&obj->text);
+    }
+    for (size_t g = 1; g < obj->names_count; g++) {
+        if (!obj->out->group[g].has_color)
+            sheen_note(&obj->out->notes, 1, "%s: material '%s' has no colour in any .mtl", obj->text.path,
+                       obj->out->group[g].name);
+    }
+}
+
+int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+{
+    struct obj obj = {
+        .text = {.path = path, .comments = 1, .joins = 1, .problem = problem}, .out = polygons, .color_most = 1};
+    int error = sheen_bytes_load(&obj.bytes, path, problem);
+
+    if (!error && sheen_bytes_to_utf8(&obj.bytes) != 0)
+        error = sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
+    if (!error) {
+        obj.text.end = (const char *)obj.bytes.bytes + obj.bytes.count;
+        error = sheen_sink_run(polygons, pass, &obj, path, problem);
+    }
+    if (!error)
+        read_materials(&obj);
+    free(obj.names);
+    sheen_bytes_free(&obj.bytes);
+    return error;
+}

@@ -1,0 +1,31 @@
+/*
+ * mesh_readers.h - our own readers of mesh files, each in a file of its own. For mesh_format.c, which chooses one.
+ *
+ * As sheen_mesh_file_read, in this process. They take no memory on a file's word: what it promises is held
+ * against what has come.
+ */
+#ifndef SHEEN_MESH_READERS_H
+#define SHEEN_MESH_READERS_H
+
+#include "mesh_text.h"
+#include "polygons.h"
+
+/* Wavefront OBJ: v, vn, f, usemtl, mtllib. Indices of textures (vt) are not looked at. */
+int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+
+/* Stanford PLY, text and binary of both byte orders: vertices, faces, tristrips, in any order. */
+int sheen_mesh_ply_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+
+/* STL, text and binary. */
+int sheen_mesh_stl_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+
+/* Geomview's OFF, COFF, NOFF, STOFF and their unions, text. */
+int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+
+/*
+ * The colours (Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ. Whatever else the
+ * .mtl holds is let pass; what cannot be read is a note. 0, or -1 where there is no such file.
+ */
+int sheen_mtl_read(struct sheen_polygons *polygons, const struct sheen_word *names, const char *path);
+
+#endif

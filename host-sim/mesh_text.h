@@ -1,0 +1,67 @@
+/*
+ * mesh_text.h - words of a text file with their lines, for the readers of mesh files.
+ *
+ * Lines end with LF, CR or CR LF; words are parted by blanks, tabs, and whatever else is no printable
+ * character but part of UTF-8.
+ */
+#ifndef SHEEN_MESH_TEXT_H
+#define SHEEN_MESH_TEXT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "mesh_bytes.h"
+#include "polygons.h"
+
+struct sheen_text {
+    const char *path;
+    const char *at, *end; /* *end is 0 */
+    unsigned long line;   /* of `at`, from 1 */
+    int comments;         /* 1: a word that begins with # and what follows on its line are none */
+    int ended;            /* 1: sheen_text_any_word has found no more */
+    int joins;            /* 1: a backslash at the end of a line joins the next to it */
+    struct sheen_problem *problem;
+};
+
+struct sheen_word {
+    const char *at;
+    size_t length;
+};
+
+/* The next word of this line; 0: there is none, and the next call says so too. */
+int sheen_text_word(struct sheen_text *text, struct sheen_word *word);
+
+/* The next word of this line or a later one; 0 at the end of the file. */
+int sheen_text_any_word(struct sheen_text *text, struct sheen_word *word);
+
+/* What is left of the line, without the blanks around it, joined lines and comments as they are; 0: nothing. */
+int sheen_text_line_rest(struct sheen_text *text, struct sheen_word *rest);
+
+/* To the beginning of the next line. */
+void sheen_text_skip_line(struct sheen_text *text);
+
+/* In any case of letters. */
+int sheen_word_is(const struct sheen_word *word, const char *expected);
+
+/*
+ * The whole word as a number: 1, also for one that is not finite, Microsoft's 1.#IND among them, which becomes NaN;
+ * 0: it is none.
+ */
+int sheen_word_number(const struct sheen_word *word, double *value);
+
+/* The whole word as a decimal whole number; saturates. */
+int sheen_word_whole(const struct sheen_word *word, int64_t *value);
+
+/* Three coordinates, finite as 32-bit floats, of a point that is called `what`. 0, or an error with the line. */
+int sheen_text_point(struct sheen_text *text, int across_lines, const char *what, double point[3]);
+
+/* "PATH:LINE: ..." */
+__attribute__((format(printf, 2, 3))) int sheen_text_problem(const struct sheen_text *text, const char *format, ...);
+
+/* For messages: "%.*s" takes a word's length and its bytes, of which this many at most. */
+#define SHEEN_WORD(word) (int)((word).length < 40 ? (word).length : 40), (word).at
+
+/* A material's name, cut between characters. */
+void sheen_group_name(struct sheen_group *group, const char *name, size_t length);
+
+#endif
