@@ -26,6 +26,15 @@
  * they may. Meshes and materials are borrowed from sheen_draw() until sheen_end()
  * or sheen_finish() returns.
  *
+ * Order of calls. A frame is idle, then open from sheen_begin() on, then at its
+ * bands from the first sheen_band() to sheen_finish(); sheen_end() is both. What
+ * is out of order is refused with SHEEN_ERR_STATE and changes nothing. The first
+ * negative code that a push or a wait returns is the frame's error: nothing more of
+ * it is sent, and whatever went wrong, the next frame sends everything.
+ *
+ * Threads. Two frames share nothing. Calls on one frame MUST NOT overlap, but for
+ * those of sheen_band() by different workers where the configuration has a lock.
+ *
  * Light (lecture, "Illumination Models"): eye and lights at infinity,
  *   I_ad = ambient + sum over lights of diffuse * max(0, L.N)
  *   I_s  = sum over lights of specular * max(0, R.V)^n * min(1, 8 max(0, L.N));
@@ -135,7 +144,10 @@ struct sheen_view {
     /*
      * A user's own 2D; each may be NULL, all get ctx. Called for each rectangle
      * of the target that this frame sends: underlay in place of clearing to the
-     * background, overlay after drawing. pixels[0] is the rectangle's top left;
+     * background, overlay after drawing; by several workers at once where their
+     * bands are. All three are part of the background: where one of them, the
+     * colour or the viewport differs from the last frame's, everything is sent;
+     * of what they draw otherwise, sheen_mark tells. pixels[0] is the rectangle's top left;
      * a row is pitch pixels: uint16_t in the target's order, or for grey targets
      * one byte a pixel, its level (packed afterwards).
      */
@@ -151,12 +163,21 @@ struct sheen_config {
     const struct sheen_target *target; /* borrowed for the frame's life */
     uint16_t band_rows;                /* 1..height, rounded up to align_y [16] */
     uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
-    uint8_t workers;                   /* 1..4 that call sheen_band at once [1] */
+    uint8_t workers;                   /* 1..4 with buffers of their own, to call sheen_band at once [1] */
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
+    /*
+     * For workers on several threads: one at a time is let through between lock and
+     * unlock, both with lock_ctx. The core calls them in pairs, never one pair within
+     * another, and calls the target's push and wait between them. Both NULL: workers
+     * take turns on one thread.
+     */
+    void *lock_ctx;
+    void (*lock)(void *ctx);
+    void (*unlock)(void *ctx);
 };
 
 struct sheen_frame; /* lives in the arena */
@@ -170,29 +191,32 @@ size_t sheen_arena_size(const struct sheen_config *config);
  */
 int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config);
 
-/* Start a frame: waits for the last push of the one before and returns its error, if any: then begin again. */
+/*
+ * Start a frame: waits for the last push of the one before and returns its error, if any: then begin again. On any
+ * error the frame stays idle.
+ */
 int sheen_begin(struct sheen_frame *frame, const struct sheen_view *view);
 
-/* Transform, cull, clip and list a mesh. On any error the frame is as it was before the call. */
+/* Transform, cull, clip and list a mesh, while the frame is open. On any error the frame is as it was before. */
 int sheen_draw(struct sheen_frame *frame, const struct sheen_draw *draw);
 
-/* Add a rectangle (px on the target) to what this frame clears, draws and sends. */
+/* Add a rectangle (px on the target) to what this frame clears, draws and sends; while the frame is open. */
 int sheen_mark(struct sheen_frame *frame, struct sheen_rect rect);
 
-/* Draw and send every band: sheen_band over all bands by worker 0, then sheen_finish. */
+/* Draw and send every band that is not done yet: sheen_band by worker 0 until an error, then sheen_finish. */
 int sheen_end(struct sheen_frame *frame);
 
 /*
- * In place of sheen_end, by hand: each band once, in any order, on any worker;
- * workers may run at once, the target then has to serialise its pushes.
- * sheen_finish when all bands are done; returns the frame's first error. Where a band was left out the
- * next frame sends everything.
+ * In place of sheen_end, by hand: each band once, in any order, by any worker, and sheen_finish when all are done.
+ * Both return the frame's error once there is one. SHEEN_ERR_STATE for a band that is done already. Where a band was
+ * left out the next frame sends everything. Bands are numbered from 0 at the top; their count is the last begun
+ * frame's, 0 before.
  */
 unsigned sheen_band_count(const struct sheen_frame *frame);
 int sheen_band(struct sheen_frame *frame, unsigned worker, unsigned band);
 int sheen_finish(struct sheen_frame *frame);
 
-/* Wait for the last push of the frame; its result. */
+/* Wait for the push under way, if any; its result. A negative one is the frame's error, if it is not finished yet. */
 int sheen_wait(struct sheen_frame *frame);
 
 /* The next frame sends everything (the panel was written to by others, or lost power). */
@@ -244,10 +268,20 @@ void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t 
 void sheen_pose_identity(struct sheen_pose *pose);
 
 /*
- * out = outer * inner: the model is first moved by inner, then by outer. out may be either.
- * SHEEN_ERR_ARGUMENT where scale or translation leave their range; out is untouched then.
+ * out = outer * inner: the model is first moved by inner, then by outer. out may be either. Scale and translation are
+ * rounded once; the rotation is made orthonormal again, entries within 12 raw steps of the product, so that any number
+ * of compositions stays what sheen_draw takes. SHEEN_ERR_ARGUMENT where a rotation is none, or scale or translation
+ * leave their range; out is untouched then.
  */
 int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out);
+
+/*
+ * Repair a rotation that drifted, or was made from rounded numbers: the third row keeps its direction, the second one
+ * is turned within their plane to a right angle, the first one follows; a mirror stays one. Rows of any length become
+ * unit ones (squared lengths and right angles within 16 raw steps). SHEEN_ERR_DEGENERATE where the last two rows are
+ * zero or parallel (within 1e-6); the pose is untouched then.
+ */
+int sheen_pose_orthonormalize(struct sheen_pose *pose);
 
 /*
  * The pose of the world for an eye at `eye` that looks at `target` with `up` upwards: compose it with a

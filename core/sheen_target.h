@@ -60,19 +60,27 @@ static inline unsigned sheen_pixel_bits(enum sheen_pixel pixel)
     return pixel <= SHEEN_RGB565_LE ? 16u : pixel == SHEEN_GREY256 ? 8u : pixel == SHEEN_GREY16 ? 4u : 1u;
 }
 
+/* Bytes of a row of pixels; where they do not fill the last one its low bits are no pixel's. */
+static inline unsigned sheen_row_bytes(enum sheen_pixel pixel, unsigned pixels)
+{
+    return (pixels * sheen_pixel_bits(pixel) + 7u) / 8u;
+}
+
 /*
  * A target. The struct may be const; ctx is handed back to both callbacks.
  *
  * push: send a rectangle. Pixels stand row by row without gaps: a row takes
- *   (x1 - x0) * bits / 8 bytes, the rectangle's edges being multiples of
+ *   sheen_row_bytes(pixel, x1 - x0), the rectangle's edges being multiples of
  *   align_x and align_y (or the target's edge). push MAY return before the
  *   pixels have left; the core does not touch the buffer until wait returns,
- *   and never has two pushes under way. 0, or a negative code.
+ *   and never has two pushes under way. 0, or a negative code, and then nothing
+ *   is under way.
  * wait: block until the push under way is done and return its result (0 where
  *   none is under way). May be NULL where push always finishes first.
  *
- * A negative code from either ends the frame (no further push), is returned to
- * the caller unchanged, and makes the next frame send everything.
+ * A negative code from either ends the frame (no further push, whichever worker
+ * had it), is returned to the caller unchanged, and makes the next frame send
+ * everything. Of one frame neither is called while a call of either goes on.
  */
 struct sheen_target {
     void *ctx;

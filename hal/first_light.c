@@ -111,7 +111,7 @@ int sheen_first_light(const struct sheen_target *target, void *buffer, size_t by
     if (!target || !target->push || !buffer || target->width == 0 || target->height == 0)
         return SHEEN_ERR_ARGUMENT;
     unsigned align = target->align_y ? target->align_y : 1;
-    size_t row_bytes = (size_t)target->width * sheen_pixel_bits((enum sheen_pixel)target->pixel) / 8;
+    size_t row_bytes = sheen_row_bytes((enum sheen_pixel)target->pixel, target->width);
     size_t rows = bytes / row_bytes / align * align;
 
     if (rows == 0)

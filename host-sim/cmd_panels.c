@@ -21,8 +21,7 @@ static const char *colours_of(const struct sheen_panel_record *record)
 /* Payload only, without commands: what a whole frame takes at the rated clock, one bit a cycle. */
 static void print_row(const struct sheen_panel_record *record)
 {
-    unsigned bits = sheen_pixel_bits((enum sheen_pixel)record->pixel);
-    unsigned bytes = (unsigned)record->glass_w * record->glass_h * bits / 8;
+    unsigned bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
     double mhz = record->clock_hz / 1e6, frames = record->clock_hz / (8.0 * bytes);
     char glass[16];
 

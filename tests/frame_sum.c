@@ -23,11 +23,13 @@ static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
 {
     const struct sheen_target *target = ctx;
-    size_t bits = sheen_pixel_bits((enum sheen_pixel)target->pixel), bytes = (size_t)(rect.x1 - rect.x0) * bits / 8;
+    enum sheen_pixel pixel = (enum sheen_pixel)target->pixel;
+    size_t bytes = sheen_row_bytes(pixel, (unsigned)(rect.x1 - rect.x0));
     const uint8_t *from = pixels;
 
     for (int y = rect.y0; y < rect.y1; y++, from += bytes)
-        memcpy(picture + ((size_t)y * WIDTH + (size_t)rect.x0) * bits / 8, from, bytes);
+        memcpy(picture + (size_t)y * sheen_row_bytes(pixel, WIDTH) + sheen_row_bytes(pixel, (unsigned)rect.x0), from,
+               bytes);
     return SHEEN_OK;
 }
 

@@ -20,7 +20,7 @@ static unsigned bits_of(const struct memory_target *t)
 
 static size_t row_size(const struct memory_target *t, int pixels)
 {
-    return (size_t)pixels * bits_of(t) / 8;
+    return sheen_row_bytes((enum sheen_pixel)t->target.pixel, (unsigned)pixels);
 }
 
 static bool aligned(int edge, int align, int end)

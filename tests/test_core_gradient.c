@@ -175,6 +175,68 @@ static void test_what_is_too_flat(void **unused)
     assert_true(refused > 10);
 }
 
+/* ---- ranges ---- */
+
+/* Corners on the guard band's limits and needles between them: what triangle.h says of b1, b2 and exponent. */
+static void test_range_of_gradients(void **unused)
+{
+    uint32_t state = 5;
+    unsigned lowest = 99, highest = 0;
+    int32_t most = 0;
+
+    (void)unused;
+    for (int i = 0; i < 400000; i++) {
+        int32_t x[3], y[3];
+        for (int k = 0; k < 3; k++) {
+            x[k] = min32(65408, (int32_t)(stage_random(&state) % 80000) >> (i % 2 == 0 ? 0 : i / 2 % 17));
+            y[k] = min32(65408, (int32_t)(stage_random(&state) % 80000) >> (i % 2 == 0 ? 0 : i / 2 % 17));
+        }
+        for (int32_t step = 1; i % 3 == 0 && step >= 0; step--) { /* a needle, 0 or 1/64 px beside the side 0 1 */
+            x[2] = x[0] + (x[1] - x[0]) / 2 + (i / 3 % 2 == 0 ? step : 0);
+            y[2] = y[0] + (y[1] - y[0]) / 2 + (i / 3 % 2 == 0 ? 0 : step);
+        }
+        int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(y[1] - y[0]) * (x[2] - x[0]);
+        struct gradients g;
+        if (area <= 0 || !sheen_gradients(&g, x, y, (uint32_t)area))
+            continue;
+        for (int k = 0; k < 2; k++)
+            most = max32(most, max32(abs(g.b1[k]), abs(g.b2[k])));
+        lowest = g.exponent < lowest ? g.exponent : lowest;
+        highest = g.exponent > highest ? g.exponent : highest;
+    }
+    print_message("           exponent %u..%u, |b| at most 2^31 - %d\n", lowest, highest, INT32_MAX - most + 1);
+    assert_true(lowest == MIN_EXPONENT && highest == 40);
+    assert_true(most <= INT32_MAX - 32767);
+}
+
+/* The steepest that may come, with every sign; the exact value fits a long double's 64 bits but for some rounding. */
+static void test_steepest_slopes(void **unused)
+{
+    static const unsigned ups[3] = {0, 1, 16};
+    static const int32_t last[3] = {INT32_MAX, INT32_MAX, 65535};
+
+    (void)unused;
+    for (int i = 0; i < 3 * 16 * 4; i++) {
+        int u = i % 3, signs = i / 3 % 16, b = INT32_MAX - 32767;
+        struct gradients g = {.b1 = {(signs & 1) != 0 ? b : -b, b},
+                              .b2 = {(signs & 2) != 0 ? b : -b, b},
+                              .exponent = i / 48 % 2 == 0 ? MIN_EXPONENT : 40,
+                              .centre = {i / 96 == 0 ? -31 : 32, 32}};
+        const int32_t value[3] = {(signs & 4) != 0 ? last[u] : 0, (signs & 4) != 0 ? 0 : last[u],
+                                  (signs & 8) != 0 ? 0 : last[u]};
+        long double scale = ldexpl(1, (int)ups[u] - (int)g.exponent), d[2];
+        struct slope s;
+        sheen_slope(&g, value, ups[u], &s);
+        for (int k = 0; k < 2; k++)
+            d[k] =
+                ((long double)(value[1] - value[0]) * g.b1[k] + (long double)(value[2] - value[0]) * g.b2[k]) * scale;
+        assert_true(fabsl((long double)s.dx - d[0]) <= 1 && fabsl((long double)s.dy - d[1]) <= 1);
+        long double exact = ldexpl(value[0], (int)ups[u]) + (d[0] * g.centre[0] + d[1] * g.centre[1]) / 64;
+        assert_true(fabsl((long double)s.value - exact) <= 2);
+        assert_true(fabsl(d[0]) <= 0x1p44L && fabsl(d[1]) <= 0x1p44L);
+    }
+}
+
 /* ---- what Phong needs ---- */
 
 struct phong_case {
@@ -315,6 +377,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_planes),
         cmocka_unit_test(test_what_is_too_flat),
+        cmocka_unit_test(test_range_of_gradients),
+        cmocka_unit_test(test_steepest_slopes),
         cmocka_unit_test(test_phong_set_up),
     };
 

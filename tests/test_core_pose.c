@@ -1,14 +1,17 @@
 /*
  * test_core_pose.c - orbits, compositions and look-at against double precision.
  *
- * Tolerances in raw steps: an entry of an orbit's rotation 6 of Q1.30 (5.8 seen in 6 x 10^6 poses); rows of a look-at
- * orthonormal within 16 of Q1.30, its target on the axis within 3 of Q7.24 and 2^-27 of the distance; compositions
- * 1 of Q1.30 and 1 of Q7.24 a unit of scale.
+ * Tolerances in raw steps: an entry of an orbit's rotation 6 of Q1.30 (5.8 seen in 6 x 10^6 poses); rows of a look-at,
+ * of a composition and of a repaired pose orthonormal within 16 of Q1.30; a look-at's target on the axis within 3 of
+ * Q7.24 and 2^-27 of the distance, its axis within 6 of Q1.30; compositions 12 of Q1.30 and 0.51 of Q7.24.
  */
+#include <string.h>
+
 #include "test_core_worst.h"
 
 #include "frame_stage.h"
-#include "sheen.h"
+#include "math/fixed.h"
+#include "math/pose.h"
 
 #define ONE 1073741824.0 /* Q1.30 */
 #define TURN 4294967296.0
@@ -57,6 +60,15 @@ static double dot(const sheen_q30_t *a, const sheen_q30_t *b)
     return ((double)a[0] * b[0] + (double)a[1] * b[1] + (double)a[2] * b[2]) / ONE;
 }
 
+static void note_rows(struct worst *worst, const struct sheen_pose *pose, int number)
+{
+    for (int k = 0; k < 3; k++) {
+        const sheen_q30_t *row = pose->rotation + 3 * k;
+        worst_note(worst, dot(row, row) - ONE, "length of row %d, case %d", k, number);
+        worst_note(worst, dot(row, pose->rotation + (3 * k + 3) % 9), "angle of row %d, case %d", k, number);
+    }
+}
+
 /* The eye comes to the origin, the target onto the axis before it, up into the upper half; rows stay unit vectors. */
 static void test_look_at(void **unused)
 {
@@ -82,10 +94,8 @@ static void test_look_at(void **unused)
         assert_int_equal(error, SHEEN_OK);
         assert_int_equal(pose.scale, 1 << 16);
         double away[3], seen[3], length = 0;
+        note_rows(&rows, &pose, i);
         for (int k = 0; k < 3; k++) {
-            const sheen_q30_t *row = pose.rotation + 3 * k;
-            worst_note(&rows, dot(row, row) - ONE, "length of row %d, case %d", k, i);
-            worst_note(&rows, dot(row, pose.rotation + (3 * k + 3) % 9), "angle of row %d, case %d", k, i);
             away[k] = (double)target[k] - eye[k];
             length += away[k] * away[k];
         }
@@ -103,6 +113,39 @@ static void test_look_at(void **unused)
     worst_assert(&place, 3, "look-at: target straight ahead");
 }
 
+/* However near each other eye and target are, and wherever, the axis is the line between them. */
+static void test_look_at_any_distance(void **unused)
+{
+    struct worst axis = {0};
+    uint32_t state = 7;
+    int most = 0;
+
+    (void)unused;
+    for (int i = 0; i < 200000; i++) {
+        sheen_q24_t eye[3], target[3];
+        int32_t up[3];
+        double away[3], length = 0;
+        for (int k = 0; k < 3; k++) {
+            eye[k] = (int32_t)stage_random(&state) >> (i % 3 == 0 ? 1 : i % 32);
+            int64_t there = eye[k] + (int64_t)((int32_t)stage_random(&state) >> (i / 32 % 32)) * (1 + i % 2);
+            target[k] = (int32_t)(there > INT32_MAX ? INT32_MAX : there < INT32_MIN ? INT32_MIN : there);
+            up[k] = (int32_t)stage_random(&state);
+            away[k] = (double)eye[k] - target[k];
+            length += away[k] * away[k];
+        }
+        struct sheen_pose pose;
+        int error = sheen_pose_look_at(&pose, eye, target, up);
+        if (error == SHEEN_ERR_ARGUMENT)
+            continue; /* more than 128 units from the origin */
+        assert_int_equal(error, length == 0 ? SHEEN_ERR_DEGENERATE : SHEEN_OK);
+        for (int k = 0; k < 3 && error == SHEEN_OK; k++)
+            worst_note(&axis, pose.rotation[6 + k] - away[k] / sqrt(length) * ONE, "case %d, distance %g", i, length);
+        most += error == SHEEN_OK;
+    }
+    worst_assert(&axis, 6, "look-at: the axis");
+    assert_true(most > 100000);
+}
+
 static void test_look_at_errors(void **unused)
 {
     const sheen_q24_t here[3] = {SHEEN_Q24(1), 0, 0}, there[3] = {0, 0, 0};
@@ -117,6 +160,101 @@ static void test_look_at_errors(void **unused)
     assert_int_equal(sheen_pose_look_at(&pose, far, there, up), SHEEN_ERR_ARGUMENT);
     assert_int_equal(pose.scale, 77);
     assert_int_equal(sheen_pose_look_at(&pose, here, there, up), SHEEN_OK);
+}
+
+/* ---- repair ---- */
+
+/* Rows of any length, up to 60 degrees from right angles to each other, some mirrored. */
+static void test_orthonormalize(void **unused)
+{
+    struct worst rows = {0}, third = {0};
+    uint32_t state = 8;
+
+    (void)unused;
+    for (int i = 0; i < 50000; i++) {
+        struct sheen_pose pose, was;
+        double length = 0;
+        sheen_pose_orbit(&pose, stage_random(&state), stage_random(&state), stage_random(&state), SHEEN_Q24(3));
+        was = pose;
+        for (int k = 0; k < 9; k++) {
+            int32_t off = (int32_t)stage_random(&state) >> (3 + i % 28);
+            was.rotation[k] = asr32(pose.rotation[k], i / 3 % (k > 2 ? 6 : 30)) + (k == i % 9 ? 0 : off / 8);
+            was.rotation[k] *= k < 3 && i % 2 != 0 ? -1 : 1;
+        }
+        pose = was;
+        assert_int_equal(sheen_pose_orthonormalize(&pose), SHEEN_OK);
+        assert_true(pose.scale == was.scale && memcmp(pose.translation, was.translation, sizeof was.translation) == 0);
+        note_rows(&rows, &pose, i);
+        for (int k = 6; k < 9; k++)
+            length += (double)was.rotation[k] * was.rotation[k];
+        for (int k = 6; k < 9; k++)
+            worst_note(&third, pose.rotation[k] - was.rotation[k] / sqrt(length) * ONE, "case %d", i);
+        assert_true(sheen_is_rotation(pose.rotation));
+        assert_true(dot(pose.rotation + 3, was.rotation + 3) > 0);
+    }
+    worst_assert(&rows, 16, "repaired rows");
+    worst_assert(&third, 6, "the third row's direction");
+}
+
+static void test_orthonormalize_keeps_the_hand(void **unused)
+{
+    struct sheen_pose pose = {.rotation = {-(1 << 30), 5, 9, 0, 1 << 30, 0, 0, 0, 1 << 30}, .scale = 3};
+
+    (void)unused;
+    assert_int_equal(sheen_pose_orthonormalize(&pose), SHEEN_OK);
+    assert_true(pose.rotation[0] == -(1 << 30) && pose.rotation[4] == 1 << 30 && pose.rotation[8] == 1 << 30);
+    pose.rotation[5] = pose.rotation[8];
+    pose.rotation[4] = 0;
+    assert_int_equal(sheen_pose_orthonormalize(&pose), SHEEN_ERR_DEGENERATE);
+    pose.rotation[5] = 0;
+    assert_int_equal(sheen_pose_orthonormalize(&pose), SHEEN_ERR_DEGENERATE);
+    assert_true(pose.rotation[0] == -(1 << 30) && pose.rotation[8] == 1 << 30 && pose.scale == 3);
+}
+
+/* ---- compositions ---- */
+
+/* Small turns one after another, as of an object that a hand turns: every one is taken, the last as the first. */
+static void test_compositions_do_not_drift(void **unused)
+{
+    static const double turn[2][3] = {{6.1, 3.3, 1.7}, {0.01, -0.02, 0.013}};
+
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        struct sheen_pose step, all;
+        struct worst rows = {0};
+        sheen_pose_orbit(&step, SHEEN_DEGREES(turn[i][0]), SHEEN_DEGREES(turn[i][1]), SHEEN_DEGREES(turn[i][2]), 0);
+        sheen_pose_identity(&all);
+        for (int k = 0; k < 2000000; k++) {
+            assert_int_equal(sheen_pose_compose(&step, &all, &all), SHEEN_OK);
+            if (k % 1000 == 0)
+                note_rows(&rows, &all, k);
+        }
+        worst_assert(&rows, 16, "rows after 2 million turns");
+    }
+}
+
+/* With rotations by quarter turns everything is a whole number: translations round to nearest, halves up. */
+static void test_compose_rounds_once(void **unused)
+{
+    uint32_t state = 9;
+
+    (void)unused;
+    for (int i = 0; i < 200000; i++) {
+        struct sheen_pose outer, inner, both;
+        sheen_pose_identity(&inner);
+        sheen_pose_identity(&outer);
+        for (int k = 0; k < 3; k++) { /* rows 1, 2, 0 */
+            outer.rotation[3 * k + k] = 0;
+            outer.rotation[3 * k + (k + 1) % 3] = 1 << 30;
+            inner.translation[k] = (int32_t)stage_random(&state) >> (i % 32);
+        }
+        outer.scale = i % 4 == 0 ? 1 << (i / 4 % 17) : (int32_t)(1 + stage_random(&state) % (1u << (1 + i % 18)));
+        if (sheen_pose_compose(&outer, &inner, &both) != SHEEN_OK)
+            continue; /* beyond +-128 units */
+        for (int k = 0; k < 3; k++)
+            assert_int_equal(both.translation[k],
+                             asr64((int64_t)inner.translation[(k + 1) % 3] * outer.scale + (1 << 15), 16));
+    }
 }
 
 /* A point moved by inner and then by outer is where the composition takes it. */
@@ -145,11 +283,11 @@ static void test_compose(void **unused)
                 moved += row[j] / ONE * inner.translation[j];
             }
             moved = moved * outer.scale / 65536 + outer.translation[k];
-            worst_note(&translation, (both.translation[k] - moved) / (1 + outer.scale / 65536.), "%d, case %d", k, i);
+            worst_note(&translation, both.translation[k] - moved, "%d, case %d", k, i);
         }
     }
-    worst_assert(&rotation, 1, "composed rotation");
-    worst_assert(&translation, 1, "composed translation");
+    worst_assert(&rotation, 12, "composed rotation");
+    worst_assert(&translation, 0.51, "composed translation");
 }
 
 static void test_compose_errors(void **unused)
@@ -176,13 +314,27 @@ static void test_compose_errors(void **unused)
     small.translation[1] = SHEEN_Q24(28);
     assert_int_equal(sheen_pose_compose(&big, &small, &out), SHEEN_ERR_ARGUMENT);
     assert_int_equal(out.translation[1], SHEEN_Q24(127));
+    sheen_pose_identity(&small);
+    small.rotation[4] += 1 << 20; /* no rotation: its second row is too long */
+    assert_int_equal(sheen_pose_compose(&big, &small, &out), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_pose_compose(&small, &big, &out), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_pose_orthonormalize(&small), SHEEN_OK);
+    assert_int_equal(sheen_pose_compose(&small, &big, &out), SHEEN_OK);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),   cmocka_unit_test(test_look_at),        cmocka_unit_test(test_look_at_errors),
-        cmocka_unit_test(test_compose), cmocka_unit_test(test_compose_errors),
+        cmocka_unit_test(test_orbit),
+        cmocka_unit_test(test_look_at),
+        cmocka_unit_test(test_look_at_any_distance),
+        cmocka_unit_test(test_look_at_errors),
+        cmocka_unit_test(test_orthonormalize),
+        cmocka_unit_test(test_orthonormalize_keeps_the_hand),
+        cmocka_unit_test(test_compositions_do_not_drift),
+        cmocka_unit_test(test_compose_rounds_once),
+        cmocka_unit_test(test_compose),
+        cmocka_unit_test(test_compose_errors),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

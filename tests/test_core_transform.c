@@ -240,6 +240,33 @@ static void test_flags_at_near_and_far(void **unused)
     }
 }
 
+/* Planes as close to each other as they may be: depth stays in its range, and is far's at far. */
+static void test_depth_of_thin_views(void **unused)
+{
+    uint32_t state = 7;
+    int most = 0;
+
+    (void)unused;
+    for (int i = 0; i < 300000; i++) {
+        sheen_q24_t far = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 28)) | 2;
+        int32_t span = (int32_t)(((int64_t)far + 32767) >> 15) + (int32_t)(stage_random(&state) % 3);
+        struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = far - span, .far = far};
+        struct projection p;
+        struct vertex v;
+        if (view.near <= 0)
+            continue;
+        assert_int_equal(sheen_project_begin(&p, &view, 240), SHEEN_OK);
+        for (int k = 0; k < 4; k++) {
+            int32_t m = k == 0 ? far : k == 1 ? view.near : far - (int32_t)(stage_random(&state) % (uint32_t)span);
+            assert_int_equal(flags_at(&p, 0, 0, m, &v), 0);
+            assert_in_range(v.z, DEPTH_FAR, DEPTH_FAR + DEPTH_RANGE + 16);
+            assert_true(k != 0 || v.z == DEPTH_FAR);
+            most = v.z > most ? v.z : most;
+        }
+    }
+    print_message("           z16 at most %d over far's range\n", most - DEPTH_FAR - DEPTH_RANGE);
+}
+
 /* The last coordinate along (dx, dy) that is inside lies at the guard band, the next one beyond it. */
 static void check_guard(const struct projection *p, double f, int32_t m, int dx, int dy, unsigned expected)
 {
@@ -344,6 +371,11 @@ static void test_views_out_of_range(void **unused)
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
     view.near++;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    view.near = 65534; /* far / 2^15 is a little under 2 raw steps, so one is too few */
+    view.far = 65535;
+    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    view.near = 65533;
+    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
     view = good;
     view.orthographic = -1;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
@@ -355,7 +387,8 @@ int main(void)
         cmocka_unit_test(test_model_to_eye),          cmocka_unit_test(test_ranges),
         cmocka_unit_test(test_perspective),           cmocka_unit_test(test_orthographic),
         cmocka_unit_test(test_flags_at_near_and_far), cmocka_unit_test(test_flags_at_the_guard_band),
-        cmocka_unit_test(test_any_eye_coordinates),   cmocka_unit_test(test_views_out_of_range),
+        cmocka_unit_test(test_depth_of_thin_views),   cmocka_unit_test(test_any_eye_coordinates),
+        cmocka_unit_test(test_views_out_of_range),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -129,9 +129,9 @@ static struct cover_triangle random_triangle(uint32_t *seed, enum kind kind)
     int32_t size = kind == SMALL ? 64 * uniform(seed, 1, 40) : 64 * uniform(seed, 40, 500);
 
     for (int k = 0; k < 3; k++) {
-        if (kind == HUGE_OUT) { /* anywhere in the guard band, +-511 px of the centre */
-            t.x[k] = 320 * 64 + uniform(seed, -32704, 32705);
-            t.y[k] = 240 * 64 + uniform(seed, -32704, 32705);
+        if (kind == HUGE_OUT) { /* anywhere in the guard band, +-511 px of the centre, and on its limits (see below) */
+            t.x[k] = 320 * 64 + uniform(seed, -36000, 36001);
+            t.y[k] = 240 * 64 + uniform(seed, -36000, 36001);
         } else {
             t.x[k] = x + uniform(seed, -size, size + 1);
             t.y[k] = y + uniform(seed, -size, size + 1);

@@ -126,8 +126,7 @@ static uint8_t expected[FRAMES * HEIGHT * WIDTH * 2], got[FRAMES * HEIGHT * WIDT
 
 static void compare(const struct way *way, enum sheen_pixel pixel, bool affine)
 {
-    unsigned bits = sheen_pixel_bits(pixel);
-    size_t bytes = (size_t)FRAMES * HEIGHT * WIDTH * bits / 8, differing = 0;
+    size_t bytes = (size_t)FRAMES * HEIGHT * sheen_row_bytes(pixel, WIDTH), differing = 0;
 
     memset(got, 0x5a, sizeof got);
     run(got, way, pixel, affine);

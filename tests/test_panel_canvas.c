@@ -71,7 +71,7 @@ int canvas_push(struct canvas *canvas, struct sheen_rect rect)
     unsigned bits = sheen_pixel_bits(pixel), width = (unsigned)(rect.x1 - rect.x0);
 
     for (int y = rect.y0; y < rect.y1; y++) {
-        uint8_t *row = canvas->buffer + (unsigned)(y - rect.y0) * (width * bits / 8);
+        uint8_t *row = canvas->buffer + (unsigned)(y - rect.y0) * sheen_row_bytes(pixel, width);
 
         for (unsigned x = 0; x < width; x++) {
             uint16_t value = (uint16_t)noise(canvas, 1u << bits);

@@ -37,7 +37,7 @@ static int memory_push(void *ctx, struct sheen_rect rect, const void *pixels)
     for (int y = rect.y0; y < rect.y1; y++)
         for (unsigned x = 0; x < width; x++)
             memory->values[(unsigned)y * memory->width + (unsigned)rect.x0 + x] =
-                unpack((const uint8_t *)pixels + (unsigned)(y - rect.y0) * (width * bits / 8), bits, x);
+                unpack((const uint8_t *)pixels + (unsigned)(y - rect.y0) * ((width * bits + 7) / 8), bits, x);
     return 0;
 }
 
@@ -136,6 +136,38 @@ static void pattern_in_grey(void **state)
     free(values);
 }
 
+/* Rows end within a byte: the buffer that the core's rows fill is enough, and the border is where it belongs. */
+static void widths_that_fill_no_byte(void **state)
+{
+    (void)state;
+    for (uint16_t width = 121; width < 138; width++) {
+        for (int pixel = SHEEN_GREY2; pixel <= SHEEN_GREY256; pixel++) {
+            unsigned per_byte = 8 / sheen_pixel_bits((enum sheen_pixel)pixel), white = (1u << 8 / per_byte) - 1;
+            size_t bytes = 8 * ((width + per_byte - 1) / per_byte);
+            struct memory memory = {calloc(width, 64 * 2), width, (uint8_t)pixel, 0};
+            struct sheen_target target = {.ctx = &memory,
+                                          .push = memory_push,
+                                          .width = width,
+                                          .height = 64,
+                                          .pixel = (uint8_t)pixel,
+                                          .align_x = 8,
+                                          .align_y = 8};
+            uint8_t *buffer = malloc(bytes); /* the sanitizer watches its end */
+
+            assert_non_null(buffer);
+            assert_int_equal(sheen_first_light(&target, buffer, bytes - 1), SHEEN_ERR_MEMORY);
+            assert_int_equal(sheen_first_light(&target, buffer, bytes), SHEEN_OK);
+            for (unsigned y = 0; y < 64; y++) {
+                assert_int_equal(memory.values[y * width], white);
+                assert_int_equal(memory.values[y * width + width - 1], white);
+                assert_int_equal(memory.values[y * width + 1], y == 0 || y == 63 ? white : 0);
+            }
+            free(buffer);
+            free(memory.values);
+        }
+    }
+}
+
 static void little_endian_and_errors(void **state)
 {
     struct memory memory = {calloc(48 * 32, 2), 48, SHEEN_RGB565_LE, 0};
@@ -193,11 +225,9 @@ static void errors_travel(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pattern_in_colour),
-        cmocka_unit_test(pattern_in_grey),
-        cmocka_unit_test(little_endian_and_errors),
-        cmocka_unit_test(every_panel_shows_it),
-        cmocka_unit_test(errors_travel),
+        cmocka_unit_test(pattern_in_colour),        cmocka_unit_test(pattern_in_grey),
+        cmocka_unit_test(widths_that_fill_no_byte), cmocka_unit_test(little_endian_and_errors),
+        cmocka_unit_test(every_panel_shows_it),     cmocka_unit_test(errors_travel),
     };
 
     return cmocka_run_group_tests_name("panel_first_light", tests, NULL, NULL);

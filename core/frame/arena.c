@@ -30,7 +30,7 @@ static int config_complete(struct sheen_config *c)
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
     return c->buffers > 2 || c->workers > MAX_WORKERS || c->max_vertices == 0 || c->max_triangles == 0 ||
-                   c->max_carried > 254
+                   c->max_carried > 254 || (c->lock == NULL) != (c->unlock == NULL)
                ? SHEEN_ERR_ARGUMENT
                : SHEEN_OK;
 }
@@ -53,6 +53,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     (void)take(base, &used, 1, sizeof(struct sheen_frame));
     f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
     f->band = take(base, &used, f->max_bands, sizeof(struct band));
+    f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
     f->draw = take(base, &used, c->max_draws, sizeof(struct draw_record));
     f->vertex = take(base, &used, c->max_vertices, sizeof(struct vertex));
     f->entry = take(base, &used, c->max_triangles, sizeof(struct entry));
@@ -101,7 +102,8 @@ int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const stru
     f->target = config->target;
     sheen_format_begin(&f->format, f->target);
     f->arena_bytes = lay_out(f, arena);
-    f->failed = 1;
+    f->flying = NOBODY;
+    f->send_all_next = 1;
     *frame = f;
     return SHEEN_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * band.c - one band: clear, draw what is pending, send.
+ * band.c - one band: clear, draw what is pending, send. (sending is send.c)
  *
  * A worker keeps a bit for each entry that has begun and is not done; scanned
  * from the lowest, they are the submission order. Set-ups of triangles that go
@@ -196,36 +196,13 @@ static void draw_pending(const struct sheen_frame *f, struct worker *w, struct t
     }
 }
 
-/* ---- sending ---- */
-
-int sheen_worker_wait(struct sheen_frame *f, struct worker *w)
-{
-    if (!w->in_flight)
-        return SHEEN_OK;
-    w->in_flight = 0;
-    return f->target->wait != NULL ? f->target->wait(f->target->ctx) : SHEEN_OK;
-}
-
-static int push(struct sheen_frame *f, struct worker *w, const struct tile *t)
-{
-    int error = sheen_worker_wait(f, w);
-
-    if (error < 0)
-        return error;
-    error = f->target->push(f->target->ctx, t->rect, t->pixels);
-    if (error < 0)
-        return error;
-    w->in_flight = 1;
-    w->buffer = (uint8_t)((w->buffer + 1u) % f->config.buffers);
-    w->stats.rectangles++;
-    w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
-    return SHEEN_OK;
-}
+/* ---- a band ---- */
 
 /* Draw into the worker's free buffer and send. */
-static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_rect rect)
+static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, struct sheen_rect rect)
 {
-    int error = f->config.buffers == 1 ? sheen_worker_wait(f, w) : SHEEN_OK;
+    struct worker *w = &f->worker[worker];
+    int error = sheen_free_buffer(f, worker);
 
     if (error < 0)
         return error;
@@ -241,30 +218,23 @@ static int draw_and_push(struct sheen_frame *f, struct worker *w, struct sheen_r
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;
 #endif
+    collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);
     if (f->view.overlay != NULL)
         f->view.overlay(f->view.ctx, rect, t.pixels, t.pitch);
     if (f->format.grey)
         sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(rect.y1 - rect.y0));
-    return push(f, w, &t);
+    return sheen_send_tile(f, worker, &t);
 }
 
 int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
 {
-    if (f->state != OPEN)
-        return SHEEN_ERR_STATE;
-    if (worker >= f->config.workers || b >= f->bands)
-        return SHEEN_ERR_ARGUMENT;
-    struct worker *w = &f->worker[worker];
-    if (w->error < 0)
-        return w->error;
+    int error = sheen_claim_band(f, worker, b);
 
+    if (error < 0)
+        return error;
     struct sheen_rect rect = band_rect(f, b);
-    w->done++;
-    if (rect_empty(rect))
-        return SHEEN_OK; /* nothing crosses this band, so nothing is pending below it either */
-    collect(f, w, b);
-    w->error = draw_and_push(f, w, rect);
-    return w->error;
+    /* where nothing crosses this band, nothing is pending below it either */
+    return rect_empty(rect) ? SHEEN_OK : draw_and_send(f, worker, b, rect);
 }

@@ -1,8 +1,9 @@
 /*
- * frame.c - the main path: begin, draw, band, end. (init is arena.c, band band.c)
+ * frame.c - the main path: begin, draw, end. (init is arena.c; end's bands are band.c, their pushes send.c)
  */
 #include <string.h>
 
+#include "../math/pose.h"
 #include "frame.h"
 
 /* ---- begin ---- */
@@ -15,6 +16,13 @@ static int same_rect(struct sheen_rect a, struct sheen_rect b)
 static int same_colour(const uint8_t a[3], const uint8_t b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* What is under the triangles, and a user's own 2D with it. */
+static int same_background(const struct sheen_view *a, const struct sheen_view *b)
+{
+    return same_colour(a->background, b->background) && a->underlay == b->underlay && a->overlay == b->overlay &&
+           (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
 /* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
@@ -36,8 +44,6 @@ static void workers_begin(struct sheen_frame *f)
     for (unsigned i = 0; i < f->config.workers; i++) {
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* no band's pending triangles are at hand */
-        w->error = 0;
-        w->done = 0;
         memset(&w->stats, 0, sizeof w->stats);
     }
 }
@@ -46,12 +52,13 @@ static void workers_begin(struct sheen_frame *f)
 static void bands_begin(struct sheen_frame *f)
 {
     unsigned rows = f->config.band_rows;
-    int moved = !f->begun || f->send_all;
 
     f->bands = ((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1) / rows;
+    f->bands_left = f->bands;
     f->band_scale = ((1u << 20) + rows - 1) / rows;
+    memset(f->done, 0, (f->max_bands + 31u) / 32 * sizeof *f->done);
     for (unsigned b = 0; b < f->bands; b++)
-        f->band[b].stale = moved ? (struct sheen_rect){0, 0, 0, 0} : f->band[b].cover;
+        f->band[b].stale = f->send_all ? (struct sheen_rect){0, 0, 0, 0} : f->band[b].cover;
     sheen_bin_clear(f);
 }
 
@@ -70,10 +77,9 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     if (error < 0)
         return error;
 
-    int changed = !f->begun || !same_rect(viewport, f->viewport) || !same_colour(view->background, f->view.background);
-    f->send_all = (uint8_t)(changed || f->failed || f->stale);
-    f->failed = 1; /* until sheen_finish has seen every band through */
-    f->stale = 0;
+    f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);
+    f->send_all_next = 0;
+    f->error = 0;
     f->view = *view;
     f->viewport = viewport;
     f->projection = projection;
@@ -81,7 +87,6 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
     bands_begin(f);
-    f->begun = 1;
     f->state = OPEN;
     return SHEEN_OK;
 }
@@ -152,21 +157,6 @@ static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw
     return SHEEN_OK;
 }
 
-/* Rows of unit length and at right angles, within 1/1024. */
-static int orthonormal(const sheen_q30_t r[9])
-{
-    for (int i = 0; i < 3; i++)
-        for (int j = i; j < 3; j++) {
-            int64_t dot = 0; /* Q.30; the terms are cut first, since any rotation may come */
-            for (int k = 0; k < 3; k++)
-                dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
-            dot -= i == j ? 1 << 30 : 0;
-            if (dot > 1 << 20 || dot < -(1 << 20))
-                return 0;
-        }
-    return 1;
-}
-
 int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
 {
     struct transform t;
@@ -183,7 +173,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
     d->two_sided = draw->two_sided;
     d->forced = draw->way;
     d->first_vertex = f->vertices;
-    if (!orthonormal(draw->pose.rotation))
+    if (!sheen_is_rotation(draw->pose.rotation))
         return SHEEN_ERR_ARGUMENT;
     error = sheen_light_begin(&d->light, draw);
     if (error == 0)
@@ -231,48 +221,27 @@ unsigned sheen_band_count(const struct sheen_frame *f)
     return f->bands;
 }
 
-int sheen_wait(struct sheen_frame *f)
-{
-    int error = 0;
-
-    for (unsigned i = 0; i < f->config.workers; i++) {
-        int result = sheen_worker_wait(f, &f->worker[i]);
-        if (error == 0)
-            error = result;
-    }
-    if (error < 0)
-        f->failed = 1;
-    return error;
-}
-
 int sheen_finish(struct sheen_frame *f)
 {
-    int error = 0;
-    unsigned done = 0;
-
-    if (f->state != OPEN)
+    if (f->state == IDLE)
         return SHEEN_ERR_STATE;
-    for (unsigned i = 0; i < f->config.workers; i++) {
-        if (error == 0)
-            error = f->worker[i].error;
-        done += f->worker[i].done;
-    }
-    f->failed = error < 0 || done < f->bands;
+    if (f->bands_left > 0)
+        f->send_all_next = 1;
     f->state = IDLE;
-    return error;
+    return f->error;
 }
 
 int sheen_end(struct sheen_frame *f)
 {
-    int error = f->state == OPEN ? 0 : SHEEN_ERR_STATE;
-
-    for (unsigned b = 0; b < f->bands && error == 0; b++)
-        error = sheen_band(f, 0, b);
-    int finished = sheen_finish(f);
-    return error < 0 ? error : finished;
+    if (f->state == IDLE)
+        return SHEEN_ERR_STATE;
+    for (unsigned b = 0; b < f->bands && f->error == 0; b++)
+        if ((f->done[b >> 5] >> (b & 31u) & 1u) == 0)
+            (void)sheen_band(f, 0, b); /* its error is the frame's */
+    return sheen_finish(f);
 }
 
 void sheen_invalidate(struct sheen_frame *f)
 {
-    f->stale = 1;
+    f->send_all_next = 1;
 }

@@ -59,17 +59,17 @@ struct worker {
     struct setup *carried; /* max_carried slots and a spare one */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
-    uint16_t done;     /* bands of this frame */
-    uint8_t in_flight; /* a push of this worker awaits its wait */
-    int32_t last_band; /* -1 before the first */
-    int error;
+    int32_t last_band; /* -2 before the first */
     struct sheen_stats stats;
 };
 
 enum frame_state {
-    IDLE,
-    OPEN
+    IDLE, /* until sheen_begin, and from sheen_finish on */
+    OPEN, /* draws and marks are taken */
+    BANDS /* a band has begun: what was drawn stays as it is */
 };
+
+#define NOBODY MAX_WORKERS
 
 struct sheen_frame {
     struct sheen_config config;
@@ -78,12 +78,13 @@ struct sheen_frame {
     struct sheen_rect viewport;
     struct pixel_format format;
     struct projection projection;
-    uint8_t state;    /* enum frame_state */
-    uint8_t send_all; /* this frame sends every band whole */
-    uint8_t failed;   /* a push failed or a band was left out: the next frame sends every band whole */
-    uint8_t stale;    /* sheen_invalidate was called: likewise */
-    uint8_t begun;    /* a frame has begun before */
-    unsigned bands, max_bands;
+    uint8_t state;         /* enum frame_state */
+    uint8_t send_all;      /* this frame sends every band whole */
+    uint8_t send_all_next; /* so will the next one: a push or a wait failed, a band was left out, or sheen_invalidate */
+    uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
+    int error;             /* the first of this frame's pushes and waits */
+    unsigned bands, max_bands, bands_left;
+    uint32_t *done;      /* a bit a band of this frame that has begun */
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
     uint32_t vertices, entries, pieces, draws;
     struct vertex *vertex;
@@ -150,7 +151,12 @@ static inline int rect_empty(struct sheen_rect r)
     return r.x0 >= r.x1 || r.y0 >= r.y1;
 }
 
-/* band.c: collect the push of a worker that may still be under way; its result. */
-int sheen_worker_wait(struct sheen_frame *f, struct worker *w);
+/*
+ * send.c. A worker takes band b: 0, or what sheen_band answers. Then, if there is something to draw, it sees to a free
+ * buffer (0, or the error that a wait brought) and sends: the frame's error, whoever met it.
+ */
+int sheen_claim_band(struct sheen_frame *f, unsigned worker, unsigned b);
+int sheen_free_buffer(struct sheen_frame *f, unsigned worker);
+int sheen_send_tile(struct sheen_frame *f, unsigned worker, const struct tile *t);
 
 #endif

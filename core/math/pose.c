@@ -1,7 +1,7 @@
 /*
- * pose.c - rotations from angles, composition, and where an eye looks.
+ * pose.c - rotations from angles, composition, repair, and where an eye looks.
  */
-#include "../sheen.h"
+#include "pose.h"
 #include "fixed.h"
 
 void sheen_pose_identity(struct sheen_pose *pose)
@@ -13,38 +13,27 @@ void sheen_pose_identity(struct sheen_pose *pose)
         pose->translation[k] = 0;
 }
 
-/* Row of a rotation times a vector of any format, in that format. Range: |row| <= 1, so |result| <= 2^31.8. */
+int sheen_is_rotation(const sheen_q30_t r[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = i; j < 3; j++) {
+            int64_t dot = 0; /* Q.30; the terms are cut first, since any rotation may come */
+            for (int k = 0; k < 3; k++)
+                dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
+            dot -= i == j ? 1 << 30 : 0;
+            if (dot > 1 << 20 || dot < -(1 << 20))
+                return 0;
+        }
+    return 1;
+}
+
+/* Row of a rotation times a vector of any format, Q.30 more. Range: |row| <= 1.001, so |result| < 2^61.8. */
 static int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
 {
-    int64_t sum = 0;
-
-    for (int k = 0; k < 3; k++)
-        sum += round_shift64((int64_t)row[k] * v[k * stride], 15);
-    return round_shift64(sum, 15);
+    return (int64_t)row[0] * v[0] + (int64_t)row[1] * v[stride] + (int64_t)row[2] * v[2 * stride];
 }
 
-int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
-{
-    struct sheen_pose p;
-    int64_t scale = round_shift64((int64_t)outer->scale * inner->scale, 16);
-
-    if (scale <= 0 || scale > INT32_MAX)
-        return SHEEN_ERR_ARGUMENT;
-    p.scale = (sheen_q16_t)scale;
-    for (int i = 0; i < 3; i++) {
-        const sheen_q30_t *row = outer->rotation + 3 * i;
-        for (int j = 0; j < 3; j++)
-            p.rotation[3 * i + j] = (sheen_q30_t)row_times(row, inner->rotation + j, 3);
-        int64_t moved = asr64(row_times(row, inner->translation, 1) * outer->scale, 16) + outer->translation[i];
-        if (moved > INT32_MAX || moved < -INT32_MAX)
-            return SHEEN_ERR_ARGUMENT;
-        p.translation[i] = (sheen_q24_t)moved;
-    }
-    *out = p;
-    return SHEEN_OK;
-}
-
-/* a x b of Q1.30 vectors; |result| <= 1. */
+/* a x b of Q1.30 vectors no longer than 1.001: their products' difference is below 2^61. */
 static void cross(const sheen_q30_t a[3], const sheen_q30_t b[3], sheen_q30_t out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -53,27 +42,90 @@ static void cross(const sheen_q30_t a[3], const sheen_q30_t b[3], sheen_q30_t ou
     }
 }
 
+/* The rotation whose third row points along `back` and whose second one lies on the side of `up`. */
+static int rotation_from(const int32_t back[3], const int32_t up[3], sheen_q30_t rotation[9])
+{
+    sheen_q30_t *right = rotation, *above = rotation + 3, *third = rotation + 6, upward[3];
+
+    if (sheen_normalize(up, upward) < 0 || sheen_normalize(back, third) < 0)
+        return SHEEN_ERR_DEGENERATE;
+    cross(upward, third, right);
+    if (magnitude32(right[0]) < 1024 && magnitude32(right[1]) < 1024 && magnitude32(right[2]) < 1024)
+        return SHEEN_ERR_DEGENERATE; /* within 1e-6 of parallel: nothing left but rounding */
+    (void)sheen_normalize(right, right);
+    cross(third, right, above);
+    (void)sheen_normalize(above, above); /* at right angles to third, exactly; right may lean by its rounding */
+    cross(above, third, right);
+    return SHEEN_OK;
+}
+
+int sheen_pose_orthonormalize(struct sheen_pose *pose)
+{
+    sheen_q30_t r[9];
+    const sheen_q30_t *first = pose->rotation;
+    int64_t along = 0; /* the first row says whether the pose mirrors; halved, the sum fits */
+
+    if (rotation_from(first + 6, first + 3, r) < 0)
+        return SHEEN_ERR_DEGENERATE;
+    for (int k = 0; k < 3; k++)
+        along += (int64_t)r[k] * (first[k] / 2);
+    for (int k = 0; k < 9; k++)
+        pose->rotation[k] = along < 0 && k < 3 ? -r[k] : r[k];
+    return SHEEN_OK;
+}
+
+/*
+ * round(sum * scale / 2^46), a row's product to a length of Q7.24, in two words: |high * scale| < 2^31.8 * 2^31. What
+ * is cut off before the rounding could not change it: a floor of a floor is the floor.
+ */
+static int64_t scaled_length(int64_t sum, sheen_q16_t scale)
+{
+    int64_t high = asr64(sum, 30), low = sum & ((1 << 30) - 1);
+
+    return round_shift64(high * scale + ((low * scale) >> 30), 16);
+}
+
+int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+{
+    struct sheen_pose p;
+    int64_t scale = round_shift64((int64_t)outer->scale * inner->scale, 16);
+
+    if (outer->scale <= 0 || inner->scale <= 0 || scale <= 0 || scale > INT32_MAX ||
+        !sheen_is_rotation(outer->rotation) || !sheen_is_rotation(inner->rotation))
+        return SHEEN_ERR_ARGUMENT;
+    p.scale = (sheen_q16_t)scale;
+    for (int i = 0; i < 3; i++) {
+        const sheen_q30_t *row = outer->rotation + 3 * i;
+        for (int j = 0; j < 3; j++)
+            p.rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, inner->rotation + j, 3), 30);
+        int64_t moved = scaled_length(row_times(row, inner->translation, 1), outer->scale) + outer->translation[i];
+        if (moved > INT32_MAX || moved < -INT32_MAX)
+            return SHEEN_ERR_ARGUMENT;
+        p.translation[i] = (sheen_q24_t)moved;
+    }
+    (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
+    *out = p;
+    return SHEEN_OK;
+}
+
 int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],
                        const int32_t up[3])
 {
     struct sheen_pose p;
-    sheen_q30_t *right = p.rotation, *above = p.rotation + 3, *back = p.rotation + 6, upward[3];
-    int32_t away[3];
+    int32_t back[3];
+    unsigned halved = 0;
 
-    for (int k = 0; k < 3; k++) /* halved, so that the difference fits */
-        away[k] = eye[k] / 2 - target[k] / 2;
-    if (sheen_normalize(away, back) < 0 || sheen_normalize(up, upward) < 0)
+    for (int k = 0; k < 3; k++) {
+        int64_t away = (int64_t)eye[k] - target[k];
+        halved |= away > INT32_MAX || away < -INT32_MAX;
+    }
+    for (int k = 0; k < 3; k++) /* one bit less only where the difference needs 33 */
+        back[k] = (int32_t)asr64((int64_t)eye[k] - target[k], halved);
+    if (rotation_from(back, up, p.rotation) < 0)
         return SHEEN_ERR_DEGENERATE;
-    cross(upward, back, right);
-    if (magnitude32(right[0]) < 1024 && magnitude32(right[1]) < 1024 && magnitude32(right[2]) < 1024)
-        return SHEEN_ERR_DEGENERATE; /* within 1e-6 of parallel: nothing left but rounding */
-    (void)sheen_normalize(right, right);
-    cross(back, right, above);
-    (void)sheen_normalize(above, above); /* at right angles to back, exactly; right may lean by its rounding */
-    cross(above, back, right);
     p.scale = 1 << 16;
     for (int k = 0; k < 3; k++) {
-        int64_t moved = -row_times(p.rotation + 3 * k, eye, 1);
+        int64_t moved = round_shift64(-row_times(p.rotation + 3 * k, eye, 1), 30);
         if (moved > INT32_MAX || moved < -INT32_MAX)
             return SHEEN_ERR_ARGUMENT;
         p.translation[k] = (sheen_q24_t)moved;

@@ -9,8 +9,9 @@
 /*
  * b1x = 64 (y2 - y0) / area and so on, coordinates in 1/64 px, area in 1/4096
  * px^2 and > 0 for corners that run clockwise on the screen (y down).
- * Range: differences < 2^17; with `bits` their length, the product with the
- * reciprocal is below 2^(bits + 32) and the mantissa below 2^31.
+ * Range: differences <= 65,408 (2 * 511 px), so `bits`, their length, is at most
+ * 16; a difference times the reciprocal is at most (2^bits - 1) 2^32, and a b
+ * (1 - 2^-16) 2^31.
  * Returns 0 where the triangle is too flat, see MIN_EXPONENT.
  */
 int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3], uint32_t area)
@@ -37,7 +38,9 @@ int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3],
 
 /*
  * The steps carry `up` more fraction bits than the values.
- * Range: |value differences| < 2^31, so each product is below 2^62; up <= 16.
+ * Range: |value differences| < 2^31, so two products stay 2^47 below 2^63; and
+ * times 2^up at most 2^32 (z16: 2^16 with up 16), so steps, of gradients below
+ * 2^11 a px, are below 2^44, and half a pixel of both below 2^50.
  */
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s)
 {

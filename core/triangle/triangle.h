@@ -154,8 +154,8 @@ struct surface_corners {
  * coordinates b1, b2 of corners 1 and 2, f = f0 + b1 (f1 - f0) + b2 (f2 - f0).
  */
 struct gradients {
-    int32_t b1[2], b2[2]; /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^31 */
-    unsigned exponent;    /* MIN_EXPONENT..39 */
+    int32_t b1[2], b2[2]; /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| <= 2^31 - 2^15 */
+    unsigned exponent;    /* MIN_EXPONENT..40 */
     int stretch;          /* logarithm of extent^2 / area, within 1 below and 2 above; a needle's is large */
     int32_t centre[2];    /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
     int32_t origin[2];    /* the origin pixel: the one that holds corner 0 */

@@ -47,11 +47,16 @@ static int64_t product_q8(struct scaled a, struct scaled b)
     return (int64_t)shift_right((uint64_t)a.mantissa * b.mantissa, 62 - 8 - a.exponent - b.exponent);
 }
 
-/* Steps of z16 above far's, Q.8: (1/m - 1/far) depth, or in an orthographic view (far - m) depth. */
+/*
+ * Steps of z16 above far's, Q.8: (1/m - 1/far) depth, or in an orthographic view (far - m) depth. Not negative. At
+ * near depth / m is at most 65020 * 2^15, and the relative error 2^-27 of that 16 steps above DEPTH_RANGE.
+ */
 static int64_t depth_above_far(const struct projection *p, sheen_q24_t m, struct scaled one_over_m)
 {
-    if (p->orthographic == 0)
-        return product_q8(p->depth, one_over_m) - p->depth_far;
+    if (p->orthographic == 0) {
+        int64_t above = product_q8(p->depth, one_over_m) - p->depth_far;
+        return above > 0 ? above : 0;
+    }
     return m < p->far ? product_q8(p->depth, scaled_of((uint64_t)(p->far - m), 24)) : 0;
 }
 
@@ -75,7 +80,7 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
 
     if (view->fov < SHEEN_DEGREES(0.99) || view->fov > SHEEN_DEGREES(150.01))
         return SHEEN_ERR_ARGUMENT;
-    if (view->near <= 0 || span <= 0 || span < view->far >> 15 || view->orthographic < 0)
+    if (view->near <= 0 || span <= 0 || span << 15 < view->far || view->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;
 
     /* height / 2 / tan(half); sine and cosine are Q1.30, a reciprocal takes Q7.24: 2^-6 each way */

@@ -1,0 +1,115 @@
+/*
+ * send.c - what the workers of a frame share: which bands are done, the push under way, the first error.
+ *
+ * All of it is read and written between the configuration's lock and unlock, pushes and waits among it. So two pushes
+ * are never under way, wait is never called by two, and nothing is pushed after an error, whosesoever it was.
+ */
+#include "frame.h"
+
+static void lock(const struct sheen_frame *f)
+{
+    if (f->config.lock != NULL)
+        f->config.lock(f->config.lock_ctx);
+}
+
+static void unlock(const struct sheen_frame *f)
+{
+    if (f->config.lock != NULL)
+        f->config.unlock(f->config.lock_ctx);
+}
+
+/* A push or a wait failed: nothing more of this frame is sent, and the next one sends everything. */
+static void break_off(struct sheen_frame *f, int error)
+{
+    f->send_all_next = 1;
+    if (f->state != IDLE && f->error == 0)
+        f->error = error;
+}
+
+/* The result of the push under way, once; MUST be called between lock and unlock, as all below that is static. */
+static int collect_push(struct sheen_frame *f)
+{
+    const struct sheen_target *t = f->target;
+
+    if (f->flying == NOBODY)
+        return SHEEN_OK;
+    f->flying = NOBODY;
+    int error = t->wait != NULL ? t->wait(t->ctx) : SHEEN_OK;
+    if (error >= 0)
+        return SHEEN_OK;
+    break_off(f, error);
+    return error;
+}
+
+static void push_tile(struct sheen_frame *f, unsigned worker, const struct tile *t)
+{
+    struct worker *w = &f->worker[worker];
+    int error = f->target->push(f->target->ctx, t->rect, t->pixels);
+
+    if (error < 0) {
+        break_off(f, error);
+        return;
+    }
+    f->flying = (uint8_t)worker;
+    w->buffer = (uint8_t)((w->buffer + 1u) % f->config.buffers);
+    w->stats.rectangles++;
+    w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
+}
+
+int sheen_wait(struct sheen_frame *f)
+{
+    lock(f);
+    int error = collect_push(f);
+    unlock(f);
+    return error;
+}
+
+/* What a call for band b by a worker is answered with. */
+static int band_refused(const struct sheen_frame *f, unsigned worker, unsigned b)
+{
+    if (f->state == IDLE)
+        return SHEEN_ERR_STATE;
+    if (worker >= f->config.workers || b >= f->bands)
+        return SHEEN_ERR_ARGUMENT;
+    if (f->error < 0)
+        return f->error;
+    return (f->done[b >> 5] >> (b & 31u) & 1u) != 0 ? SHEEN_ERR_STATE : SHEEN_OK;
+}
+
+int sheen_claim_band(struct sheen_frame *f, unsigned worker, unsigned b)
+{
+    lock(f);
+    int error = band_refused(f, worker, b);
+    if (error == SHEEN_OK) {
+        f->state = BANDS;
+        f->bands_left--;
+        f->done[b >> 5] |= 1u << (b & 31u);
+    }
+    unlock(f);
+    return error;
+}
+
+/* A worker's other buffer is free: the push of one is only begun when that of the other was collected. */
+int sheen_free_buffer(struct sheen_frame *f, unsigned worker)
+{
+    int error = SHEEN_OK;
+
+    if (f->config.buffers > 1)
+        return error;
+    lock(f);
+    if (f->flying == worker)
+        error = collect_push(f);
+    unlock(f);
+    return error;
+}
+
+int sheen_send_tile(struct sheen_frame *f, unsigned worker, const struct tile *t)
+{
+    lock(f);
+    (void)collect_push(f);
+    if (f->error == 0)
+        push_tile(f, worker, t);
+    int error = f->error;
+    unlock(f);
+    return error;
+}

@@ -1,0 +1,262 @@
+/*
+ * test_frame_order.c - calls in another order than begin, draw, bands, finish: what each answers, and what is sent.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "frame_stage.h"
+
+#define SIZE 64
+#define BANDS 8
+#define PIXELS (SIZE * SIZE)
+#define BROKEN (-77)
+
+static struct stage stage;
+
+static int make_stage(void **state)
+{
+    (void)state;
+    return stage_make(&stage);
+}
+
+static int free_stage(void **state)
+{
+    (void)state;
+    stage_free(&stage);
+    return 0;
+}
+
+struct order {
+    struct memory_target target;
+    struct core_frame f;
+    struct sheen_view view;
+};
+
+static void order_open(struct order *o, int workers, int buffers)
+{
+    struct sheen_config config;
+
+    assert_int_equal(memory_target_init(&o->target, SIZE, SIZE, SHEEN_RGB565_BE), 0);
+    o->target.delayed = true;
+    o->target.fail_code = BROKEN;
+    stage_config(&config, &o->target, 2);
+    config.band_rows = SIZE / BANDS;
+    config.workers = (uint8_t)workers;
+    config.buffers = (uint8_t)buffers;
+    assert_int_equal(core_frame_make(&o->f, &config), SHEEN_OK);
+    stage_view(&o->view);
+}
+
+static void order_close(struct order *o)
+{
+    if (o->target.breaches > 0)
+        fail_msg("%s", o->target.first_breach);
+    core_frame_free(&o->f);
+    memory_target_free(&o->target);
+}
+
+/* A ball in the middle. */
+static int draw_ball(struct order *o)
+{
+    const struct actor ball = {STAGE_BALL, 0, SHEEN_FLAT, 0, 0, 5, 1, 0, 0};
+    struct sheen_draw draw;
+
+    stage_draw(&stage, &ball, &draw);
+    return sheen_draw(o->f.frame, &draw);
+}
+
+static void begin(struct order *o)
+{
+    memory_target_begin(&o->target);
+    assert_int_equal(sheen_begin(o->f.frame, &o->view), SHEEN_OK);
+}
+
+/* A whole frame that arrives; returns the pixels that were sent. */
+static long frame_area(struct order *o)
+{
+    begin(o);
+    assert_int_equal(draw_ball(o), SHEEN_OK);
+    assert_int_equal(sheen_end(o->f.frame), SHEEN_OK);
+    assert_int_equal(sheen_wait(o->f.frame), SHEEN_OK);
+    return o->target.area;
+}
+
+/* The first frame sends everything; the second one only the ball. */
+static void settle(struct order *o)
+{
+    assert_int_equal(frame_area(o), PIXELS);
+    assert_true(frame_area(o) < PIXELS / 2);
+}
+
+/* A wait between bands that fails is the frame's error. */
+static void wait_between_bands(void **state)
+{
+    struct order o = {0};
+    long sent;
+
+    (void)state;
+    order_open(&o, 1, 1);
+    settle(&o);
+    begin(&o);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    for (unsigned b = 0; b < 4; b++)
+        assert_int_equal(sheen_band(o.f.frame, 0, b), SHEEN_OK);
+    assert_true(o.target.in_flight);
+    o.target.fail_wait = 1;
+    assert_int_equal(sheen_wait(o.f.frame), BROKEN);
+    sent = o.target.pushes;
+    for (unsigned b = 4; b < BANDS; b++)
+        assert_int_equal(sheen_band(o.f.frame, 0, b), BROKEN);
+    assert_int_equal(o.target.pushes, sent);
+    assert_int_equal(sheen_finish(o.f.frame), BROKEN);
+    assert_int_equal(sheen_wait(o.f.frame), SHEEN_OK);
+    assert_int_equal(frame_area(&o), PIXELS);
+    order_close(&o);
+}
+
+/* Workers in turn on one thread: one push at a time, and none after another's error. */
+static void workers_in_turn(void **state)
+{
+    (void)state;
+    for (int buffers = 1; buffers <= 2; buffers++) {
+        struct order o = {0};
+        order_open(&o, 2, buffers);
+        for (int frame = 0; frame < 3; frame++) {
+            begin(&o);
+            assert_int_equal(draw_ball(&o), SHEEN_OK);
+            o.target.fail_push = frame == 1 ? 2 : 0;
+            sheen_invalidate(o.f.frame);
+            for (unsigned b = 0; b < BANDS; b++)
+                (void)sheen_band(o.f.frame, b & 1, b);
+            assert_int_equal(sheen_finish(o.f.frame), frame == 1 ? BROKEN : SHEEN_OK);
+            assert_int_equal(o.target.pushes, frame == 1 ? 1 : BANDS);
+            assert_int_equal(sheen_wait(o.f.frame), SHEEN_OK);
+        }
+        order_close(&o);
+    }
+}
+
+static void fill(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+{
+    memset(pixels, *(const uint8_t *)ctx, 2u * pitch * (unsigned)(rect.y1 - rect.y0));
+}
+
+/* What is under the triangles is the background, whoever paints it. */
+static void another_underlay(void **state)
+{
+    uint8_t one = 1, two = 2;
+    struct order o = {0};
+
+    (void)state;
+    order_open(&o, 1, 1);
+    settle(&o);
+    o.view.ctx = &one; /* nobody gets it */
+    assert_true(frame_area(&o) < PIXELS / 2);
+    o.view.underlay = fill;
+    assert_int_equal(frame_area(&o), PIXELS);
+    assert_true(frame_area(&o) < PIXELS / 2);
+    o.view.ctx = &two;
+    assert_int_equal(frame_area(&o), PIXELS);
+    assert_int_equal(memory_target_pixel(&o.target, 0, 0), 0x0202);
+    o.view.underlay = NULL;
+    assert_int_equal(frame_area(&o), PIXELS);
+    o.view.overlay = fill;
+    assert_int_equal(frame_area(&o), PIXELS);
+    assert_true(frame_area(&o) < PIXELS / 2);
+    order_close(&o);
+}
+
+/* A band done twice is refused; it does not stand for one left out. */
+static void band_twice(void **state)
+{
+    struct order o = {0};
+
+    (void)state;
+    order_open(&o, 1, 1);
+    begin(&o);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    for (unsigned b = 1; b < BANDS; b++)
+        assert_int_equal(sheen_band(o.f.frame, 0, b), SHEEN_OK);
+    assert_int_equal(sheen_band(o.f.frame, 0, 1), SHEEN_ERR_STATE);
+    assert_int_equal(o.target.pushes, BANDS - 1);
+    assert_int_equal(sheen_finish(o.f.frame), SHEEN_OK);
+    assert_int_equal(frame_area(&o), PIXELS);
+    assert_true(frame_area(&o) < PIXELS / 2);
+
+    begin(&o); /* sheen_end does what is left */
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    sheen_invalidate(o.f.frame); /* of the frame after this one */
+    assert_int_equal(sheen_band(o.f.frame, 0, 4), SHEEN_OK);
+    assert_int_equal(sheen_end(o.f.frame), SHEEN_OK);
+    assert_int_equal(sheen_wait(o.f.frame), SHEEN_OK);
+    for (int i = 0; i < PIXELS; i++)
+        assert_true(o.target.times[i] <= 1);
+    assert_int_equal(frame_area(&o), PIXELS);
+    order_close(&o);
+}
+
+/* After the first band nothing is added; what a failed frame left pending is not drawn. */
+static void nothing_after_a_band(void **state)
+{
+    struct order o = {0};
+
+    (void)state;
+    order_open(&o, 1, 1);
+    begin(&o);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    o.target.fail_push = 4;
+    assert_int_equal(sheen_end(o.f.frame), BROKEN);
+    begin(&o);
+    assert_int_equal(sheen_mark(o.f.frame, (struct sheen_rect){0, 0, 8, 8}), SHEEN_OK);
+    assert_int_equal(sheen_band(o.f.frame, 0, BANDS), SHEEN_ERR_ARGUMENT); /* not a band: the frame stays open */
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    for (unsigned b = 0; b < 3; b++)
+        assert_int_equal(sheen_band(o.f.frame, 0, b), SHEEN_OK);
+    assert_int_equal(draw_ball(&o), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_mark(o.f.frame, (struct sheen_rect){0, 0, 8, 8}), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_begin(o.f.frame, &o.view), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_end(o.f.frame), SHEEN_OK);
+    assert_int_equal(sheen_end(o.f.frame), SHEEN_ERR_STATE);
+    order_close(&o);
+}
+
+/* Positive results of callbacks are successes, also where begin collects them. */
+static int generous(void *ctx)
+{
+    (void)ctx;
+    return 5;
+}
+
+static void results_above_zero(void **state)
+{
+    struct order o = {0};
+
+    (void)state;
+    order_open(&o, 1, 1);
+    o.target.delayed = false;
+    o.target.target.wait = generous;
+    assert_int_equal(frame_area(&o), PIXELS);
+    begin(&o);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    assert_int_equal(sheen_end(o.f.frame), SHEEN_OK);
+    o.view.fov = 0;
+    assert_int_equal(sheen_begin(o.f.frame, &o.view), SHEEN_ERR_ARGUMENT);
+    order_close(&o);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wait_between_bands),   cmocka_unit_test(workers_in_turn),
+        cmocka_unit_test(another_underlay),     cmocka_unit_test(band_twice),
+        cmocka_unit_test(nothing_after_a_band), cmocka_unit_test(results_above_zero),
+    };
+
+    return cmocka_run_group_tests_name("frame_order", tests, make_stage, free_stage);
+}
