@@ -7,8 +7,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <seccomp.h>
+#include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -43,33 +45,79 @@ static int limit(int resource, rlim_t most)
     return setrlimit(resource, &(struct rlimit){most, most});
 }
 
+/* Memory of this process: what it may take, 0 where it is not confined, and for which files it may take more. */
+static struct {
+    rlim_t most;
+    struct {
+        dev_t device;
+        ino_t number;
+    } file[64];
+    size_t files;
+} memory;
+
+/* Beyond `most`, to which the process itself may raise its limit: files of 2^30 bytes and less have it. */
+#define MEMORY_AT_LAST ((rlim_t)SHEEN_CONFINE_TIMES << 30)
+
+/* Private writable memory, which RLIMIT_DATA counts; 0 where /proc is not there. */
+static rlim_t memory_now(void)
+{
+    unsigned long data = 0;
+    FILE *file = fopen("/proc/self/statm", "re");
+
+    if (file && fscanf(file, "%*u %*u %*u %*u %*u %lu", &data) != 1)
+        data = 0;
+    if (file)
+        fclose(file);
+    return (rlim_t)data * (rlim_t)sysconf(_SC_PAGESIZE);
+}
+
 static int set_limits(unsigned seconds, unsigned long bytes)
 {
     int failed = setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1}) || limit(RLIMIT_CORE, 0) ||
                  limit(RLIMIT_FSIZE, 0) || limit(RLIMIT_NOFILE, 64);
 
-    if (!SANITIZED && limit(RLIMIT_AS, bytes))
+    memory.most = memory_now() + bytes;
+    if (!SANITIZED && setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST}))
         failed = 1;
-    alarm(seconds); /* also for one that waits rather than computes */
     return failed ? -errno : 0;
+}
+
+void sheen_confine_file(int file)
+{
+    struct stat status;
+
+    if (memory.most == 0 || fstat(file, &status) != 0 || memory.files == sizeof memory.file / sizeof memory.file[0])
+        return;
+    for (size_t i = 0; i < memory.files; i++) {
+        if (memory.file[i].device == status.st_dev && memory.file[i].number == status.st_ino)
+            return;
+    }
+    memory.file[memory.files].device = status.st_dev;
+    memory.file[memory.files++].number = status.st_ino;
+    memory.most += SHEEN_CONFINE_TIMES * (rlim_t)status.st_size;
+    if (!SANITIZED)
+        (void)setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST});
 }
 
 /* Only these ways of a call: opening to read, memory that is not executable, writing to `output`, ending oneself. */
 static int allow_with_arguments(scmp_filter_ctx filter, int output)
 {
-    const unsigned writing = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND;
+    const unsigned reading = SANITIZED ? 0 : O_NONBLOCK; /* the sanitizers' reports open /proc in their own way */
+    const unsigned mode = O_ACCMODE | O_CREAT | O_TRUNC | O_APPEND | reading;
     const struct {
         int call;
         struct scmp_arg_cmp argument;
     } rules[] = {
-        {SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, writing, 0)},
-        {SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, writing, 0)},
+        {SCMP_SYS(openat), SCMP_A2(SCMP_CMP_MASKED_EQ, mode, reading)},
+        {SCMP_SYS(open), SCMP_A1(SCMP_CMP_MASKED_EQ, mode, reading)},
         {SCMP_SYS(mmap), SCMP_A2(SCMP_CMP_MASKED_EQ, 4 /* PROT_EXEC */, 0)},
         {SCMP_SYS(mmap2), SCMP_A2(SCMP_CMP_MASKED_EQ, 4, 0)},
         {SCMP_SYS(mprotect), SCMP_A2(SCMP_CMP_MASKED_EQ, 4, 0)},
         {SCMP_SYS(write), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)output, 0)},
         {SCMP_SYS(writev), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)output, 0)},
         {SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid(), 0)}, /* abort() */
+        {SCMP_SYS(setrlimit), SCMP_A0(SCMP_CMP_EQ, RLIMIT_DATA)},
+        {SCMP_SYS(prlimit64), SCMP_A1(SCMP_CMP_EQ, RLIMIT_DATA)}, /* how glibc makes setrlimit */
     };
     int error = 0;
 

@@ -6,9 +6,9 @@
 #include <cstring>
 #include <meshoptimizer.h>
 #include <nlohmann/json.hpp>
-#include <sys/stat.h>
 
 #include "gltf.h"
+#include "mesh_bytes.h"
 
 namespace gltf
 {
@@ -36,14 +36,14 @@ uint32_t load32(const bytes &from, size_t at)
 /* False where there is no such regular file. */
 bool read_file(const std::string &path, bytes &out)
 {
-    struct stat status;
-    FILE *file = stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) ? fopen(path.c_str(), "rb") : nullptr;
+    struct sheen_problem problem;
+    sheen_bytes file;
+    const bool read = sheen_bytes_load(&file, path.c_str(), &problem) == 0;
 
-    if (!file)
-        return false;
-    const std::unique_ptr<FILE, int (*)(FILE *)> closer(file, fclose);
-    out.resize(static_cast<size_t>(status.st_size));
-    return fread(out.data(), 1, out.size(), file) == out.size();
+    if (read)
+        out.assign(file.bytes, file.bytes + file.count);
+    sheen_bytes_free(&file);
+    return read;
 }
 
 /* -1 for what is none. */

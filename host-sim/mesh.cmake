@@ -11,6 +11,7 @@ set(sheen_mesh_sources
   gltf_nodes.cpp
   gltf_shape.cpp
   mesh_assimp.c
+  mesh_assimp_io.c
   mesh_bytes.c
   mesh_file.c
   mesh_format.c

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "mesh_assimp_io.h"
 #include "utf8.h"
 
 #define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
@@ -181,12 +182,23 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
     return SHEEN_OK;
 }
 
+/* Why assimp has no scene, in better words where there are any. */
+static int explain(const char *said, const char *path, struct sheen_problem *problem)
+{
+    if (strstr(said, "bad_alloc") || strstr(said, "length_error"))
+        return SHEEN_ERR_MEMORY; /* mesh_file.c says it */
+    if (strstr(said, "No suitable reader"))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its format is not known, by its name nor by its content",
+                             path);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, said);
+}
+
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     memset(polygons, 0, sizeof *polygons);
-    const struct aiScene *scene = aiImportFile(path, 0);
+    const struct aiScene *scene = aiImportFileEx(path, 0, &sheen_assimp_io);
     if (!scene)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, aiGetErrorString());
+        return explain(aiGetErrorString(), path, problem);
     int error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
     return error;

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "confine.h"
+
 /* Bytes read, fewer than `count` where the file has shrunk since; -1: errno. */
 static ssize_t read_all(int file, unsigned char *bytes, size_t count)
 {
@@ -40,6 +42,7 @@ int sheen_bytes_load(struct sheen_bytes *bytes, const char *path, struct sheen_p
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
     int error = fstat(file, &status) ? errno : S_ISREG(status.st_mode) ? 0 : S_ISDIR(status.st_mode) ? EISDIR : ENODEV;
     if (!error) {
+        sheen_confine_file(file);
         bytes->bytes = malloc((size_t)status.st_size + 1);
         ssize_t got = bytes->bytes ? read_all(file, bytes->bytes, (size_t)status.st_size) : -1;
         error = got < 0 ? errno : 0;

@@ -8,6 +8,10 @@
 
 #include "problem.h"
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct sheen_bytes {
     unsigned char *bytes; /* count of them and a zero */
     size_t count;
@@ -22,5 +26,9 @@ int sheen_bytes_to_utf8(struct sheen_bytes *bytes);
 
 /* A file that another names, beside it: "folder of path/name". -1 where that is too long for `out`. */
 int sheen_beside(char *out, size_t room, const char *path, const char *name, size_t length);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

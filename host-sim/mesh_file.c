@@ -53,8 +53,8 @@ static int explain(int status, const char *path, struct sheen_problem *problem)
 {
     int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 
-    if (number == SIGALRM || number == SIGXCPU)
-        return sheen_problem(problem, SHEEN_ERR_TIMEOUT, "%s: reading it takes longer than %u s", path,
+    if (number == SIGXCPU)
+        return sheen_problem(problem, SHEEN_ERR_TIMEOUT, "%s: reading it takes more than %u s of processor time", path,
                              SHEEN_IMPORT_SECONDS);
     if (number == SIGSYS)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer was stopped: it tried more than reading",
@@ -74,6 +74,9 @@ static int receive(struct sheen_polygons *polygons, const char *path, pid_t chil
     close(pipe); /* one that still writes ends now */
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
+    if (answered && error == SHEEN_ERR_MEMORY) /* whoever came to say so in whatever words */
+        return sheen_problem(problem, error, "%s: reading it takes more memory than %u times its size and 64 MB", path,
+                             SHEEN_CONFINE_TIMES);
     return answered ? error : explain(status, path, problem);
 }
 

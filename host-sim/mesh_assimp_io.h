@@ -1,0 +1,11 @@
+/*
+ * mesh_assimp_io.h - the files that assimp opens, each read whole and at once. Private to mesh_assimp.c.
+ */
+#ifndef SHEEN_MESH_ASSIMP_IO_H
+#define SHEEN_MESH_ASSIMP_IO_H
+
+#include <assimp/cfileio.h>
+
+extern struct aiFileIO sheen_assimp_io;
+
+#endif
