@@ -50,12 +50,14 @@ static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
     const char *file = strrchr(options->mesh, '/');
-    char crease[24] = "";
+    char crease[24] = "", reduce[24] = "";
 
     if (options->crease >= 0)
         snprintf(crease, sizeof crease, " --crease %g", options->crease);
-    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s", file ? file + 1 : options->mesh,
-             options->average ? " --normals average" : "", crease, options->groups ? " --groups" : "",
+    if (options->reduce)
+        snprintf(reduce, sizeof reduce, " --reduce %d", options->reduce);
+    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s%s", file ? file + 1 : options->mesh,
+             options->average ? " --normals average" : "", crease, reduce, options->groups ? " --groups" : "",
              options->no_flat ? " --no-flat" : "");
 }
 
@@ -179,7 +181,8 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
     struct sheen_host_options how = {.average = options->average,
                                      .by_group = options->groups,
                                      .use_crease = options->crease >= 0,
-                                     .crease = options->crease};
+                                     .crease = options->crease,
+                                     .reduce = (unsigned)options->reduce};
     sheen_progress("reading the mesh", 0, 0);
     int error = sheen_host_mesh_load(&baking->host, options->mesh, &how, problem);
     sheen_progress_end();

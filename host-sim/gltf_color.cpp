@@ -30,8 +30,8 @@ material read_material(document &file, const item &from)
     for (size_t k = 0; k < 3; k++)
         out.factor[k] = rgba[k];
     if (glossy ? glossy.get("diffuseTexture") : metallic.get("baseColorTexture"))
-        sheen_note(&file.notes, 1, "%s: has colours in textures, which are not read; the materials' own are used",
-                   file.path());
+        sheen_note(&file.notes, SHEEN_NOTE_ON_COLORS,
+                   "%s: has colours in textures, which are not read; the materials' own are used", file.path());
     return out;
 }
 

@@ -67,8 +67,8 @@ table read_optional(const source &from, const char *name, const char *types, siz
 
     if (out.count == vertices || out.count == 0)
         return out;
-    sheen_note(&from.file.notes, 0, "%s: %s has %zu elements for %zu vertices and is left out", from.file.path(),
-               from.primitive.get("attributes").get(name).name(), out.count, vertices);
+    sheen_note(&from.file.notes, SHEEN_NOTE_WARNING, "%s: %s has %zu elements for %zu vertices and is left out",
+               from.file.path(), from.primitive.get("attributes").get(name).name(), out.count, vertices);
     return {};
 }
 
@@ -139,7 +139,7 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
     if (mode > FAN)
         refuse("%s: mode %llu is none of glTF 2.0's", primitive.name(), static_cast<unsigned long long>(mode));
     if (mode < TRIANGLES) {
-        sheen_note(&file.notes, 0, "%s: has points or lines, which are left out", file.path());
+        sheen_note(&file.notes, SHEEN_NOTE_WARNING, "%s: has points or lines, which are left out", file.path());
         return out;
     }
     if (extension)
@@ -153,8 +153,8 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
     const std::vector<uint32_t> corners = read_indices(from, out.points.count);
     out.triangles = make_triangles(corners, from.packed ? static_cast<uint64_t>(TRIANGLES) : mode);
     if (mode == TRIANGLES && corners.size() % 3 != 0)
-        sheen_note(&file.notes, 0, "%s: %s has %zu corners, no whole triangles; the rest is left out", file.path(),
-                   primitive.name(), corners.size());
+        sheen_note(&file.notes, SHEEN_NOTE_WARNING, "%s: %s has %zu corners, no whole triangles; the rest is left out",
+                   file.path(), primitive.name(), corners.size());
     return out;
 }
 

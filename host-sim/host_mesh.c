@@ -9,6 +9,7 @@
 
 #include "builtin.h"
 #include "host_build.h"
+#include "host_reduce.h"
 #include "host_vector.h"
 #include "mesh_file.h"
 #include "unique.h"
@@ -44,6 +45,17 @@ static int weld_points(struct sheen_host_build *build)
     return error;
 }
 
+/* A mesh that is to be reduced may have any size before. */
+static int check_size(const struct sheen_host_options *options, size_t count, const char *what, const char *name,
+                      struct sheen_problem *problem)
+{
+    if (count <= SHEEN_HOST_MESH_MAX || options->reduce)
+        return SHEEN_OK;
+    return sheen_problem(problem, SHEEN_ERR_CAPACITY,
+                         "%s: %zu %s, at most %u can be drawn; --reduce 20000 makes it 20000 triangles", name, count,
+                         what, SHEEN_HOST_MESH_MAX);
+}
+
 /* The polygons that have an area, and their corners. */
 static int keep_polygons(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
@@ -74,10 +86,7 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
     }
     if (mesh->polygon_count == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no face has an area", name);
-    if (mesh->triangle_count > SHEEN_HOST_MESH_MAX)
-        return sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %zu triangles, at most %u can be drawn", name,
-                             mesh->triangle_count, SHEEN_HOST_MESH_MAX);
-    return SHEEN_OK;
+    return check_size(build->options, mesh->triangle_count, "triangles", name, problem);
 }
 
 /* Centre and radius over every point that a polygon uses, one without area included. */
@@ -149,11 +158,8 @@ static int make_vertices(struct sheen_host_build *build, const char *name, struc
         }
     }
     int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
-    if (!error && mesh->vertex_count > SHEEN_HOST_MESH_MAX)
-        error = sheen_problem(problem, SHEEN_ERR_CAPACITY,
-                              "%s: %zu vertices (by position and normal), at most %u "
-                              "can be drawn",
-                              name, mesh->vertex_count, SHEEN_HOST_MESH_MAX);
+    if (!error)
+        error = check_size(build->options, mesh->vertex_count, "vertices (by position and normal)", name, problem);
     if (!error) {
         mesh->vertices = calloc(mesh->vertex_count, sizeof *mesh->vertices);
         error = mesh->vertices ? SHEEN_OK : SHEEN_ERR_MEMORY;
@@ -265,5 +271,7 @@ int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const s
     if (!error)
         error = sheen_host_mesh_build(mesh, &polygons, options, name, problem);
     sheen_polygons_free(&polygons);
+    if (!error && options->reduce && mesh->triangle_count > options->reduce)
+        error = sheen_host_mesh_reduce(mesh, options, name, problem);
     return error;
 }

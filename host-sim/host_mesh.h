@@ -14,7 +14,8 @@
  *   - fit, in double precision: minus the centre of the bounding box, then the farthest point to distance 1;
  *   - a corner's normal is the file's, else the average over the polygons around its
  *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
- *   - polygons are split into triangles.
+ *   - polygons are split into triangles;
+ *   - sheen_host_mesh_load alone: more triangles than are wanted are reduced (host_reduce.h).
  * Normals and triangles are the core's own (core/mesh/), as firmware gets them.
  */
 #ifndef SHEEN_HOST_MESH_H
@@ -25,10 +26,11 @@
 #define SHEEN_HOST_MESH_MAX 65535u /* vertices, and triangles: what 16-bit indices hold */
 
 struct sheen_host_options {
-    int average;    /* 1: the file's normals are not used */
-    int by_group;   /* 1: groups share no vertices, each becomes a mesh of its own */
-    int use_crease; /* 1: average only over polygons within `crease` of the corner's own */
-    double crease;  /* degrees, 0..180 */
+    int average;     /* 1: the file's normals are not used */
+    int by_group;    /* 1: groups share no vertices, each becomes a mesh of its own */
+    int use_crease;  /* 1: average only over polygons within `crease` of the corner's own */
+    double crease;   /* degrees, 0..180 */
+    unsigned reduce; /* to at most so many triangles (host_reduce.h), 1..SHEEN_HOST_MESH_MAX; 0: never */
 };
 
 struct sheen_host_vertex {

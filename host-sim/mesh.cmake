@@ -26,5 +26,6 @@ set(sheen_mesh_sources
   mesh_stl.c
   mesh_text.c
   mesh_wire.c
+  simplify.c
 )
 list(TRANSFORM sheen_mesh_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

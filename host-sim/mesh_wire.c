@@ -115,7 +115,8 @@ static void receive_notes(struct sheen_polygons *polygons, struct header *header
     for (uint32_t i = 0; i < header->notes.count && i < SHEEN_NOTES_MAX; i++) {
         struct sheen_note *note = &header->notes.note[i];
         note->line.text[sizeof note->line.text - 1] = '\0';
-        sheen_note(&polygons->notes, note->on_colors != 0, "%s", note->line.text);
+        sheen_note(&polygons->notes, note->kind == SHEEN_NOTE_ON_COLORS ? SHEEN_NOTE_ON_COLORS : SHEEN_NOTE_WARNING,
+                   "%s", note->line.text);
     }
 }
 

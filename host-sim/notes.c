@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-void sheen_note(struct sheen_notes *notes, int on_colors, const char *format, ...)
+void sheen_note(struct sheen_notes *notes, enum sheen_note_kind kind, const char *format, ...)
 {
-    struct sheen_note note = {.on_colors = on_colors != 0};
+    struct sheen_note note = {.kind = (uint32_t)kind};
     char text[sizeof note.line.text];
     va_list arguments;
 
@@ -28,7 +28,8 @@ void sheen_note(struct sheen_notes *notes, int on_colors, const char *format, ..
 void sheen_notes_print(const struct sheen_notes *notes, int uses_colors)
 {
     for (uint32_t i = 0; i < notes->count; i++) {
-        if (uses_colors || !notes->note[i].on_colors)
-            fprintf(stderr, "sheen: warning: %s\n", notes->note[i].line.text);
+        uint32_t kind = notes->note[i].kind;
+        if (uses_colors || kind != SHEEN_NOTE_ON_COLORS)
+            fprintf(stderr, "sheen: %s%s\n", kind == SHEEN_NOTE_DONE ? "" : "warning: ", notes->note[i].line.text);
     }
 }

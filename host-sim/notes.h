@@ -14,15 +14,21 @@ struct sheen_notes {
     uint32_t count;
     struct sheen_note {
         struct sheen_problem line;
-        uint32_t on_colors; /* 1: of the file's colours, which not every command uses */
+        uint32_t kind; /* enum sheen_note_kind */
     } note[SHEEN_NOTES_MAX];
 };
 
-/* Adds a line, without newline, that names the file. */
-__attribute__((format(printf, 3, 4))) void sheen_note(struct sheen_notes *notes, int on_colors, const char *format,
-                                                      ...);
+enum sheen_note_kind {
+    SHEEN_NOTE_WARNING,
+    SHEEN_NOTE_ON_COLORS, /* a warning of the file's colours, which not every command uses */
+    SHEEN_NOTE_DONE       /* no warning: what was asked for is done */
+};
 
-/* `sheen: warning: ...` on standard error, a line each; those on colours only where they are used. */
+/* Adds a line, without newline, that names the file. */
+__attribute__((format(printf, 3, 4))) void sheen_note(struct sheen_notes *notes, enum sheen_note_kind kind,
+                                                      const char *format, ...);
+
+/* On standard error, a line each, warnings as `sheen: warning: ...`; those on colours only where they are used. */
 void sheen_notes_print(const struct sheen_notes *notes, int uses_colors);
 
 #endif

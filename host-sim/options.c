@@ -58,6 +58,8 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(average), 0, 0, 0},
     {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL,
      SHEEN_DRAWS | SHEEN_BAKE, AT(crease), 0, 180, 0},
+    {"reduce", "N", NULL, "simplify the mesh to at most so many triangles, and tell how far off that is",
+     SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_BAKE, AT(reduce), 4, 65535, 0},
     {"dither", "off|on", NULL, "ordered 8x8 [on for 2 and 16 grey levels]", SHEEN_OPTION_CHOICE, SHEEN_DRAWS,
      AT(dither), 0, 0, 0},
     {"band", "ROWS", NULL, "rows drawn and sent at a time [16, or all of a lower picture]", SHEEN_OPTION_WHOLE,

@@ -55,6 +55,7 @@ struct sheen_options {
     uint8_t background[3];
     int two_sided, average, affine, ortho;
     double crease; /* degrees; < 0: off */
+    int reduce;    /* triangles; 0: not given */
     int dither;    /* -1: not given */
     int band;      /* rows; 0: not given */
     int buffers;

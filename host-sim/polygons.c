@@ -78,7 +78,7 @@ void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name)
         if (group->has_color || !mean_color(polygons, g, group->color))
             continue;
         group->has_color = 1;
-        sheen_note(&polygons->notes, 1, "%s: has vertex colours; their mean is used", name);
+        sheen_note(&polygons->notes, SHEEN_NOTE_ON_COLORS, "%s: has vertex colours; their mean is used", name);
     }
 }
 

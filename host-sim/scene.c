@@ -71,7 +71,8 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     struct sheen_host_options how = {.average = options->average,
                                      .by_group = options->color.from_file,
                                      .use_crease = options->crease >= 0,
-                                     .crease = options->crease};
+                                     .crease = options->crease,
+                                     .reduce = (unsigned)options->reduce};
     struct sheen_host_mesh host;
     int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
 

@@ -1,6 +1,7 @@
 # Mesh files, pictures, and the command sheen.
 sheen_test(test_import unit SOURCES test_import.c test_import_files.c LIBRARIES sheen::host sheen::core m)
 sheen_test(test_import_reference unit SOURCES test_import_reference.c LIBRARIES sheen::host sheen::core reference m)
+sheen_test(test_reduce unit SOURCES test_reduce.c LIBRARIES sheen::host sheen::core m)
 find_package(GIF REQUIRED)
 sheen_test(test_gif unit SOURCES test_gif.c LIBRARIES sheen::host sheen::core GIF::GIF)
 sheen_test(test_problem unit SOURCES test_problem.c LIBRARIES sheen::host sheen::core)

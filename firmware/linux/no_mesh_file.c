@@ -1,13 +1,21 @@
 /*
- * no_mesh_file.c - in place of host-sim/mesh_file.c where there is no assimp.
+ * no_mesh_file.c - in place of what host-sim/mesh.cmake lists, where its libraries are not there.
  */
 #include "../../host-sim/mesh_file.h"
+#include "../../host-sim/simplify.h"
 
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     *polygons = (struct sheen_polygons){0};
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
-                         "%s: this sheen-panel was built without assimp and reads no files; builtin:teapot, "
+                         "%s: this sheen-panel was built without the libraries that read files; builtin:teapot, "
                          "builtin:sphere and builtin:torus it has",
                          path);
+}
+
+int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
+                   double *error, struct sheen_problem *problem)
+{
+    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)error;
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--reduce: this sheen-panel was built without meshoptimizer");
 }

@@ -3,12 +3,20 @@
  */
 #include "bake_text.h"
 #include "mesh_file.h"
+#include "simplify.h"
 
 /* There is no reader of files on these machines, and none is asked for. */
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     (void)polygons;
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no files", path);
+}
+
+int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
+                   double *error, struct sheen_problem *problem)
+{
+    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)error;
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--reduce: there is no meshoptimizer");
 }
 
 static int bake(const char *name, const struct sheen_host_options *options)
