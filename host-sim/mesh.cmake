@@ -1,6 +1,6 @@
 # The readers of mesh files, for the command and for sheen-panel: what they are, link, and need to be found.
-set(sheen_mesh_packages assimp draco meshoptimizer nlohmann_json)
-set(sheen_mesh_libraries assimp::assimp draco::draco meshoptimizer::meshoptimizer PkgConfig::seccomp)
+set(sheen_mesh_packages assimp EXPAT draco meshoptimizer nlohmann_json)
+set(sheen_mesh_libraries assimp::assimp EXPAT::EXPAT draco::draco meshoptimizer::meshoptimizer PkgConfig::seccomp)
 set(sheen_mesh_sources
   confine.c
   gltf_accessor.cpp
@@ -13,6 +13,8 @@ set(sheen_mesh_sources
   mesh_assimp.c
   mesh_assimp_io.c
   mesh_bytes.c
+  mesh_dae_check.c
+  mesh_dae_numbers.c
   mesh_file.c
   mesh_format.c
   mesh_gltf.cpp

@@ -4,13 +4,16 @@
 #include "mesh_assimp.h"
 
 #include <assimp/cimport.h>
+#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "mesh_assimp_io.h"
+#include "mesh_dae_check.h"
+#include "mesh_sink.h"
 #include "utf8.h"
 
 #define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
@@ -20,7 +23,7 @@ struct walk {
     const struct aiScene *scene;
     struct sheen_polygons *out; /* NULL while counting */
     size_t points, polygons, corners;
-    int with_normals;
+    int with_normals, with_colors;
     int broken; /* an index out of range, or too many of something */
 };
 
@@ -72,6 +75,7 @@ static void count_mesh(struct walk *walk, const struct aiMesh *mesh)
     walk->points += mesh->mNumVertices;
     walk->broken |= mesh->mMaterialIndex >= walk->scene->mNumMaterials || mesh->mMaterialIndex > UINT16_MAX;
     walk->with_normals |= mesh->mNormals != NULL;
+    walk->with_colors |= mesh->mColors[0] != NULL;
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         const struct aiFace *face = &mesh->mFaces[f];
         for (unsigned c = 0; c < face->mNumIndices; c++)
@@ -83,10 +87,19 @@ static void count_mesh(struct walk *walk, const struct aiMesh *mesh)
     }
 }
 
+static void get_color(const struct aiColor4D *from, uint8_t color[3])
+{
+    const float parts[3] = {from->r, from->g, from->b};
+
+    for (int k = 0; k < 3; k++)
+        color[k] = sheen_color_byte((double)parts[k], 1);
+}
+
 /* A transform that mirrors turns faces inside out, so their corners are taken backwards. */
 static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct aiFace *face, const double c[9],
                       int mirrored)
 {
+    static const struct aiColor4D white = {1, 1, 1, 1};
     struct sheen_polygons *out = walk->out;
 
     for (unsigned i = 0; i < face->mNumIndices; i++) {
@@ -94,6 +107,8 @@ static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct
         out->corners[walk->corners] = (uint32_t)(walk->points + index);
         if (out->normals && mesh->mNormals)
             transform_normal(c, mirrored ? -1 : 1, &mesh->mNormals[index], out->normals[walk->corners]);
+        if (out->colors)
+            get_color(mesh->mColors[0] ? &mesh->mColors[0][index] : &white, out->colors[walk->corners]);
         walk->corners++;
     }
     out->groups[walk->polygons] = (uint16_t)mesh->mMaterialIndex;
@@ -153,9 +168,7 @@ static void read_material(const struct aiMaterial *material, struct sheen_group 
     if (aiGetMaterialColor(material, AI_MATKEY_BASE_COLOR, &color) != aiReturn_SUCCESS &&
         aiGetMaterialColor(material, AI_MATKEY_COLOR_DIFFUSE, &color) != aiReturn_SUCCESS)
         return;
-    const float parts[3] = {color.r, color.g, color.b};
-    for (int k = 0; k < 3; k++)
-        group->color[k] = (uint8_t)(255 * fmin(fmax((double)parts[k], 0), 1) + 0.5); /* NaN: 0 */
+    get_color(&color, group->color);
     group->has_color = 1;
 }
 
@@ -172,14 +185,26 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
                              path);
     if (walk.polygons == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
-    int error = sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
-                                     walk.with_normals);
+    int error =
+        sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
+                             (walk.with_normals ? SHEEN_WITH_NORMALS : 0) | (walk.with_colors ? SHEEN_WITH_COLORS : 0));
     if (error)
         return sheen_problem(problem, error, "%s: not enough memory", path);
     walk_scene(&walk, scene, polygons);
     for (unsigned i = 0; i < scene->mNumMaterials; i++)
         read_material(scene->mMaterials[i], &polygons->group[i]);
     return SHEEN_OK;
+}
+
+/* Without the shapes that assimp makes up for bones where a file has no faces. */
+static const struct aiScene *import(const char *path)
+{
+    struct aiPropertyStore *settings = aiCreatePropertyStore();
+
+    aiSetImportPropertyInteger(settings, AI_CONFIG_IMPORT_NO_SKELETON_MESHES, 1);
+    const struct aiScene *scene = aiImportFileExWithProperties(path, 0, &sheen_assimp_io, settings);
+    aiReleasePropertyStore(settings);
+    return scene;
 }
 
 /* Why assimp has no scene, in better words where there are any. */
@@ -195,11 +220,18 @@ static int explain(const char *said, const char *path, struct sheen_problem *pro
 
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
+    const char *ending = strrchr(path, '.');
+    int error = SHEEN_OK;
+
     memset(polygons, 0, sizeof *polygons);
-    const struct aiScene *scene = aiImportFileEx(path, 0, &sheen_assimp_io);
+    if (ending && strcasecmp(ending, ".dae") == 0)
+        error = sheen_dae_check(path, problem);
+    if (error)
+        return error;
+    const struct aiScene *scene = import(path);
     if (!scene)
         return explain(aiGetErrorString(), path, problem);
-    int error = convert(polygons, scene, path, problem);
+    error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
     return error;
 }

@@ -15,6 +15,7 @@ sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen> 
 sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m
   TIMEOUT 300)
 sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
+sheen_script(cli_mesh_files cli COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen> TIMEOUT 300)
 sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models)
 
 # Headers baked while building, for a program that draws from them.

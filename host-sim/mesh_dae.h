@@ -1,0 +1,83 @@
+/*
+ * mesh_dae.h - what mesh_dae_check.c knows while a file goes by. Private to mesh_dae_*.c.
+ */
+#ifndef SHEEN_MESH_DAE_H
+#define SHEEN_MESH_DAE_H
+
+#include <expat.h>
+#include <stdio.h>
+
+#include "mesh_text.h"
+
+enum {
+    OFFSETS = 16, /* inputs of a primitive */
+    NAME = 128    /* bytes of an id; a longer one is refused */
+};
+
+/* A <source> with the numbers of its array, or a <vertices> that stands for one. */
+struct source {
+    char id[NAME], same_as[NAME];
+    long long accessor, stride, offset; /* of its accessor: count, and where in the array */
+    long long numbers, promised;
+};
+
+/* An input's indices: they have to be in the source's range. */
+struct use {
+    char source[NAME];
+    const char *what; /* "vertex", "normal" */
+    long long highest;
+    unsigned long line; /* of the highest */
+};
+
+struct list {
+    void *items;
+    size_t count, room;
+};
+
+struct dae {
+    XML_Parser parser;
+    const char *path;
+    struct sheen_problem *problem;
+    int error;
+    struct list sources, uses;
+    struct source *source;    /* the one that is open */
+    char primitive[16];       /* <triangles> and the like, "" outside of one */
+    long long count;          /* its attribute */
+    long long lists;          /* <p> of it */
+    long long corners, faces; /* by <vcount> */
+    long long stride;         /* of indices: the highest offset plus 1 */
+    size_t use_at[OFFSETS];   /* by offset: number in uses plus 1; 0: what it indexes is not used */
+    int in_node;
+    int shown;  /* nodes' instances of shapes, and of other nodes */
+    char *text; /* of an element that holds numbers */
+    size_t text_count, text_room;
+    int keeps_text;
+    unsigned long text_line;
+};
+
+static inline unsigned long line_of(const struct dae *dae)
+{
+    return (unsigned long)XML_GetCurrentLineNumber(dae->parser);
+}
+
+/* The first fault ends the parsing. */
+#define REFUSE(dae, line, ...)                                                                                         \
+    do {                                                                                                               \
+        char what_[200];                                                                                               \
+        snprintf(what_, sizeof what_, __VA_ARGS__);                                                                    \
+        sheen_dae_refuse(dae, line, what_);                                                                            \
+    } while (0)
+
+void sheen_dae_refuse(struct dae *dae, unsigned long line, const char *what);
+void sheen_dae_no_memory(struct dae *dae);
+
+/* Text of an element that holds numbers, as it comes; and what is to be done at that element's end. */
+void XMLCALL sheen_dae_text(void *dae, const char *text, int length);
+void sheen_dae_array(struct dae *dae);
+void sheen_dae_vcount(struct dae *dae);
+void sheen_dae_indices(struct dae *dae);
+
+/* At the end of the file: what its primitives use. */
+void sheen_dae_check_uses(struct dae *dae);
+
+#endif
