@@ -6,6 +6,9 @@
  * does the first push after an error. Several panels, each with its own struct,
  * record and bus, may be open at once: there is no global state.
  *
+ * A bus that others use too is acquired for each push, until its pixels have left
+ * (sheen_bus.h); an initialisation holds it for its quarter of a second.
+ *
  * Memory: struct sheen_panel is the caller's (static, stack or heap), nothing is
  * allocated, nothing is to be released. Record and bus must outlive it.
  *
@@ -29,13 +32,29 @@ extern "C" {
 struct sheen_panel_step {
     uint8_t command;
     uint8_t wait_ms;     /* ms after the last parameter, 0..255 */
-    uint8_t count;       /* parameters, 0..255 */
+    uint8_t count;       /* parameters, 0..255; at most 15 where they leave with D/C low (greys, black and white) */
     const uint8_t *data; /* count bytes; NULL where count is 0 */
 };
 
+/* Its last two fields, in C: {0x3A, 0, SHEEN_BYTES(0x55)}. */
+#define SHEEN_BYTES(...) sizeof((const uint8_t[]){__VA_ARGS__}), ((const uint8_t[]){__VA_ARGS__})
+
+/* The kinds of controllers. */
+extern const struct sheen_panel_driver sheen_driver_dcs, /* MIPI-DCS colour: ILI9341, ST7789, ST7735, GC9A01 ... */
+    sheen_driver_ssd1351,                                /* colour OLED */
+    sheen_driver_grey,                                   /* 16 greys: SSD0323, SSD1325, SSD1327 */
+    sheen_driver_ssd1306, sheen_driver_sh1106;           /* black and white */
+
+/* Of scan, for sheen_driver_dcs: MADCTL's bits. */
+#define SHEEN_SCAN_MY 0x80 /* rows from the last */
+#define SHEEN_SCAN_MX 0x40 /* columns from the last */
+#define SHEEN_SCAN_MV 0x20 /* the picture's x runs along RAM rows */
+
 /*
  * What sets one module apart from another. Colour order, inversion, byte order
- * and gap are four different things; each has its own field.
+ * and gap are four different things; each has its own field. Initialise by name:
+ * what is left out is 0 and means "none" or "no". glass, ram, name, driver, init and
+ * reset_ms have no default. A module of one's own: firmware/examples/own_module.c.
  *
  * RAM and gap are as the module is strapped: columns x rows of controller memory
  * and the lowest column and row that lie behind the glass. The offset of every
@@ -56,6 +75,8 @@ struct sheen_panel_record {
     uint8_t spi_mode;                    /* 0 or 3 */
     uint8_t pixel;                       /* enum sheen_pixel that the target asks for */
     uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
+    uint8_t brightness_command;          /* takes a byte; 0: it has none */
+    uint8_t brightness_shift;            /* of 0..255, to the right, for registers of fewer bits */
     uint8_t bgr;                         /* 1: the sub-pixels stand blue, green, red */
     uint8_t inverted;                    /* 1: shows true colours with inversion on (IPS glass) */
     uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
@@ -71,7 +92,10 @@ struct sheen_panel {
     uint8_t orientation;                  /* 0..7 */
     uint8_t ready;                        /* initialised, and no error since */
     uint8_t tearing;                      /* init switches the TE output on */
-    uint8_t flying;                       /* a write may still be under way */
+    uint8_t sync;                         /* the next push waits for TE */
+    uint8_t dimmed, brightness;           /* 1: a brightness was asked for, this one */
+    uint8_t flying;                       /* a call of the bus may still be under way */
+    uint8_t held;                         /* the bus is acquired */
     uint8_t window_known;                 /* bits 0, 1: the x, y half of window is what the controller holds */
     uint8_t pack[SHEEN_PANEL_PACK_BYTES]; /* bytes that the packer turned; in flight until wait */
 };
@@ -99,10 +123,33 @@ int sheen_panel_init(struct sheen_panel *panel);
 int sheen_panel_off(struct sheen_panel *panel);
 
 /*
+ * Turns a panel that is open to orientation 0..7 (SHEEN_ERR_ARGUMENT above). What is
+ * on the glass stays as it is: ask for the target again, make everything be sent
+ * (sheen_invalidate()), and where width and height have changed places make the frame
+ * anew (sheen_init()).
+ */
+int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation);
+
+/*
+ * Brightness 0..255, now and after each initialisation: an OLED's contrast, or on a
+ * DCS panel the output that may drive the backlight (most modules do not wire it).
+ * SHEEN_ERR_UNSUPPORTED: the controller has none.
+ */
+int sheen_panel_brightness(struct sheen_panel *panel, unsigned level);
+
+/*
  * From the next initialisation on the controller pulses its TE output once a
  * refresh, while the glass is not being read. SHEEN_ERR_UNSUPPORTED: it has none.
  */
 int sheen_panel_tearing(struct sheen_panel *panel);
+
+/*
+ * Once a frame, before sheen_begin(): the next push begins with the bus's tearing(),
+ * so that the panel is written while it is not being read. Does what
+ * sheen_panel_tearing() does if that was not done. SHEEN_ERR_UNSUPPORTED: the
+ * controller has no TE, or the bus does not have it wired.
+ */
+int sheen_panel_sync(struct sheen_panel *panel);
 
 /* Width and height of the picture, px, in orientation 0..7. */
 void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientation, uint16_t *width, uint16_t *height);

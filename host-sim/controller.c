@@ -89,6 +89,16 @@ void sheen_sim_advance(struct sheen_sim_controller *controller, uint32_t us)
     controller->now_us += us;
 }
 
+#define REFRESH_US 16667u /* 60 pictures a second */
+
+int sheen_sim_tearing(struct sheen_sim_controller *controller)
+{
+    if (!controller->tearing || !controller->awake)
+        return SHEEN_ERR_TIMEOUT;
+    controller->now_us += REFRESH_US - controller->now_us % REFRESH_US;
+    return SHEEN_OK;
+}
+
 static const struct sheen_sim_command *find(const struct sheen_sim_command *list, size_t count, uint8_t code)
 {
     for (size_t i = 0; i < count; i++)
@@ -165,14 +175,15 @@ static void take_data(struct sheen_sim_controller *controller, uint8_t byte)
         sheen_sim_complain(controller, "data 0x%02X, but command 0x%02X takes no more", byte, controller->command);
 }
 
-void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_dc dc, const uint8_t *bytes, size_t count)
+void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_sim_dc dc, const uint8_t *bytes,
+                       size_t count)
 {
     if (!controller->reset_level) {
         sheen_sim_complain(controller, "%zu bytes while the reset line is low", count);
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        if (dc == SHEEN_COMMAND)
+        if (dc == SHEEN_SIM_COMMAND)
             take_command(controller, bytes[i]);
         else
             take_data(controller, bytes[i]);

@@ -11,9 +11,16 @@
 #ifndef SHEEN_CONTROLLER_H
 #define SHEEN_CONTROLLER_H
 
-#include "sheen_bus.h"
+#include <stddef.h>
+#include <stdint.h>
 
 struct sheen_sim_controller;
+
+/* The level of the D/C line while bytes arrive. */
+enum sheen_sim_dc {
+    SHEEN_SIM_COMMAND = 0,
+    SHEEN_SIM_DATA = 1
+};
 
 /* A command, or a range of them that differ in their low bits; run (or NULL) is called once all parameters are in. */
 struct sheen_sim_command {
@@ -47,6 +54,7 @@ struct sheen_sim_module {
     uint8_t bgr;                             /* 1: the glass's sub-pixels are blue, green, red */
     uint8_t inverted;                        /* 1: the glass shows the complement unless the chip inverts */
     uint8_t round;                           /* 1: the glass is the disc that touches all four sides */
+    uint8_t i2c_address;                     /* 7 bits; 0: it has no I2C */
 };
 
 struct sheen_sim_controller {
@@ -64,7 +72,9 @@ struct sheen_sim_controller {
     uint8_t wrapped;               /* the counter has been through the whole window */
     uint8_t half, half_set;        /* first byte of a pixel of two */
     uint8_t awake, on, inverted, scan, format;
-    uint8_t com_remap, all_on; /* OLED: COM lines count downwards; every pixel lit */
+    uint8_t brightness, lit_by_it; /* the register; DCS: whether the backlight follows it */
+    uint8_t tearing;               /* the TE output is on */
+    uint8_t com_remap, all_on;     /* OLED: COM lines count downwards; every pixel lit */
     uint8_t unlocked, mode, multiplex, start_line, row_offset, pump; /* the SSD13xx and SH1106 families */
     unsigned rectangles;                                             /* RAM writes begun */
     unsigned complaints;
@@ -79,9 +89,13 @@ void sheen_sim_controller_close(struct sheen_sim_controller *controller);
 void sheen_sim_power_cycle(struct sheen_sim_controller *controller);
 
 /* What arrives on the wires. */
-void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_sim_dc dc, const uint8_t *bytes,
+                       size_t count);
 void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level);
 void sheen_sim_advance(struct sheen_sim_controller *controller, uint32_t us);
+
+/* Lets the time pass to the next pulse of the TE output: 0, or SHEEN_ERR_TIMEOUT where it is off. */
+int sheen_sim_tearing(struct sheen_sim_controller *controller);
 
 /* For the chips: a complaint; the address counter; a store that checks its place. */
 void sheen_sim_complain(struct sheen_sim_controller *controller, const char *format, ...)
@@ -95,6 +109,7 @@ void sheen_sim_next_address(struct sheen_sim_controller *controller, int vertica
 void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned width, unsigned height);
 void sheen_sim_set_columns(struct sheen_sim_controller *controller);
 void sheen_sim_set_rows(struct sheen_sim_controller *controller);
+void sheen_sim_set_brightness(struct sheen_sim_controller *controller);
 
 extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341, sheen_sim_chip_st7789,
     sheen_sim_chip_st7735, sheen_sim_chip_st7796, sheen_sim_chip_gc9a01, sheen_sim_chip_ssd1351, sheen_sim_chip_ssd0323,

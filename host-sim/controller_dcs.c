@@ -23,6 +23,7 @@ static void defaults(struct sheen_sim_controller *controller)
     const struct sheen_sim_module *module = controller->module;
 
     controller->awake = controller->on = controller->inverted = controller->scan = 0;
+    controller->tearing = controller->brightness = controller->lit_by_it = 0;
     controller->format = 0x66; /* 18 bits: pixels sent before COLMOD are an error */
     controller->x0 = controller->y0 = 0;
     controller->x1 = (uint16_t)(module->ram_w - 1);
@@ -104,6 +105,21 @@ static void window(struct sheen_sim_controller *controller)
     *(rows ? &controller->y1 : &controller->x1) = end;
 }
 
+/* 34 switches the TE output off, 35 on. */
+static void tearing(struct sheen_sim_controller *controller)
+{
+    controller->tearing = controller->command & 1;
+}
+
+/* 51 the register, 53 whether it counts. */
+static void brightness(struct sheen_sim_controller *controller)
+{
+    if (controller->command == 0x51)
+        controller->brightness = controller->params[0];
+    else
+        controller->lit_by_it = (controller->params[0] & 0x24) == 0x24;
+}
+
 static void memory_continue(struct sheen_sim_controller *controller)
 {
     if ((controller->format & 7) != 5)
@@ -171,17 +187,19 @@ static uint16_t shown(const struct sheen_sim_controller *controller, unsigned co
 }
 
 static const struct sheen_sim_command commands[] = {
-    {0x01, 0x01, 0, software_reset}, {0x10, 0x10, 0, sleep_in},
-    {0x11, 0x11, 0, sleep_out},      {0x13, 0x13, 0, NULL},
-    {0x20, 0x21, 0, inversion},      {0x28, 0x28, 0, display_off},
-    {0x29, 0x29, 0, display_on},     {0x2A, 0x2B, 4, window},
-    {0x2C, 0x2C, 0, memory_write},   {0x34, 0x34, 0, NULL},
-    {0x35, 0x35, 1, NULL},           {0x36, 0x36, 1, madctl},
+    {0x01, 0x01, 0, software_reset}, {0x10, 0x10, 0, sleep_in},        {0x11, 0x11, 0, sleep_out},
+    {0x13, 0x13, 0, NULL},           {0x20, 0x21, 0, inversion},       {0x28, 0x28, 0, display_off},
+    {0x29, 0x29, 0, display_on},     {0x2A, 0x2B, 4, window},          {0x2C, 0x2C, 0, memory_write},
+    {0x34, 0x34, 0, tearing},        {0x35, 0x35, 1, tearing},         {0x36, 0x36, 1, madctl},
     {0x3A, 0x3A, 1, colmod},         {0x3C, 0x3C, 0, memory_continue},
 };
 
+/* Brightness, where the data sheet has it. */
+static const struct sheen_sim_command vendor_brightness[] = {{0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}};
+
 /* Registers of their own that drivers set; tabled in the data sheets under "System function command list 2". */
-static const struct sheen_sim_command vendor_st7789[] = {{0xB0, 0xB0, 2, NULL}};
+static const struct sheen_sim_command vendor_st7789[] = {
+    {0xB0, 0xB0, 2, NULL}, {0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}};
 static const struct sheen_sim_command vendor_st7735[] = {
     {0xB1, 0xB2, 3, NULL}, {0xB3, 0xB3, 6, NULL}, {0xB4, 0xB4, 1, NULL}, {0xC0, 0xC0, 3, NULL},
     {0xC1, 0xC1, 1, NULL}, {0xC2, 0xC4, 2, NULL}, {0xC5, 0xC5, 1, NULL}, {0xE0, 0xE1, 16, NULL},
@@ -189,11 +207,13 @@ static const struct sheen_sim_command vendor_st7735[] = {
 
 /* Undocumented but for the register's length. NOP (00) is not among them: the chip must not get it. */
 static const struct sheen_sim_command vendor_gc9a01[] = {
-    {0xFE, 0xFE, 0, NULL},  {0xEF, 0xEF, 0, NULL}, {0xEB, 0xEB, 1, NULL}, {0x84, 0x8F, 1, NULL},  {0xB6, 0xB6, 2, NULL},
-    {0x90, 0x90, 4, NULL},  {0xBC, 0xBE, 1, NULL}, {0xFF, 0xFF, 3, NULL}, {0xC3, 0xC4, 1, NULL},  {0xC9, 0xC9, 1, NULL},
-    {0xE1, 0xE1, 2, NULL},  {0xDF, 0xDF, 3, NULL}, {0xF0, 0xF3, 6, NULL}, {0xED, 0xED, 2, NULL},  {0xAE, 0xAE, 1, NULL},
-    {0xCD, 0xCD, 1, NULL},  {0x70, 0x70, 9, NULL}, {0xE8, 0xE8, 1, NULL}, {0x62, 0x63, 12, NULL}, {0x64, 0x64, 7, NULL},
-    {0x66, 0x67, 10, NULL}, {0x74, 0x74, 7, NULL}, {0x98, 0x98, 2, NULL},
+    {0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}, {0xFE, 0xFE, 0, NULL},  {0xEF, 0xEF, 0, NULL},
+    {0xEB, 0xEB, 1, NULL},       {0x84, 0x8F, 1, NULL},       {0xB6, 0xB6, 2, NULL},  {0x90, 0x90, 4, NULL},
+    {0xBC, 0xBE, 1, NULL},       {0xFF, 0xFF, 3, NULL},       {0xC3, 0xC4, 1, NULL},  {0xC9, 0xC9, 1, NULL},
+    {0xE1, 0xE1, 2, NULL},       {0xDF, 0xDF, 3, NULL},       {0xF0, 0xF3, 6, NULL},  {0xED, 0xED, 2, NULL},
+    {0xAE, 0xAE, 1, NULL},       {0xCD, 0xCD, 1, NULL},       {0x70, 0x70, 9, NULL},  {0xE8, 0xE8, 1, NULL},
+    {0x62, 0x63, 12, NULL},      {0x64, 0x64, 7, NULL},       {0x66, 0x67, 10, NULL}, {0x74, 0x74, 7, NULL},
+    {0x98, 0x98, 2, NULL},
 };
 
 #define DCS(label)                                                                                                     \
@@ -202,8 +222,8 @@ static const struct sheen_sim_command vendor_gc9a01[] = {
     .reset_us = AFTER_COMMAND_US
 #define VENDOR(list) .vendor = list, .vendor_count = sizeof list / sizeof list[0]
 
-const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341")};
+const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341"), VENDOR(vendor_brightness)};
 const struct sheen_sim_chip sheen_sim_chip_st7789 = {DCS("ST7789"), VENDOR(vendor_st7789)};
 const struct sheen_sim_chip sheen_sim_chip_st7735 = {DCS("ST7735"), VENDOR(vendor_st7735)};
-const struct sheen_sim_chip sheen_sim_chip_st7796 = {DCS("ST7796")};
+const struct sheen_sim_chip sheen_sim_chip_st7796 = {DCS("ST7796"), VENDOR(vendor_brightness)};
 const struct sheen_sim_chip sheen_sim_chip_gc9a01 = {DCS("GC9A01"), VENDOR(vendor_gc9a01)};

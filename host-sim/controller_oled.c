@@ -47,6 +47,11 @@ void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned wi
                            controller->y1, width, height);
 }
 
+void sheen_sim_set_brightness(struct sheen_sim_controller *controller)
+{
+    controller->brightness = controller->params[0];
+}
+
 /* Setting a range sets its address counter back to the range's start. */
 void sheen_sim_set_columns(struct sheen_sim_controller *controller)
 {

@@ -152,7 +152,11 @@ static const struct sheen_sim_command commands[] = {
 };
 
 static const struct sheen_sim_command vendor[] = {
-    {0xAB, 0xAB, 1, NULL}, {0xB4, 0xB4, 3, NULL}, {0xB5, 0xB5, 1, NULL}, {0xB6, 0xB6, 1, NULL}, {0xC7, 0xC7, 1, NULL},
+    {0xAB, 0xAB, 1, NULL},
+    {0xB4, 0xB4, 3, NULL},
+    {0xB5, 0xB5, 1, NULL},
+    {0xB6, 0xB6, 1, NULL},
+    {0xC7, 0xC7, 1, sheen_sim_set_brightness},
 };
 
 /* Reset pulse: data sheet, "Power ON and OFF sequence", t1 and t2: 2 us each. */

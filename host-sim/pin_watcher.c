@@ -34,7 +34,9 @@ static int sample(struct sheen_pin_watcher *watcher)
         return 0;
     watcher->bits = 0;
     watcher->bytes[watcher->dc]++;
-    return watcher->to->write(watcher->to->ctx, watcher->dc ? SHEEN_DATA : SHEEN_COMMAND, &watcher->shift, 1);
+    if (watcher->dc)
+        return watcher->to->send(watcher->to->ctx, NULL, 0, &watcher->shift, 1);
+    return watcher->to->send(watcher->to->ctx, &watcher->shift, 1, NULL, 0);
 }
 
 void sheen_pin_watcher_init(struct sheen_pin_watcher *watcher, const struct sheen_bus *to, unsigned mode,
@@ -59,6 +61,7 @@ int sheen_pin_watcher_edge(struct sheen_pin_watcher *watcher, enum sheen_wire wi
     case SHEEN_WIRE_SCLK:
         return level == samples_on(watcher) ? sample(watcher) : 0;
     case SHEEN_WIRE_CS:
+        watcher->selections += !level;
         return level && inside ? complain(watcher, "CS rose inside a byte") : 0;
     case SHEEN_WIRE_DC:
         return inside ? complain(watcher, "D/C changed inside a byte") : 0;
@@ -78,7 +81,7 @@ int sheen_pin_watcher_finish(struct sheen_pin_watcher *watcher)
 {
     if (watcher->bits != 0)
         return complain(watcher, "the trace ends inside a byte");
-    if (watcher->bytes[SHEEN_COMMAND] + watcher->bytes[SHEEN_DATA] == 0)
+    if (watcher->bytes[SHEEN_SIM_COMMAND] + watcher->bytes[SHEEN_SIM_DATA] == 0)
         return complain(watcher, "no byte was sent");
     return watcher->complaint ? SHEEN_ERR_BUS : 0;
 }

@@ -2,8 +2,8 @@
  * pin_watcher.h - edges on five wires to bytes: the receiving half of an SPI panel.
  *
  * A trace of what a board did to its pins, edge by edge and in order, goes in;
- * what comes out are the calls of a struct sheen_bus: a simulated controller,
- * which cannot tell them from a panel driver's own. So the last stretch of wire,
+ * what comes out are the calls of a struct sheen_bus, a byte each: a simulated
+ * controller, which cannot tell them from a panel driver's own. So the last stretch of wire,
  * which no bus-level test sees, is tested too: bit order, clock mode, chip
  * select, and D/C that changes at the wrong moment.
  *
@@ -14,6 +14,7 @@
 #ifndef SHEEN_PIN_WATCHER_H
 #define SHEEN_PIN_WATCHER_H
 
+#include "controller.h"
 #include "sheen_bus.h"
 
 #ifdef __cplusplus
@@ -30,14 +31,15 @@ enum sheen_wire {
 };
 
 struct sheen_pin_watcher {
-    const struct sheen_bus *to;      /* gets each byte as a write of one, and the reset edges */
+    const struct sheen_bus *to;      /* gets each byte in a call, and the reset edges */
     uint8_t level[SHEEN_WIRE_COUNT]; /* 0 or 1, as it stands */
     uint8_t mode;                    /* SPI mode 0..3 */
     uint8_t shift;                   /* the bits of the byte under way, right-aligned */
     uint8_t bits;                    /* how many, 0..7 */
     uint8_t dc;                      /* D/C at the byte's first bit */
-    size_t bytes[2];                 /* decoded so far, by enum sheen_dc */
+    size_t bytes[2];                 /* decoded so far, by enum sheen_sim_dc */
     size_t resets;                   /* falling edges of RESET */
+    size_t selections;               /* falling edges of CS */
     const char *complaint;           /* the first broken rule, or NULL */
 };
 

@@ -13,6 +13,7 @@ struct sheen_sim_panel {
     struct sheen_sim_module ideal_module; /* of the size asked for */
     struct sheen_sim_controller controller;
     struct sheen_sim_bus bus;
+    struct sheen_i2c i2c; /* around it, where choice.i2c */
     struct sheen_panel driver;
     struct sheen_sim_ideal ideal;
     struct sheen_target target;
@@ -27,7 +28,8 @@ int sheen_sim_panel_restart(struct sheen_sim_panel *panel)
         sheen_sim_ideal_target(&panel->ideal, &panel->bus.bus, choice->width, choice->height, &panel->target);
         return SHEEN_OK;
     }
-    int error = sheen_panel_open(&panel->driver, choice->record, &panel->bus.bus, choice->orientation);
+    const struct sheen_bus *bus = choice->i2c ? &panel->i2c.layer.bus : &panel->bus.bus;
+    int error = sheen_panel_open(&panel->driver, choice->record, bus, choice->orientation);
 
     return error < 0 ? error : sheen_panel_target(&panel->driver, &panel->target);
 }
@@ -53,6 +55,10 @@ int sheen_sim_panel_open(struct sheen_sim_panel **out, const struct sheen_sim_ch
     error = module ? sheen_sim_controller_open(&panel->controller, module) : SHEEN_ERR_ARGUMENT;
     if (error == SHEEN_OK) {
         sheen_sim_bus_open(&panel->bus, &panel->controller, 1);
+        sheen_sim_bus_i2c(&panel->bus, choice->i2c);
+        error = choice->i2c ? sheen_i2c_open(&panel->i2c, &panel->bus.bus, 0) : SHEEN_OK;
+    }
+    if (error == SHEEN_OK) {
         error = sheen_sim_panel_restart(panel);
     }
     if (error < 0) {
@@ -92,7 +98,7 @@ static void place(const struct sheen_sim_panel *panel, unsigned x, unsigned y, u
 /* Reads the glass, not the RAM: unlit, inverted or masked is what it is for the viewer. */
 int sheen_sim_panel_picture(struct sheen_sim_panel *panel, uint16_t *values)
 {
-    if (panel->bus.flight)
+    if (panel->bus.flying)
         return SHEEN_ERR_STATE;
     for (unsigned y = 0; y < panel->choice.height; y++) {
         for (unsigned x = 0; x < panel->choice.width; x++) {
@@ -126,6 +132,11 @@ unsigned sheen_sim_panel_complaints(const struct sheen_sim_panel *panel)
 const char *sheen_sim_panel_complaint(const struct sheen_sim_panel *panel)
 {
     return panel->controller.first_complaint;
+}
+
+struct sheen_panel *sheen_sim_panel_driver(struct sheen_sim_panel *panel)
+{
+    return panel->choice.record ? &panel->driver : NULL;
 }
 
 struct sheen_sim_bus *sheen_sim_panel_bus(struct sheen_sim_panel *panel)

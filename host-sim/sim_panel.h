@@ -9,6 +9,7 @@
 #ifndef SHEEN_SIM_PANEL_H
 #define SHEEN_SIM_PANEL_H
 
+#include "sheen_i2c.h"
 #include "sheen_panel.h"
 #include "sim_bus.h"
 
@@ -17,6 +18,7 @@ struct sheen_sim_choice {
     const struct sheen_panel_record *record; /* NULL: ideal */
     unsigned orientation;                    /* 0..7 */
     uint16_t width, height;                  /* px */
+    uint8_t i2c;                             /* the address that is spoken to; 0: by SPI */
 };
 
 /*
@@ -65,6 +67,9 @@ int sheen_sim_panel_has(const struct sheen_sim_panel *panel, unsigned x, unsigne
 /* Complaints of controller and bus since the start, and the text of the first ("" for none). */
 unsigned sheen_sim_panel_complaints(const struct sheen_sim_panel *panel);
 const char *sheen_sim_panel_complaint(const struct sheen_sim_panel *panel);
+
+/* The driver; NULL for ideal. */
+struct sheen_panel *sheen_sim_panel_driver(struct sheen_sim_panel *panel);
 
 /* For counters, faults and hand-written bytes. */
 struct sheen_sim_bus *sheen_sim_panel_bus(struct sheen_sim_panel *panel);

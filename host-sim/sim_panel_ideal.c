@@ -6,19 +6,12 @@
  */
 #include "sim_panel_ideal.h"
 
-static int send(const struct sheen_bus *bus, enum sheen_dc dc, const uint8_t *bytes, size_t count)
-{
-    int error = bus->write(bus->ctx, dc, bytes, count);
-
-    return error < 0 ? error : bus->wait(bus->ctx);
-}
-
 static int send_range(const struct sheen_bus *bus, uint8_t command, int first, int last)
 {
     uint8_t data[4] = {(uint8_t)(first >> 8), (uint8_t)first, (uint8_t)(last >> 8), (uint8_t)last};
-    int error = send(bus, SHEEN_COMMAND, &command, 1);
+    int error = bus->send(bus->ctx, &command, 1, data, sizeof data);
 
-    return error < 0 ? error : send(bus, SHEEN_DATA, data, sizeof data);
+    return error < 0 ? error : bus->wait(bus->ctx);
 }
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -34,10 +27,8 @@ static int push(void *ctx, struct sheen_rect rect, const void *pixels)
     if (error == SHEEN_OK && (rect.y0 != held.y0 || rect.y1 != held.y1))
         error = send_range(ideal->bus, 0x2B, rect.y0, rect.y1 - 1);
     if (error == SHEEN_OK)
-        error = send(ideal->bus, SHEEN_COMMAND, &write_memory, 1);
-    if (error == SHEEN_OK)
-        error = ideal->bus->write(ideal->bus->ctx, SHEEN_DATA, pixels,
-                                  (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2);
+        error = ideal->bus->send(ideal->bus->ctx, &write_memory, 1, pixels,
+                                 (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2);
     if (error == SHEEN_OK)
         ideal->window = rect;
     return error;

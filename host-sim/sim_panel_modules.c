@@ -13,6 +13,7 @@
 #define CHIP(id) .chip = &sheen_sim_chip_##id
 #define RAM(w, h) .ram_w = w, .ram_h = h
 #define GLASS(w, h, x, y) .glass_w = w, .glass_h = h, .gap_x = x, .gap_y = y
+#define I2C .i2c_address = 0x3C
 #define MIRROR(x, y) .mirror_x = x, .mirror_y = y
 
 #define ST7789(id, ...)                                                                                                \
@@ -25,7 +26,7 @@
     }
 #define SSD1306(id, ...)                                                                                               \
     {                                                                                                                  \
-        .name = id, CHIP(ssd1306), RAM(128, 64), MIRROR(1, 1), __VA_ARGS__                                             \
+        .name = id, CHIP(ssd1306), RAM(128, 64), MIRROR(1, 1), I2C, __VA_ARGS__                                        \
     }
 
 static const struct sheen_sim_module modules[] = {
@@ -51,13 +52,13 @@ static const struct sheen_sim_module modules[] = {
     {.name = "ssd1351-128x96", CHIP(ssd1351), RAM(128, 128), GLASS(128, 96, 0, 0), MIRROR(0, 1), .bgr = 1},
     {.name = "ssd0323-128x64", CHIP(ssd0323), RAM(128, 80), GLASS(128, 64, 0, 0), MIRROR(0, 1)},
     {.name = "ssd1325-128x64", CHIP(ssd1325), RAM(128, 80), GLASS(128, 64, 0, 12), MIRROR(0, 1)},
-    {.name = "ssd1327-128x128", CHIP(ssd1327), RAM(128, 128), GLASS(128, 128, 0, 0), MIRROR(1, 1)},
-    {.name = "ssd1327-96x96", CHIP(ssd1327), RAM(128, 128), GLASS(96, 96, 16, 32), MIRROR(1, 1)},
+    {.name = "ssd1327-128x128", CHIP(ssd1327), RAM(128, 128), GLASS(128, 128, 0, 0), MIRROR(1, 1), I2C},
+    {.name = "ssd1327-96x96", CHIP(ssd1327), RAM(128, 128), GLASS(96, 96, 16, 32), MIRROR(1, 1), I2C},
     SSD1306("ssd1306-128x64", GLASS(128, 64, 0, 0)),
     SSD1306("ssd1306-128x32", GLASS(128, 32, 0, 0)),
     SSD1306("ssd1306-72x40", GLASS(72, 40, 28, 0)),
     SSD1306("ssd1306-64x48", GLASS(64, 48, 32, 0)),
-    {.name = "sh1106-128x64", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 2, 0), MIRROR(1, 1)},
+    {.name = "sh1106-128x64", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 2, 0), MIRROR(1, 1), I2C},
 };
 
 const struct sheen_sim_module *sheen_sim_module_find(const char *name)

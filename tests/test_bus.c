@@ -33,9 +33,14 @@ static int tear_down(void **state)
     return 0;
 }
 
-static int start(enum sheen_dc dc, const void *bytes, size_t count)
+static int start(uint8_t command, const void *bytes, size_t count)
 {
-    return sim.bus.write(&sim, dc, bytes, count);
+    return sim.bus.send(&sim, &command, 1, bytes, count);
+}
+
+static int start_data(const void *bytes, size_t count)
+{
+    return sim.bus.send(&sim, NULL, 0, bytes, count);
 }
 
 static int finish(void)
@@ -45,7 +50,7 @@ static int finish(void)
 
 static void ram_write(void)
 {
-    assert_int_equal(start(SHEEN_COMMAND, "\x2C", 1), 0);
+    assert_int_equal(start(0x2C, NULL, 0), 0);
     assert_int_equal(finish(), 0);
 }
 
@@ -53,7 +58,7 @@ static void bytes_arrive_at_the_wait(void **state)
 {
     (void)state;
     ram_write();
-    assert_int_equal(start(SHEEN_DATA, "\x12\x34", 2), 0);
+    assert_int_equal(start_data("\x12\x34", 2), 0);
     assert_int_equal(chip.ram[0], 0);
     assert_int_equal(finish(), 0);
     assert_int_equal(chip.ram[0], 0x1234);
@@ -67,7 +72,7 @@ static void touched_buffer(void **state)
 
     (void)state;
     ram_write();
-    assert_int_equal(start(SHEEN_DATA, pixel, 2), 0);
+    assert_int_equal(start_data(pixel, 2), 0);
     pixel[1] = 0x35;
     assert_int_equal(finish(), 0);
     assert_int_equal(chip.complaints, 1);
@@ -78,14 +83,14 @@ static void touched_buffer(void **state)
 static void missing_waits(void **state)
 {
     (void)state;
-    start(SHEEN_COMMAND, "\x2C", 1);
-    start(SHEEN_DATA, "\x12\x34", 2);
-    assert_non_null(strstr(chip.first_complaint, "write before the last one was waited for"));
+    start(0x2C, NULL, 0);
+    start_data("\x12\x34", 2);
+    assert_non_null(strstr(chip.first_complaint, "send before the last one was waited for"));
     sim.bus.delay(&sim, 1);
     sim.bus.reset(&sim, 1);
     assert_int_equal(chip.complaints, 3);
     finish();
-    assert_int_equal(start(SHEEN_DATA, "", 0), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(start_data("", 0), SHEEN_ERR_ARGUMENT);
     assert_int_equal(chip.complaints, 4);
 }
 
@@ -95,7 +100,7 @@ static void counters(void **state)
 
     (void)state;
     ram_write();
-    start(SHEEN_DATA, "\1\2\3\4", 4);
+    start_data("\1\2\3\4", 4);
     finish();
     is = sheen_sim_bus_counters(&sim);
     assert_int_equal(is.bytes, 5);
@@ -110,9 +115,9 @@ static void counters(void **state)
 static void fault_error(void **state)
 {
     (void)state;
-    sheen_sim_bus_fault(&sim, SHEEN_FAULT_ERROR, 3); /* write, wait, write, then this wait */
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_ERROR, 3); /* send, wait, send, then this wait */
     ram_write();
-    assert_int_equal(start(SHEEN_DATA, "\x12\x34", 2), 0);
+    assert_int_equal(start_data("\x12\x34", 2), 0);
     assert_int_equal(finish(), SHEEN_ERR_BUS);
     assert_int_equal(chip.ram[0], 0);
     assert_int_equal(finish(), 0); /* once only */
@@ -124,7 +129,7 @@ static void fault_short(void **state)
     (void)state;
     sheen_sim_bus_fault(&sim, SHEEN_FAULT_SHORT, 3);
     ram_write();
-    start(SHEEN_DATA, "\x12\x34\x56\x78", 4);
+    start_data("\x12\x34\x56\x78", 4);
     assert_int_equal(finish(), SHEEN_ERR_BUS);
     assert_int_equal(chip.ram[0], 0x1234);
     assert_int_equal(chip.ram[1], 0);
@@ -136,7 +141,7 @@ static void fault_timeout(void **state)
     (void)state;
     ram_write();
     sheen_sim_bus_fault(&sim, SHEEN_FAULT_TIMEOUT, 1);
-    start(SHEEN_DATA, "\x12\x34", 2);
+    start_data("\x12\x34", 2);
     assert_int_equal(finish(), SHEEN_ERR_TIMEOUT);
     assert_int_equal(chip.ram[0], 0);
     assert_int_equal(chip.now_us, 1000000);
@@ -145,13 +150,11 @@ static void fault_timeout(void **state)
 static void fault_brown_out(void **state)
 {
     (void)state;
-    start(SHEEN_COMMAND, "\x2A", 1);
-    finish();
-    start(SHEEN_DATA, "\0\3\0\4", 4);
+    start(0x2A, "\0\3\0\4", 4);
     finish();
     assert_int_equal(chip.x0, 3);
     sheen_sim_bus_fault(&sim, SHEEN_FAULT_BROWN_OUT, 0);
-    assert_int_equal(start(SHEEN_COMMAND, "\x2C", 1), SHEEN_ERR_BUS);
+    assert_int_equal(start(0x2C, NULL, 0), SHEEN_ERR_BUS);
     assert_int_equal(chip.x0, 0); /* registers are lost */
     assert_int_equal(chip.streaming, 0);
 }
@@ -171,30 +174,71 @@ static void fault_stuck_reset(void **state)
     assert_int_equal(chip.reset_level, 1);
 }
 
+/* One call: the command's bytes, read at once, then the data, read at the wait. */
+static void a_command_with_its_data(void **state)
+{
+    uint8_t command = 0x2C;
+
+    (void)state;
+    assert_int_equal(sim.bus.send(&sim, &command, 1, "\x12\x34", 2), 0);
+    command = 0;
+    assert_int_equal(finish(), 0);
+    assert_int_equal(chip.ram[0], 0x1234);
+    assert_int_equal(sheen_sim_bus_counters(&sim).transactions, 1);
+    assert_int_equal(chip.complaints, 0);
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_SHORT, 1); /* 3 of 6 bytes: the command and a pixel */
+    command = 0x2C;
+    sim.bus.send(&sim, &command, 1, "\x56\x78\x9A\xBC\xDE", 5);
+    assert_int_equal(finish(), SHEEN_ERR_BUS);
+    assert_int_equal(chip.ram[0], 0x5678);
+    assert_int_equal(sim.bus.send(&sim, (const uint8_t *)"12345678901234567", 17, NULL, 0), SHEEN_ERR_ARGUMENT);
+    assert_non_null(strstr(chip.first_complaint, "more bytes than a bus takes"));
+}
+
+static void a_shared_bus(void **state)
+{
+    (void)state;
+    sheen_sim_bus_share(&sim);
+    assert_int_equal(sim.bus.acquire(&sim), 0);
+    start(0x2C, NULL, 0);
+    finish();
+    sim.bus.release(&sim);
+    assert_int_equal(chip.complaints, 0);
+    start(0x2C, NULL, 0);
+    assert_non_null(strstr(chip.first_complaint, "not acquired"));
+    sim.bus.acquire(&sim);
+    sim.bus.acquire(&sim);
+    assert_int_equal(chip.complaints, 2);
+    sim.bus.release(&sim); /* the call still flies */
+    assert_int_equal(chip.complaints, 3);
+    finish();
+    sim.bus.release(&sim);
+    assert_int_equal(chip.complaints, 4);
+    sheen_sim_bus_fault(&sim, SHEEN_FAULT_ERROR, 0);
+    assert_int_equal(sim.bus.acquire(&sim), SHEEN_ERR_BUS);
+    assert_int_equal(sim.held, 0);
+}
+
 /* Hand-fed: the memory behind the bus minds its limits. */
 static void ideal_limits(void **state)
 {
     (void)state;
-    start(SHEEN_COMMAND, "\x2A", 1);
-    finish();
-    start(SHEEN_DATA, "\0\6\0\7", 4);
+    start(0x2A, "\0\6\0\7", 4);
     finish();
     ram_write();
-    start(SHEEN_DATA, "\1\2\3\4\5\6", 6);
+    start_data("\1\2\3\4\5\6", 6);
     finish();
     assert_int_equal(chip.complaints, 0);
     assert_int_equal(chip.ram[6], 0x0102);
     assert_int_equal(chip.ram[7], 0x0304);
     assert_int_equal(chip.ram[8 + 6], 0x0506);
     for (int i = 0; i < 7; i++) {
-        start(SHEEN_DATA, "\0\0\0\0", 4);
+        start_data("\0\0\0\0", 4);
         finish();
     }
     assert_non_null(strstr(chip.first_complaint, "more pixels than the window holds"));
     assert_int_equal(chip.complaints, 1); /* 3 + 14 pixels into 16 places */
-    start(SHEEN_COMMAND, "\x2A", 1);
-    finish();
-    start(SHEEN_DATA, "\0\0\0\x08", 4);
+    start(0x2A, "\0\0\0\x08", 4);
     finish();
     assert_int_equal(chip.complaints, 2);
 }
@@ -208,6 +252,8 @@ int main(void)
         TEST(touched_buffer),
         TEST(missing_waits),
         TEST(counters),
+        TEST(a_command_with_its_data),
+        TEST(a_shared_bus),
         TEST(ideal_limits),
         TEST(fault_error),
         TEST(fault_short),

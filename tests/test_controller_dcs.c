@@ -22,9 +22,9 @@ static struct sheen_sim_controller chip;
 
 static void command(uint8_t code, const char *data, size_t count)
 {
-    sheen_sim_receive(&chip, SHEEN_COMMAND, &code, 1);
+    sheen_sim_receive(&chip, SHEEN_SIM_COMMAND, &code, 1);
     if (count)
-        sheen_sim_receive(&chip, SHEEN_DATA, (const uint8_t *)data, count);
+        sheen_sim_receive(&chip, SHEEN_SIM_DATA, (const uint8_t *)data, count);
 }
 
 /* Parameters as a string of bytes. */

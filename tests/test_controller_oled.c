@@ -27,13 +27,13 @@ static void close_panel(void)
     sheen_sim_controller_close(&chip);
 }
 
-static void send(enum sheen_dc dc, const char *bytes, size_t count)
+static void send(enum sheen_sim_dc dc, const char *bytes, size_t count)
 {
     sheen_sim_receive(&chip, dc, (const uint8_t *)bytes, count);
 }
 
-#define COMMANDS(bytes) send(SHEEN_COMMAND, bytes, sizeof(bytes) - 1)
-#define DATA(bytes) send(SHEEN_DATA, bytes, sizeof(bytes) - 1)
+#define COMMANDS(bytes) send(SHEEN_SIM_COMMAND, bytes, sizeof(bytes) - 1)
+#define DATA(bytes) send(SHEEN_SIM_DATA, bytes, sizeof(bytes) - 1)
 
 static void assert_glass(unsigned column, unsigned row, uint16_t value)
 {
@@ -242,9 +242,9 @@ static void sh1106(void **state)
 /* One byte of command, then data, as for the pixels. */
 static void word(uint8_t command, const char *data, size_t count)
 {
-    sheen_sim_receive(&chip, SHEEN_COMMAND, &command, 1);
+    sheen_sim_receive(&chip, SHEEN_SIM_COMMAND, &command, 1);
     if (count)
-        send(SHEEN_DATA, data, count);
+        send(SHEEN_SIM_DATA, data, count);
 }
 
 #define WORD(command, data) word(command, data, sizeof(data) - 1)

@@ -65,7 +65,7 @@ static void every_operation_and_fault(void **state)
     for (size_t p = 0; p < PANELS; p++) {
         uint64_t operations = operations_of_two_frames(panels[p]);
 
-        assert_true(operations > 40);
+        assert_true(operations > 30);
         for (unsigned fault = SHEEN_FAULT_ERROR; fault < SHEEN_FAULT_COUNT; fault++)
             for (uint64_t n = 0; n < operations; n++)
                 fail_at(panels[p], (enum sheen_sim_fault)fault, n);
@@ -105,40 +105,29 @@ static void cut_after_every_operation(void **state)
 
 /* A board's own code reaches the caller as it is, and a panel without reset line starts over by command. */
 struct own_bus {
-    struct sheen_bus to; /* the simulated one */
-    int countdown;       /* writes until the failure */
+    struct sheen_bus_layer layer; /* around the simulated one */
+    int countdown;                /* calls until the failure */
 };
 
-static int own_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int own_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct own_bus *own = ctx;
+    const struct sheen_bus *to = own->layer.to;
 
     if (own->countdown-- != 0)
-        return own->to.write(own->to.ctx, dc, bytes, count);
-    if (count > 1) { /* half of it left */
-        own->to.write(own->to.ctx, dc, bytes, count / 2);
-        own->to.wait(own->to.ctx);
+        return to->send(to->ctx, command, commands, data, count);
+    if (commands + count > 1) { /* half of it left */
+        size_t half = (commands + count) / 2, first = half < commands ? half : commands;
+
+        to->send(to->ctx, command, first, data, half - first);
+        to->wait(to->ctx);
     }
     return -77;
 }
 
-static int own_wait(void *ctx)
-{
-    struct own_bus *own = ctx;
-
-    return own->to.wait(own->to.ctx);
-}
-
-static int own_delay(void *ctx, uint32_t us)
-{
-    struct own_bus *own = ctx;
-
-    return own->to.delay(own->to.ctx, us);
-}
-
 /*
- * Write n fails with the board's code, the power goes for a moment or not, and the
- * next frame is whole. 0 once there is no write n.
+ * Call n fails with the board's code, the power goes for a moment or not, and the
+ * next frame is whole. 0 once there is no call n.
  */
 static int fail_without_reset_line(const char *name, int n, int power)
 {
@@ -148,10 +137,12 @@ static int fail_without_reset_line(const char *name, int n, int power)
     struct sheen_target target;
 
     canvas_open(&canvas, name, -1, 0, 0);
-    struct own_bus own = {sheen_sim_panel_bus(canvas.panel)->bus, n};
-    const struct sheen_bus bus = {.ctx = &own, .write = own_write, .wait = own_wait, .delay = own_delay};
+    struct own_bus own = {.countdown = n};
+    sheen_bus_layer_open(&own.layer, &sheen_sim_panel_bus(canvas.panel)->bus);
+    own.layer.bus.send = own_send;
+    own.layer.bus.reset = NULL;
 
-    assert_int_equal(sheen_panel_open(&panel, record, &bus, sheen_panel_default_orientation(record)), 0);
+    assert_int_equal(sheen_panel_open(&panel, record, &own.layer.bus, sheen_panel_default_orientation(record)), 0);
     assert_int_equal(sheen_panel_target(&panel, &target), 0);
     canvas.target = &target;
     int error = canvas_push_all(&canvas, BAND);
@@ -161,7 +152,7 @@ static int fail_without_reset_line(const char *name, int n, int power)
     if (error < 0)
         assert_int_equal(canvas_push_all(&canvas, BAND), 0);
     if (error < 0 && canvas_differences(&canvas))
-        fail_msg("%s, write %d, power %d: the next frame is wrong", name, n, power);
+        fail_msg("%s, call %d, power %d: the next frame is wrong", name, n, power);
     /*
      * Nothing hides a command or pixel that was cut off from a controller that kept
      * its power, nor that AE (174) was filled in for a parameter that cannot be it.
@@ -173,7 +164,7 @@ static int fail_without_reset_line(const char *name, int n, int power)
     for (size_t i = 0; i < sizeof allowed / sizeof allowed[0]; i++)
         cut_off |= !power && strstr(complaint, allowed[i]);
     if (sheen_sim_panel_complaints(canvas.panel) != (unsigned)cut_off)
-        fail_msg("%s, write %d, power %d: %s", name, n, power, sheen_sim_panel_complaint(canvas.panel));
+        fail_msg("%s, call %d, power %d: %s", name, n, power, sheen_sim_panel_complaint(canvas.panel));
     canvas_close(&canvas);
     return error;
 }

@@ -217,7 +217,7 @@ static void errors_travel(void **state)
 
     (void)state;
     canvas_open(&canvas, "ili9341", -1, 0, 0);
-    sheen_sim_bus_fault(sheen_sim_panel_bus(canvas.panel), SHEEN_FAULT_TIMEOUT, 60);
+    sheen_sim_bus_fault(sheen_sim_panel_bus(canvas.panel), SHEEN_FAULT_TIMEOUT, 30);
     assert_int_equal(sheen_first_light(canvas.target, buffer, sizeof buffer), SHEEN_ERR_TIMEOUT);
     canvas_close(&canvas);
 }

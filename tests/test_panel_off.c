@@ -79,17 +79,15 @@ struct tail {
     size_t count;
 };
 
-static int tail_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int tail_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct tail *tail = ctx;
 
-    if (dc == SHEEN_COMMAND) {
-        tail->command = *(const uint8_t *)bytes;
-        tail->count = 0;
-    } else {
-        tail->count = count;
-        memcpy(tail->data, bytes, count < 4 ? count : 4);
-    }
+    if (commands)
+        tail->command = command[0];
+    tail->count = count;
+    if (count)
+        memcpy(tail->data, data, count < 4 ? count : 4);
     return 0;
 }
 
@@ -103,7 +101,7 @@ static int tail_delay(void *ctx, uint32_t us)
 static void tearing_is_switched_on_by_init(void **state)
 {
     struct tail tail = {0};
-    const struct sheen_bus bus = {.ctx = &tail, .write = tail_write, .delay = tail_delay};
+    const struct sheen_bus bus = {.ctx = &tail, .send = tail_send, .delay = tail_delay};
     struct sheen_panel panel;
 
     (void)state;

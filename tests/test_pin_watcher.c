@@ -18,17 +18,17 @@
 struct scribe {
     struct sheen_bus bus;
     char text[256];
-    int refuse; /* code that write returns */
+    int refuse; /* code that send returns */
 };
 
-static int scribe_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int scribe_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct scribe *scribe = ctx;
     size_t used = strlen(scribe->text);
 
-    for (size_t i = 0; i < count; i++)
-        used += (size_t)snprintf(scribe->text + used, sizeof scribe->text - used, "%c%02x ",
-                                 dc == SHEEN_DATA ? 'D' : 'C', ((const uint8_t *)bytes)[i]);
+    for (size_t i = 0; i < commands + count; i++)
+        used += (size_t)snprintf(scribe->text + used, sizeof scribe->text - used, "%c%02x ", i < commands ? 'C' : 'D',
+                                 i < commands ? command[i] : ((const uint8_t *)data)[i - commands]);
     return scribe->refuse;
 }
 
@@ -51,7 +51,7 @@ static void start(unsigned mode)
 
     memset(&scribe, 0, sizeof scribe);
     scribe.bus.ctx = &scribe;
-    scribe.bus.write = scribe_write;
+    scribe.bus.send = scribe_send;
     scribe.bus.reset = scribe_reset;
     sheen_pin_watcher_init(&watcher, &scribe.bus, mode, idle);
 }
@@ -89,8 +89,9 @@ static void high_bit_comes_first(void **state)
     assert_int_equal(play("D MKk mKk mKk mKk mKk mKk mKk MKk S"), 0);
     assert_int_equal(sheen_pin_watcher_finish(&watcher), 0);
     assert_string_equal(scribe.text, "C2a D81 ");
-    assert_int_equal(watcher.bytes[SHEEN_COMMAND], 1);
-    assert_int_equal(watcher.bytes[SHEEN_DATA], 1);
+    assert_int_equal(watcher.selections, 1);
+    assert_int_equal(watcher.bytes[SHEEN_SIM_COMMAND], 1);
+    assert_int_equal(watcher.bytes[SHEEN_SIM_DATA], 1);
 }
 
 static void unchanged_levels_are_no_edges(void **state)

@@ -9,8 +9,6 @@
 #include <string.h>
 #include <time.h>
 
-#define TE_TIMEOUT_US 1000000 /* panels refresh 40 to 120 times a second */
-
 static const char *given(const char *text)
 {
     return text[0] ? text : NULL;
@@ -26,6 +24,7 @@ static int open_bus(struct board *board, const struct options *options, const st
         .cs = given(options->cs),
         .dc = given(options->dc),
         .reset = given(options->reset),
+        .te = given(options->te),
         .clock_hz = options->clock ? (uint32_t)options->clock : record->clock_hz,
         .spi_mode = options->spi_mode >= 0 ? (uint8_t)options->spi_mode : record->spi_mode,
     };
@@ -45,14 +44,12 @@ int board_open(struct board *board, const struct options *options, struct sheen_
 
     *board = (struct board){.bus.fd = -1};
     error = open_bus(board, options, record, why);
-    if (error == 0 && options->te[0])
-        error = sheen_pin_rising(&board->te, options->te, why);
     if (error == 0 && options->backlight[0])
         error = sheen_pin_output(&board->backlight, options->backlight, 1, why);
     if (error == 0) {
-        error = sheen_panel_open(&board->panel, record, &board->sender.bus, options_orientation(options));
+        error = sheen_panel_open(&board->panel, record, &board->sender.layer.bus, options_orientation(options));
         if (error == 0 && options->te[0])
-            error = sheen_panel_tearing(&board->panel);
+            error = sheen_panel_sync(&board->panel);
         if (error == 0)
             error = sheen_panel_target(&board->panel, &board->target);
         if (error < 0)
@@ -80,7 +77,6 @@ int board_close(struct board *board, int dark, struct sheen_failure *why)
     if (board->has_sender)
         sheen_sender_close(&board->sender);
     sheen_pin_close(&board->backlight);
-    sheen_pin_close(&board->te);
     sheen_linux_bus_close(&board->bus);
     *board = (struct board){.bus.fd = -1};
     return error;
@@ -94,7 +90,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-int board_pace(struct board *board, double fps, uint64_t *due_ns, struct sheen_failure *why)
+int board_pace(struct board *board, double fps, uint64_t *due_ns)
 {
     if (fps > 0) {
         uint64_t now = now_ns();
@@ -108,14 +104,7 @@ int board_pace(struct board *board, double fps, uint64_t *due_ns, struct sheen_f
                 continue;
         *due_ns += (uint64_t)(1e9 / fps);
     }
-    if (sheen_pin_is_open(&board->te) && !stop_asked()) {
-        int error = sheen_pin_await(&board->te, TE_TIMEOUT_US, why);
-
-        if (error == SHEEN_ERR_TIMEOUT)
-            return sheen_failed(why, error, "line %s: no pulse in %d ms; is the panel's TE wired? else leave out --te",
-                                board->te.name, TE_TIMEOUT_US / 1000);
-        if (error < 0)
-            return error;
-    }
+    if (board->bus.bus.tearing)
+        sheen_panel_sync(&board->panel);
     return !stop_asked();
 }

@@ -1,13 +1,13 @@
 /*
- * board.h - what sheen-panel opens: bus, sending thread, panel, backlight and TE line; and closes again, in order.
+ * board.h - what sheen-panel opens: bus, sending thread, panel, backlight; and closes again, in order.
  */
 #ifndef BOARD_H
 #define BOARD_H
 
-#include "linux_bus.h"
 #include "options.h"
-#include "sender.h"
+#include "sheen_linux_bus.h"
 #include "sheen_panel.h"
+#include "sheen_sender.h"
 
 struct board {
     struct sheen_failure sending; /* of the bus: the sending thread's while a write is under way */
@@ -15,7 +15,7 @@ struct board {
     struct sheen_sender sender;
     struct sheen_panel panel;
     struct sheen_target target;
-    struct sheen_pin backlight, te;
+    struct sheen_pin backlight;
     int has_sender;
 };
 
@@ -26,10 +26,10 @@ int board_open(struct board *board, const struct options *options, struct sheen_
 int board_close(struct board *board, int dark, struct sheen_failure *why);
 
 /*
- * Frame by frame: waits for the TE line, if there is one, and for what --fps asks.
+ * Frame by frame: waits for what --fps asks; the frame's first push will wait for the TE line, if there is one.
  * due_ns: when the next frame may begin, kept by this function, 0 at first.
- * 1: go on; 0: the program was told to stop; negative: an error and *why.
+ * 1: go on; 0: the program was told to stop.
  */
-int board_pace(struct board *board, double fps, uint64_t *due_ns, struct sheen_failure *why);
+int board_pace(struct board *board, double fps, uint64_t *due_ns);
 
 #endif

@@ -3,8 +3,8 @@
  */
 #include "list.h"
 
-#include "pins.h"
 #include "sheen_panel.h"
+#include "sheen_pins.h"
 
 #include <stdio.h>
 #include <string.h>

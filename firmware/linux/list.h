@@ -4,7 +4,7 @@
 #ifndef LIST_H
 #define LIST_H
 
-#include "failure.h"
+#include "sheen_failure.h"
 
 int list_lines(struct sheen_failure *why);
 void list_panels(void);

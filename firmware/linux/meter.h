@@ -4,7 +4,7 @@
 #ifndef METER_H
 #define METER_H
 
-#include "sender.h"
+#include "sheen_sender.h"
 
 struct meter {
     uint64_t since_ns; /* of this second */

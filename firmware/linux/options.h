@@ -4,7 +4,7 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
-#include "failure.h"
+#include "sheen_failure.h"
 
 /* The view: the same words as `sheen render`, from the same table. */
 #include "../../host-sim/options.h"

@@ -35,13 +35,12 @@ static int run_frames(struct board *board, struct sheen_scene *scene, const stru
 {
     struct meter meter;
     uint64_t due_ns = 0;
-    int error = 0, more;
+    int error = 0;
 
     meter_start(&meter);
     for (int number = 0; number < options->frames || options->frames == 0; number = (number + 1) % INT_MAX) {
-        more = board_pace(board, options->fps, &due_ns, why);
-        if (more <= 0)
-            return more;
+        if (!board_pace(board, options->fps, &due_ns))
+            return 0;
         error = sheen_scene_draw(scene, number);
         if (error < 0)
             return frame_failed(board, error, why);

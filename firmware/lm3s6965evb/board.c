@@ -42,21 +42,27 @@ static int await(uint32_t mask, uint32_t value)
     return SHEEN_OK;
 }
 
-static int bus_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+/* The OLED takes D/C with each byte's last bit: it stands until what was sent before has left. */
+static int put(uint32_t dc, const uint8_t *bytes, size_t count)
 {
-    const uint8_t *byte = bytes;
+    int error = await(PL022_BUSY, 0);
+
+    GPIO_DATA(PORT_C, PIN_DC) = dc;
+    for (size_t i = 0; error == SHEEN_OK && i < count; i++) {
+        error = await(PL022_ROOM | PL022_RECEIVED, PL022_ROOM);
+        if (error == SHEEN_OK)
+            SSI0->data = bytes[i];
+    }
+    return error;
+}
+
+static int bus_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+{
+    int error = commands ? put(0, command, commands) : SHEEN_OK;
 
     (void)ctx;
-    GPIO_DATA(PORT_C, PIN_DC) = dc == SHEEN_DATA ? PIN_DC : 0;
-    for (size_t i = 0; i < count; i++) {
-        int error = await(PL022_ROOM | PL022_RECEIVED, PL022_ROOM);
-
-        if (error < 0)
-            return error;
-        SSI0->data = byte[i];
-    }
-    board_bus_bytes += (uint32_t)count;
-    return SHEEN_OK;
+    board_bus_bytes += (uint32_t)(commands + count);
+    return error < 0 || count == 0 ? error : put(PIN_DC, data, count);
 }
 
 static int bus_wait(void *ctx)
@@ -66,7 +72,7 @@ static int bus_wait(void *ctx)
 }
 
 /* The board resets the OLED with the processor: there is no line of its own. */
-const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .delay = both_delay};
+const struct sheen_bus board_bus = {.send = bus_send, .delay = both_delay, .wait = bus_wait};
 
 /* ---- serial line, keys, watchdog ---- */
 

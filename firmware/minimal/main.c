@@ -12,32 +12,32 @@ static const int16_t corners[] = {-K, -K, -K, K, -K, -K, -K, K, -K, K, K, -K, -K
 static const char triangles[] = "\0\2\3\0\3\1\4\5\7\4\7\6\0\4\6\0\6\2\1\3\7\1\7\5\0\1\5\0\5\4\2\6\7\2\7\3";
 static const struct sheen_mesh cube = {corners, corners, NULL, NULL, triangles, 1, 8, 12, SHEEN_Q24(1), {0}};
 
-static int wait(void *ctx)
+/* Bytes with D/C, port C bit 7, low or high; each has left before the next. */
+static void put(volatile uint32_t *spi, uint32_t dc, const uint8_t *bytes, size_t count)
 {
-    for (volatile uint32_t *spi = ctx; spi[3] & 0x14;) /* status: busy, or something received */
-        (void)spi[2];                                  /* data */
-    return SHEEN_OK;
+    for (*(volatile uint32_t *)0x40006200 = dc; count; count--)
+        for (spi[2] = *bytes++; spi[3] & 0x14;) /* data; status: busy, or something received */
+            (void)spi[2];
 }
 
-static int write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
-    *(volatile uint32_t *)0x40006200 = dc == SHEEN_DATA ? 0x80 : 0; /* port C bit 7 */
-    for (size_t i = 0; i < count && wait(ctx) == SHEEN_OK; i++)
-        ((volatile uint32_t *)ctx)[2] = ((const uint8_t *)bytes)[i];
+    put(ctx, 0, command, commands);
+    put(ctx, 0x80, data, count);
     return SHEEN_OK;
 }
 
 static int delay(void *ctx, uint32_t us)
 {
-    for (uint32_t turns = us * 10; turns; turns--) /* of at least 5 clocks of 50 MHz */
-        wait(ctx);
+    for (volatile uint32_t turns = us * 10; turns; turns--) /* of at least 5 clocks of 50 MHz */
+        (void)ctx;
     return SHEEN_OK;
 }
 
 int main(void)
 {
     static uint64_t arena[2000];
-    struct sheen_bus bus = {(void *)0x40008000, write, wait, NULL, delay};
+    struct sheen_bus bus = {.ctx = (void *)0x40008000, .send = send, .delay = delay};
     struct sheen_panel panel;
     struct sheen_target target;
     struct sheen_frame *frame;

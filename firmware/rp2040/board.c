@@ -23,7 +23,7 @@ uint32_t board_bus_bytes;
 
 static struct {
     uint32_t hz, clocks_a_byte; /* asked for; of the processor, at the clock that came of it */
-    uint32_t since, patience;   /* of the write under way, clocks */
+    uint32_t since, patience;   /* of the call under way, clocks */
     unsigned mode;
 } bus;
 
@@ -39,23 +39,10 @@ uint32_t board_bus_clock(uint32_t clock_hz)
     return hz;
 }
 
-/* The panel takes D/C with each byte's last bit: it stands until wait. */
-static int bus_write(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+/* Past the patience of the call under way. */
+static int late(void)
 {
-    (void)ctx;
-    if (dc == SHEEN_DATA)
-        SIO_OUT_SET = 1u << PIN_DC;
-    else
-        SIO_OUT_CLEAR = 1u << PIN_DC;
-    SIO_OUT_CLEAR = 1u << PIN_CS;
-    bus.since = ticks();
-    bus.patience = 2u * bus.clocks_a_byte * (uint32_t)count + ticks_of_us(BUS_SLACK_US);
-    board_bus_bytes += (uint32_t)count;
-    DMA_READ = (uint32_t)(uintptr_t)bytes;
-    DMA_WRITE = (uint32_t)(uintptr_t)&SPI0->data;
-    DMA_COUNT = (uint32_t)count;
-    DMA_TRIGGER = DMA_SPI0_BYTES;
-    return SHEEN_OK;
+    return ticks() - bus.since > bus.patience;
 }
 
 /* The channel stopped, the SPI out of a reset: as after power-on. */
@@ -71,18 +58,73 @@ static void bus_restart(void)
     board_bus_clock(bus.hz);
 }
 
-static int bus_wait(void *ctx)
+/* The panel goes on listening to nobody, and what was sent is lost. */
+static int bus_give_up(void)
+{
+    bus_restart();
+    SIO_OUT_SET = 1u << PIN_CS;
+    return SHEEN_ERR_TIMEOUT;
+}
+
+/* Until the last bit has left: the panel takes D/C with each byte's. */
+static int bus_idle(void)
+{
+    while (DMA_TRIGGER & DMA_BUSY || SPI0->status & PL022_BUSY)
+        if (late())
+            return bus_give_up();
+    return SHEEN_OK;
+}
+
+/*
+ * The channel reads memory behind the compiler's back: what was written there must be
+ * there before it starts, and stays until it has ended. The processor itself writes in order.
+ */
+static inline void memory_barrier(void)
+{
+    __asm volatile("" ::: "memory");
+}
+
+static void dma_start(const void *bytes, size_t count)
+{
+    memory_barrier();
+    DMA_READ = (uint32_t)(uintptr_t)bytes;
+    DMA_WRITE = (uint32_t)(uintptr_t)&SPI0->data;
+    DMA_COUNT = (uint32_t)count;
+    DMA_TRIGGER = DMA_SPI0_BYTES;
+}
+
+/* The command by hand, the data by DMA. */
+static int bus_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     int error = SHEEN_OK;
 
     (void)ctx;
-    while (DMA_TRIGGER & DMA_BUSY || SPI0->status & PL022_BUSY) {
-        if (ticks() - bus.since > bus.patience) {
-            bus_restart();
-            error = SHEEN_ERR_TIMEOUT;
-            break;
-        }
+    bus.since = ticks();
+    bus.patience = 2u * bus.clocks_a_byte * (uint32_t)(commands + count) + ticks_of_us(BUS_SLACK_US);
+    board_bus_bytes += (uint32_t)(commands + count);
+    SIO_OUT_CLEAR = 1u << PIN_DC;
+    SIO_OUT_CLEAR = 1u << PIN_CS;
+    for (; commands; commands--) {
+        while (!(SPI0->status & PL022_ROOM))
+            if (late())
+                return bus_give_up();
+        SPI0->data = *command++;
     }
+    if (count) {
+        error = bus_idle();
+        SIO_OUT_SET = 1u << PIN_DC;
+    }
+    if (count && error == SHEEN_OK)
+        dma_start(data, count);
+    return error;
+}
+
+static int bus_wait(void *ctx)
+{
+    int error = bus_idle();
+
+    (void)ctx;
+    memory_barrier();
     SIO_OUT_SET = 1u << PIN_CS;
     return error;
 }
@@ -97,7 +139,7 @@ static int bus_reset(void *ctx, int level)
     return SHEEN_OK;
 }
 
-const struct sheen_bus board_bus = {.write = bus_write, .wait = bus_wait, .reset = bus_reset, .delay = both_delay};
+const struct sheen_bus board_bus = {.send = bus_send, .delay = both_delay, .wait = bus_wait, .reset = bus_reset};
 
 /* ---- serial line, keys, watchdog ---- */
 

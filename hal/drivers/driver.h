@@ -8,23 +8,25 @@
 
 /*
  * init: from any state of the controller to a lit, oriented panel.
+ * orient: tells a lit controller its orientation; NULL where the packer turns.
  * push: a rectangle that lies inside the target, aligned; may leave its last
- *   write under way (panel->flying). Pixels as in sheen_target.h.
+ *   call of the bus under way (panel->flying). Pixels as in sheen_target.h.
  * reset_command: a reset by command for boards without a reset line, < 0: none.
  * off: the commands that darken the glass and put the controller to sleep.
  * tearing_command: takes a parameter 0 and switches the TE output on, 0: none.
+ * brightness_on: before the first brightness, command and parameter; 0: nothing.
  */
 struct sheen_panel_driver {
     int (*init)(struct sheen_panel *panel);
+    int (*orient)(struct sheen_panel *panel);
     int (*push)(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels);
     int16_t reset_command;
     uint8_t off[2], off_count;
     uint8_t tearing_command;
+    uint8_t brightness_on[2];
+    uint8_t low_parameters;   /* 1: parameters leave with D/C low, as commands do */
     uint8_t align_x, align_y; /* px, of the target; of both axes the larger where the driver turns pixels */
 };
-
-extern const struct sheen_panel_driver sheen_driver_dcs, sheen_driver_ssd1351, sheen_driver_grey, sheen_driver_ssd1306,
-    sheen_driver_sh1106;
 
 /*
  * A rectangle on the glass at rotation 0, and where its pixels stand in the
@@ -36,35 +38,37 @@ struct sheen_turn {
     int16_t x, y, w, h; /* px, on the glass */
 };
 
-void sheen_panel_turn(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn);
+void sheen_turn_of(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn);
 
-/* Sends bytes and waits until they have left. */
-int sheen_panel_write(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+/* A call of the bus (sheen_bus.h) that has left on return. */
+int sheen_panel_send(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
+                     size_t count);
 
-/* Sends bytes that stay untouched; sheen_panel_landed() collects them. */
-int sheen_panel_launch(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count);
+/* The same, but the data may fly on, untouched; sheen_panel_landed() collects them. */
+int sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
+                       size_t count);
 
-/* Waits for the write under way, if any. */
+/* Waits for the call under way, if any. */
 int sheen_panel_landed(struct sheen_panel *panel);
 
-/* A command, then its count (may be 0) parameters as data. */
+/* A command and its count (0..15) parameters, with D/C as the driver has it. */
 int sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
 
 /* Reset by the line, else by command, with the record's waits. */
 int sheen_panel_reset(struct sheen_panel *panel);
 
-/* The record's init table; parameters leave with D/C = dc. */
-int sheen_panel_steps(struct sheen_panel *panel, enum sheen_dc dc);
+/* The record's init table. */
+int sheen_panel_steps(struct sheen_panel *panel);
 
 /* 1, and remembers it, where axis 0 (x) or 1 (y) of the window is not first..last already. */
 int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, unsigned first, unsigned last);
 
-/* For controllers whose parameters are commands: command, first, last, where they differ from the last. */
+/* Command, first, last (a byte each), where they differ from the last. */
 int sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t command, unsigned first, unsigned last);
 
 /*
- * For the same, without a reset line: whatever parameters the controller still
- * waits for from before, a harmless command sent often enough fills them in.
+ * For controllers whose parameters are commands, without a reset line: whatever they
+ * still wait for from before, a harmless command sent often enough fills it in.
  */
 int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless);
 

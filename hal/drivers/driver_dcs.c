@@ -1,7 +1,7 @@
 /*
  * driver_dcs.c - every MIPI-DCS colour panel on a 4-wire SPI: one driver, a record a module.
  *
- * On the wire, D/C low for the first byte of each line:
+ * On the wire, a call of the bus a line, D/C low for its first byte:
  *
  *   2A  x0h x0l x1h x1l     CASET, columns, ends inclusive
  *   2B  y0h y0l y1h y1l     RASET, rows
@@ -25,11 +25,11 @@
 #define RAMWR 0x2C
 #define TEON 0x35
 #define MADCTL 0x36
+#define WRCTRLD 0x53
 
-#define MADCTL_MY 0x80  /* rows downwards from the last */
-#define MADCTL_MX 0x40  /* columns likewise */
-#define MADCTL_MV 0x20  /* the picture's x runs along RAM rows */
-#define MADCTL_BGR 0x08 /* sub-pixels of the glass are blue, green, red */
+#define WRCTRLD_ON 0x2C /* brightness block, dimming and backlight on */
+
+#define MADCTL_BGR 0x08 /* beside scan's bits: sub-pixels of the glass are blue, green, red */
 
 /* MADCTL without the colour order. Mirrored left to right: the other end of the axis that x runs along. */
 static uint8_t scan_of(const struct sheen_panel *panel)
@@ -37,22 +37,27 @@ static uint8_t scan_of(const struct sheen_panel *panel)
     uint8_t scan = panel->record->scan[panel->orientation & 3];
 
     if (panel->orientation & 4)
-        scan ^= scan & MADCTL_MV ? MADCTL_MY : MADCTL_MX;
+        scan ^= scan & SHEEN_SCAN_MV ? SHEEN_SCAN_MY : SHEEN_SCAN_MX;
     return scan;
+}
+
+static int orient(struct sheen_panel *panel)
+{
+    uint8_t madctl = (uint8_t)(scan_of(panel) | (panel->record->bgr ? MADCTL_BGR : 0));
+
+    return sheen_panel_command(panel, MADCTL, &madctl, 1);
 }
 
 static int init(struct sheen_panel *panel)
 {
-    const struct sheen_panel_record *record = panel->record;
-    uint8_t madctl = (uint8_t)(scan_of(panel) | (record->bgr ? MADCTL_BGR : 0));
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel, SHEEN_DATA);
+        error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, MADCTL, &madctl, 1);
+        error = orient(panel);
     if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, record->inverted ? INVON : INVOFF, NULL, 0);
+        error = sheen_panel_command(panel, panel->record->inverted ? INVON : INVOFF, NULL, 0);
     if (error == SHEEN_OK)
         error = sheen_panel_command(panel, NORON, NULL, 0);
     return error < 0 ? error : sheen_panel_command(panel, DISPON, NULL, 0);
@@ -73,24 +78,25 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
 {
     const struct sheen_panel_record *record = panel->record;
     uint8_t scan = scan_of(panel);
-    uint16_t columns = sheen_panel_offset(record->ram_w, record->glass_w, record->gap_x, scan & MADCTL_MX);
-    uint16_t rows = sheen_panel_offset(record->ram_h, record->glass_h, record->gap_y, scan & MADCTL_MY);
-    int swap = scan & MADCTL_MV;
+    uint16_t columns = sheen_panel_offset(record->ram_w, record->glass_w, record->gap_x, scan & SHEEN_SCAN_MX);
+    uint16_t rows = sheen_panel_offset(record->ram_h, record->glass_h, record->gap_y, scan & SHEEN_SCAN_MY);
+    const uint8_t write = RAMWR;
+    int swap = scan & SHEEN_SCAN_MV;
     size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2;
     int error = set_axis(panel, 0, swap ? rows : columns, rect.x0, rect.x1 - 1);
 
     if (error == SHEEN_OK)
         error = set_axis(panel, 1, swap ? columns : rows, rect.y0, rect.y1 - 1);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, RAMWR, NULL, 0);
-    return error < 0 ? error : sheen_panel_launch(panel, SHEEN_DATA, pixels, count);
+    return error < 0 ? error : sheen_panel_launch(panel, &write, 1, pixels, count);
 }
 
 const struct sheen_panel_driver sheen_driver_dcs = {.init = init,
+                                                    .orient = orient,
                                                     .push = push,
                                                     .reset_command = SWRESET,
                                                     .off = {DISPOFF, SLPIN},
                                                     .off_count = 2,
                                                     .tearing_command = TEON,
+                                                    .brightness_on = {WRCTRLD, WRCTRLD_ON},
                                                     .align_x = 1,
                                                     .align_y = 1};

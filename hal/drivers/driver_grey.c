@@ -23,16 +23,15 @@
 
 static int init(struct sheen_panel *panel)
 {
-    const uint8_t remap[2] = {SET_REMAP, panel->record->scan[0]}, on = DISPLAY_ON;
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
         error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
     if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel, SHEEN_COMMAND);
+        error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = sheen_panel_write(panel, SHEEN_COMMAND, remap, sizeof remap);
-    return error < 0 ? error : sheen_panel_write(panel, SHEEN_COMMAND, &on, 1);
+        error = sheen_panel_command(panel, SET_REMAP, panel->record->scan, 1);
+    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
 }
 
 /* The nibble of pixel `index` of the rectangle. */
@@ -53,7 +52,7 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
 
         for (int16_t column = 0; column < turn->w; column += 2, index += 2 * turn->right) {
             if (used == sizeof panel->pack) {
-                int error = sheen_panel_write(panel, SHEEN_DATA, panel->pack, used);
+                int error = sheen_panel_send(panel, NULL, 0, panel->pack, used);
 
                 if (error < 0)
                     return error;
@@ -62,7 +61,7 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
             panel->pack[used++] = (uint8_t)(nibble(pixels, index) << 4 | nibble(pixels, index + turn->right));
         }
     }
-    return sheen_panel_launch(panel, SHEEN_DATA, panel->pack, used);
+    return sheen_panel_launch(panel, NULL, 0, panel->pack, used);
 }
 
 static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
@@ -71,7 +70,7 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     struct sheen_turn turn;
     int error;
 
-    sheen_panel_turn(panel, rect, &turn);
+    sheen_turn_of(panel, rect, &turn);
     unsigned column = (record->gap_x + (unsigned)turn.x) / 2, row = record->gap_y + (unsigned)turn.y;
     error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w / 2 - 1);
     if (error == SHEEN_OK)
@@ -79,9 +78,15 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     if (error < 0)
         return error;
     if (panel->orientation == 0) /* as the core packs it */
-        return sheen_panel_launch(panel, SHEEN_DATA, pixels, (size_t)turn.w * (size_t)turn.h / 2);
+        return sheen_panel_launch(panel, NULL, 0, pixels, (size_t)turn.w * (size_t)turn.h / 2);
     return send_turned(panel, &turn, pixels);
 }
 
-const struct sheen_panel_driver sheen_driver_grey = {
-    .init = init, .push = push, .reset_command = -1, .off = {DISPLAY_OFF}, .off_count = 1, .align_x = 2, .align_y = 2};
+const struct sheen_panel_driver sheen_driver_grey = {.init = init,
+                                                     .push = push,
+                                                     .reset_command = -1,
+                                                     .off = {DISPLAY_OFF},
+                                                     .off_count = 1,
+                                                     .low_parameters = 1,
+                                                     .align_x = 2,
+                                                     .align_y = 2};

@@ -23,14 +23,13 @@
 
 static int init(struct sheen_panel *panel)
 {
-    const uint8_t on = DISPLAY_ON;
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
         error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
     if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel, SHEEN_COMMAND);
-    return error < 0 ? error : sheen_panel_write(panel, SHEEN_COMMAND, &on, 1);
+        error = sheen_panel_steps(panel);
+    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
 }
 
 /* The byte of 8 pixels downwards from pixel `index` of the rectangle; a step up is 2^32 - down. */
@@ -51,7 +50,7 @@ static int send_page(struct sheen_panel *panel, const struct sheen_turn *turn, c
 
     for (int16_t column = 0; column < turn->w; column++, index += turn->right) {
         if (used == sizeof panel->pack) {
-            int error = sheen_panel_write(panel, SHEEN_DATA, panel->pack, used);
+            int error = sheen_panel_send(panel, NULL, 0, panel->pack, used);
 
             if (error < 0)
                 return error;
@@ -59,7 +58,7 @@ static int send_page(struct sheen_panel *panel, const struct sheen_turn *turn, c
         }
         panel->pack[used++] = column_of_8(pixels, (uint32_t)index, (uint32_t)turn->down);
     }
-    return sheen_panel_launch(panel, SHEEN_DATA, panel->pack, used);
+    return sheen_panel_launch(panel, NULL, 0, panel->pack, used);
 }
 
 static int push_ssd1306(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
@@ -68,7 +67,7 @@ static int push_ssd1306(struct sheen_panel *panel, struct sheen_rect rect, const
     struct sheen_turn turn;
     int error;
 
-    sheen_panel_turn(panel, rect, &turn);
+    sheen_turn_of(panel, rect, &turn);
     unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
     error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w - 1);
     if (error == SHEEN_OK)
@@ -87,7 +86,7 @@ static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const 
     struct sheen_turn turn;
     int error = SHEEN_OK;
 
-    sheen_panel_turn(panel, rect, &turn);
+    sheen_turn_of(panel, rect, &turn);
     unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
     for (int16_t row = 0; row < turn.h && error == SHEEN_OK; row = (int16_t)(row + 8), page++) {
         const uint8_t place[3] = {(uint8_t)(PAGE_START | page), (uint8_t)(COLUMN_LOW | (column & 15)),
@@ -95,7 +94,7 @@ static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const 
 
         error = sheen_panel_landed(panel);
         if (error == SHEEN_OK)
-            error = sheen_panel_write(panel, SHEEN_COMMAND, place, sizeof place);
+            error = sheen_panel_send(panel, place, sizeof place, NULL, 0);
         if (error == SHEEN_OK)
             error = send_page(panel, &turn, pixels, row);
     }
@@ -107,6 +106,7 @@ const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = init,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
+                                                        .low_parameters = 1,
                                                         .align_x = 8,
                                                         .align_y = 8};
 
@@ -115,5 +115,6 @@ const struct sheen_panel_driver sheen_driver_sh1106 = {.init = init,
                                                        .reset_command = -1,
                                                        .off = {DISPLAY_OFF},
                                                        .off_count = 1,
+                                                       .low_parameters = 1,
                                                        .align_x = 8,
                                                        .align_y = 8};

@@ -1,7 +1,7 @@
 /*
  * driver_ssd1351.c - the colour OLED SSD1351: RGB565, not DCS.
  *
- * On the wire, D/C low for the first byte of each line only:
+ * On the wire, a call of the bus a line, D/C low for its first byte only:
  *
  *   15  x0 x1        columns, ends inclusive
  *   75  y0 y1        rows
@@ -37,7 +37,7 @@ static uint8_t scan_of(const struct sheen_panel *panel)
     return scan;
 }
 
-static int init(struct sheen_panel *panel)
+static int orient(struct sheen_panel *panel)
 {
     const struct sheen_panel_record *record = panel->record;
     uint8_t scan = scan_of(panel), remap = (uint8_t)(scan | (record->bgr ? REMAP_CBA : 0));
@@ -46,39 +46,39 @@ static int init(struct sheen_panel *panel)
      * last, the RAM's row 0 must meet the glass's top: start at glass_h, mod 128.
      */
     uint8_t start_line = (uint8_t)(scan & REMAP_COM ? record->glass_h % record->ram_h : 0);
+    int error = sheen_panel_command(panel, SET_REMAP, &remap, 1);
+
+    return error < 0 ? error : sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
+}
+
+static int init(struct sheen_panel *panel)
+{
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel, SHEEN_DATA);
+        error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, SET_REMAP, &remap, 1);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
+        error = orient(panel);
     return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
-}
-
-/* Columns (axis 0) or rows (axis 1) first..last, where they differ from the last. */
-static int set_axis(struct sheen_panel *panel, unsigned axis, int first, int last)
-{
-    uint8_t data[2] = {(uint8_t)first, (uint8_t)last};
-
-    if (!sheen_panel_window_moves(panel, axis, (unsigned)first, (unsigned)last))
-        return SHEEN_OK;
-    return sheen_panel_command(panel, axis ? SET_ROW : SET_COLUMN, data, sizeof data);
 }
 
 static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
-    unsigned x_axis = scan_of(panel) & REMAP_VERTICAL;
+    unsigned x_axis = scan_of(panel) & REMAP_VERTICAL; /* of the window: 0 columns, 1 rows */
     size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2;
-    int error = set_axis(panel, x_axis, rect.x0, rect.x1 - 1);
+    static const uint8_t set[2] = {SET_COLUMN, SET_ROW}, write = WRITE_RAM;
+    int error = sheen_panel_set_window(panel, x_axis, set[x_axis], (unsigned)rect.x0, (unsigned)rect.x1 - 1);
 
     if (error == SHEEN_OK)
-        error = set_axis(panel, !x_axis, rect.y0, rect.y1 - 1);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, WRITE_RAM, NULL, 0);
-    return error < 0 ? error : sheen_panel_launch(panel, SHEEN_DATA, pixels, count);
+        error = sheen_panel_set_window(panel, !x_axis, set[!x_axis], (unsigned)rect.y0, (unsigned)rect.y1 - 1);
+    return error < 0 ? error : sheen_panel_launch(panel, &write, 1, pixels, count);
 }
 
-const struct sheen_panel_driver sheen_driver_ssd1351 = {
-    .init = init, .push = push, .reset_command = -1, .off = {DISPLAY_OFF}, .off_count = 1, .align_x = 1, .align_y = 1};
+const struct sheen_panel_driver sheen_driver_ssd1351 = {.init = init,
+                                                        .orient = orient,
+                                                        .push = push,
+                                                        .reset_command = -1,
+                                                        .off = {DISPLAY_OFF},
+                                                        .off_count = 1,
+                                                        .align_x = 1,
+                                                        .align_y = 1};

@@ -7,7 +7,7 @@
  */
 #include "driver.h"
 
-void sheen_panel_turn(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn)
+void sheen_turn_of(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn)
 {
     int32_t w = rect.x1 - rect.x0, h = rect.y1 - rect.y0;
     uint16_t width, height;

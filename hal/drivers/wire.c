@@ -1,22 +1,23 @@
 /*
- * wire.c - what drivers say to their bus: writes that are waited for, reset, init tables, windows.
+ * wire.c - what drivers say to their bus: calls that are waited for, reset, init tables, windows.
  *
- * The bus may send from the caller's memory while it goes on (DMA), so each write
+ * The bus may send from the caller's memory while it goes on (DMA), so each call
  * is waited for before the next and before its bytes leave scope. The one
  * exception is a push's last, its pixels: sheen_panel_launch leaves it under way.
  */
 #include "driver.h"
 
-/* A bus without wait has sent everything when write returns: then nothing is in flight. */
-int sheen_panel_launch(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count)
+/* A bus without wait has sent everything when send returns: then nothing is in flight. */
+int sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
+                       size_t count)
 {
-    int error = panel->bus->write(panel->bus->ctx, dc, bytes, count);
+    int error = panel->bus->send(panel->bus->ctx, command, commands, data, count);
 
     panel->flying = error == SHEEN_OK && panel->bus->wait != NULL;
     return error;
 }
 
-/* Whatever wait answers, the write is over: a second wait for it would be for the next one. */
+/* Whatever wait answers, the call is over: a second wait for it would be for the next one. */
 int sheen_panel_landed(struct sheen_panel *panel)
 {
     if (!panel->flying)
@@ -25,20 +26,24 @@ int sheen_panel_landed(struct sheen_panel *panel)
     return panel->bus->wait(panel->bus->ctx);
 }
 
-int sheen_panel_write(struct sheen_panel *panel, enum sheen_dc dc, const uint8_t *bytes, size_t count)
+int sheen_panel_send(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
-    int error = sheen_panel_launch(panel, dc, bytes, count);
+    int error = sheen_panel_launch(panel, command, commands, data, count);
 
     return error < 0 ? error : sheen_panel_landed(panel);
 }
 
 int sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count)
 {
-    int error = sheen_panel_write(panel, SHEEN_COMMAND, &command, 1);
+    uint8_t bytes[SHEEN_BUS_COMMANDS] = {command};
 
-    if (error < 0 || count == 0)
-        return error;
-    return sheen_panel_write(panel, SHEEN_DATA, data, count);
+    if (!panel->record->driver->low_parameters)
+        return sheen_panel_send(panel, bytes, 1, data, count);
+    if (count >= sizeof bytes)
+        return SHEEN_ERR_ARGUMENT;
+    for (size_t i = 0; i < count; i++)
+        bytes[i + 1] = data[i];
+    return sheen_panel_send(panel, bytes, count + 1, NULL, 0);
 }
 
 /*
@@ -66,16 +71,14 @@ int sheen_panel_reset(struct sheen_panel *panel)
     return error < 0 ? error : bus->delay(bus->ctx, record->reset_ms * 1000u);
 }
 
-int sheen_panel_steps(struct sheen_panel *panel, enum sheen_dc dc)
+int sheen_panel_steps(struct sheen_panel *panel)
 {
     const struct sheen_panel_record *record = panel->record;
 
     for (unsigned i = 0; i < record->steps; i++) {
         const struct sheen_panel_step *step = &record->init[i];
-        int error = sheen_panel_write(panel, SHEEN_COMMAND, &step->command, 1);
+        int error = sheen_panel_command(panel, step->command, step->data, step->count);
 
-        if (error == SHEEN_OK && step->count)
-            error = sheen_panel_write(panel, dc, step->data, step->count);
         if (error == SHEEN_OK && step->wait_ms)
             error = panel->bus->delay(panel->bus->ctx, step->wait_ms * 1000u);
         if (error < 0)
@@ -99,11 +102,11 @@ int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, unsigned 
 
 int sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t command, unsigned first, unsigned last)
 {
-    const uint8_t bytes[3] = {command, (uint8_t)first, (uint8_t)last};
+    const uint8_t bytes[2] = {(uint8_t)first, (uint8_t)last};
 
     if (!sheen_panel_window_moves(panel, axis, first, last))
         return SHEEN_OK;
-    return sheen_panel_write(panel, SHEEN_COMMAND, bytes, sizeof bytes);
+    return sheen_panel_command(panel, command, bytes, sizeof bytes);
 }
 
 int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
@@ -111,5 +114,5 @@ int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
     /* 8 parameters is the most of any command that is sent (B8, the SSD1325's grey table). */
     const uint8_t bytes[8] = {harmless, harmless, harmless, harmless, harmless, harmless, harmless, harmless};
 
-    return panel->bus->reset ? SHEEN_OK : sheen_panel_write(panel, SHEEN_COMMAND, bytes, sizeof bytes);
+    return panel->bus->reset ? SHEEN_OK : sheen_panel_send(panel, bytes, sizeof bytes, NULL, 0);
 }

@@ -11,7 +11,7 @@
  * set-up and hold times (ST7789V data sheet, table 6: 10 ns each), so nothing is
  * waited for.
  */
-#include "linux_bus.h"
+#include "sheen_linux_bus.h"
 
 #include "sheen_target.h"
 
@@ -27,11 +27,12 @@ static int send_bit(struct sheen_linux_bus *bus, int bit)
     return error < 0 ? error : sheen_pin_set(&bus->sclk, idle, bus->why);
 }
 
-static int send(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
+static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more)
 {
     /* The clock may stand wrong after an error; CS is low then, and a panel without CS counts a bit: it is reset. */
     int error = sheen_pin_set(&bus->sclk, bus->spi_mode >> 1, bus->why);
 
+    (void)more;
     for (size_t i = 0; i < count && error == 0; i++)
         for (unsigned mask = 0x80; mask && error == 0; mask >>= 1)
             error = send_bit(bus, (bytes[i] & mask) != 0);
@@ -48,6 +49,6 @@ int sheen_bitbang_open(struct sheen_linux_bus *bus, const struct sheen_wiring *w
     error = sheen_pin_output(&bus->sclk, wiring->sclk, bus->spi_mode >> 1, bus->why);
     if (error == 0)
         error = sheen_pin_output(&bus->mosi, wiring->mosi, 0, bus->why);
-    bus->send = send;
+    bus->put = put;
     return error;
 }

@@ -2,11 +2,13 @@
  * bus_spidev.c - SPI through /dev/spidevB.C.
  *
  * spidev copies a transfer through a buffer of its own, 4096 bytes unless the
- * module is told otherwise, and refuses longer ones (EMSGSIZE): a write goes out
- * in chunks of that size. Between chunks the controller's chip select rises;
- * panels go on where they stopped (ST7789V data sheet, "data transfer pause").
+ * module is told otherwise, and refuses longer ones (EMSGSIZE): bytes go out in
+ * chunks of that size. Between chunks, and between a command and its data, the
+ * controller is asked to keep its chip select low (cs_change on a message's last
+ * transfer, which the kernel calls a hint); panels take it as well where it rises
+ * (ST7789V data sheet, "data transfer pause").
  */
-#include "linux_bus.h"
+#include "sheen_linux_bus.h"
 
 #include "sheen_target.h"
 
@@ -15,22 +17,11 @@
 #include <linux/spi/spidev.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #define BUFSIZ_PATH "/sys/module/spidev/parameters/bufsiz"
 #define BUFSIZ_DEFAULT 4096u /* B; spidev.c */
 #define CHUNK_MAX 65536u     /* B; more gains nothing, and some controllers' DMA ends there */
-
-static int ioctl_again(int fd, unsigned long request, void *value)
-{
-    int tries = SHEEN_TRIES, result;
-
-    do
-        result = ioctl(fd, request, value);
-    while (result < 0 && sheen_again(errno, &tries));
-    return result;
-}
 
 /* What spidev's buffer holds. Built into the kernel it may show no parameter: then its default. */
 static size_t chunk_size(void)
@@ -56,15 +47,18 @@ static int transfer_fail(struct sheen_linux_bus *bus, int error)
 }
 
 /* A transfer that moved fewer bytes goes on where it stopped; one that moved none, so often, is an error. */
-static int send(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
+static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more)
 {
     int idle = 0;
 
     while (count > 0) {
         size_t chunk = count < bus->chunk ? count : bus->chunk;
-        struct spi_ioc_transfer transfer = {
-            .tx_buf = (uintptr_t)bytes, .len = (uint32_t)chunk, .speed_hz = bus->clock_hz, .bits_per_word = 8};
-        int sent = ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &transfer);
+        struct spi_ioc_transfer transfer = {.tx_buf = (uintptr_t)bytes,
+                                            .len = (uint32_t)chunk,
+                                            .speed_hz = bus->clock_hz,
+                                            .bits_per_word = 8,
+                                            .cs_change = more || chunk < count};
+        int sent = sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &transfer);
 
         if (sent < 0)
             return transfer_fail(bus, errno);
@@ -102,18 +96,18 @@ static int open_fail(struct sheen_linux_bus *bus, int error)
 static int set_up(struct sheen_linux_bus *bus, int own_cs)
 {
     uint8_t mode = bus->spi_mode, quiet = (uint8_t)(mode | SPI_NO_CS), bits = 8;
-    int result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, own_cs ? &quiet : &mode);
+    int result = sheen_ioctl_again(bus->fd, SPI_IOC_WR_MODE, own_cs ? &quiet : &mode);
 
     /* Controllers that cannot, refuse; theirs then moves on a pin that is not wired. */
     if (result < 0 && own_cs && errno == EINVAL)
-        result = ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
+        result = sheen_ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
     if (result < 0 && (errno == ENOTTY || errno == ENODEV))
         return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an SPI device (/dev/spidev0.0 is one)", bus->path);
     if (result < 0)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: SPI mode %u: %s", bus->path, mode, strerror(errno));
-    if (ioctl_again(bus->fd, SPI_IOC_WR_BITS_PER_WORD, &bits) < 0)
+    if (sheen_ioctl_again(bus->fd, SPI_IOC_WR_BITS_PER_WORD, &bits) < 0)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: words of 8 bits: %s", bus->path, strerror(errno));
-    if (ioctl_again(bus->fd, SPI_IOC_WR_MAX_SPEED_HZ, &bus->clock_hz) < 0)
+    if (sheen_ioctl_again(bus->fd, SPI_IOC_WR_MAX_SPEED_HZ, &bus->clock_hz) < 0)
         return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a clock of %u Hz: %s", bus->path, bus->clock_hz,
                             strerror(errno));
     return 0;
@@ -129,7 +123,7 @@ int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
     while (bus->fd < 0 && sheen_again(errno, &tries));
     if (bus->fd < 0)
         return open_fail(bus, errno);
-    bus->send = send;
+    bus->put = put;
     bus->chunk = chunk_size();
     return set_up(bus, wiring->cs != NULL);
 }

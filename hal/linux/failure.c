@@ -1,7 +1,7 @@
 /*
- * failure.c - see failure.h.
+ * failure.c - see sheen_failure.h.
  */
-#include "failure.h"
+#include "sheen_failure.h"
 
 #include <errno.h>
 #include <stdarg.h>

@@ -1,29 +1,39 @@
 /*
- * linux_bus.c - what spidev and bit-bang share: D/C, chip select, reset and time.
+ * linux_bus.c - what the kinds share: D/C, chip select, reset, TE and time.
  *
- * D/C changes only here, before the first bit of a write; the kinds' send()
- * returns when the last bit has left.
+ * D/C changes only here, before the first bit of a part; the kinds' put() returns
+ * when the last bit has left.
  */
-#include "linux_bus.h"
+#include "sheen_linux_bus.h"
 
 #include "sheen_target.h"
 
 #include <errno.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <time.h>
 #include <unistd.h>
 
-static int write_bytes(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+/* Bytes of one D/C level. */
+static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t count, int more)
+{
+    int error = sheen_pin_set(&bus->dc, dc, bus->why);
+
+    return error < 0 ? error : bus->put(bus, bytes, count, more);
+}
+
+static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_linux_bus *bus = ctx;
-    int error = sheen_pin_set(&bus->dc, dc == SHEEN_DATA, bus->why);
+    int own_cs = sheen_pin_is_open(&bus->cs);
+    int error = own_cs ? sheen_pin_set(&bus->cs, 0, bus->why) : 0;
 
-    if (error == 0 && sheen_pin_is_open(&bus->cs))
-        error = sheen_pin_set(&bus->cs, 0, bus->why);
-    if (error == 0)
-        error = bus->send(bus, bytes, count);
+    if (error == 0 && commands)
+        error = put(bus, 0, command, commands, count != 0);
+    if (error == 0 && count)
+        error = put(bus, 1, data, count, 0);
     /* After an error too: nothing on a shared bus may go on speaking to the panel. */
-    if (sheen_pin_is_open(&bus->cs)) {
+    if (own_cs) {
         int released = sheen_pin_set(&bus->cs, 1, error ? NULL : bus->why);
 
         error = error ? error : released;
@@ -58,6 +68,31 @@ static int delay(void *ctx, uint32_t us)
     return error ? sheen_failed(bus->why, SHEEN_ERR_BUS, "clock_nanosleep: %s", strerror(error)) : 0;
 }
 
+/* A panel refreshes its glass 40 to 120 times a second. */
+#define TE_TIMEOUT_US 1000000u
+
+static int tearing(void *ctx)
+{
+    struct sheen_linux_bus *bus = ctx;
+    int error = sheen_pin_await(&bus->te, TE_TIMEOUT_US, bus->why);
+
+    if (error == SHEEN_ERR_TIMEOUT)
+        return sheen_failed(bus->why, error,
+                            "line %s: no pulse in %u ms; is the panel's TE wired to it? else leave out --te",
+                            bus->te.name, TE_TIMEOUT_US / 1000);
+    return error;
+}
+
+int sheen_ioctl_again(int fd, unsigned long request, void *value)
+{
+    int tries = SHEEN_TRIES, result;
+
+    do
+        result = ioctl(fd, request, value);
+    while (result < 0 && sheen_again(errno, &tries));
+    return result;
+}
+
 static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
 {
     int error = 0;
@@ -65,10 +100,26 @@ static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
     /* CS first: from here on the panel hears nothing by mistake. */
     if (wiring->cs)
         error = sheen_pin_output(&bus->cs, wiring->cs, 1, bus->why);
-    if (error == 0)
+    if (error == 0 && wiring->dc)
         error = sheen_pin_output(&bus->dc, wiring->dc, 0, bus->why);
     if (error == 0 && wiring->reset)
         error = sheen_pin_output(&bus->reset, wiring->reset, 1, bus->why);
+    if (error == 0 && wiring->te)
+        error = sheen_pin_rising(&bus->te, wiring->te, bus->why);
+    return error;
+}
+
+/* The device, or the lines in its place. */
+static int open_kind(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
+{
+    int error;
+
+    if (!wiring->i2c)
+        return wiring->spi ? sheen_spidev_open(bus, wiring) : sheen_bitbang_open(bus, wiring);
+    error = sheen_i2cdev_open(bus, wiring);
+    if (error == 0)
+        error = sheen_i2c_open(&bus->i2c, &bus->wire, 0);
+    bus->bus = bus->i2c.layer.bus;
     return error;
 }
 
@@ -77,16 +128,18 @@ int sheen_linux_bus_open(struct sheen_linux_bus *bus, const struct sheen_wiring 
     int error;
 
     *bus = (struct sheen_linux_bus){.why = why, .fd = -1, .clock_hz = wiring->clock_hz, .spi_mode = wiring->spi_mode};
-    if (!wiring->dc)
+    if (!wiring->i2c && !wiring->dc)
         return sheen_failed(why, SHEEN_ERR_ARGUMENT, "the D/C line is not named");
     if (wiring->spi_mode > 3)
         return sheen_failed(why, SHEEN_ERR_ARGUMENT, "SPI mode %u: there are 0 to 3", wiring->spi_mode);
-    bus->bus = (struct sheen_bus){.ctx = bus, .write = write_bytes, .delay = delay};
-    bus->bus.reset = wiring->reset ? reset : NULL;
+    bus->wire = (struct sheen_bus){.ctx = bus, .send = send, .delay = delay};
+    bus->wire.reset = wiring->reset ? reset : NULL;
+    bus->wire.tearing = wiring->te ? tearing : NULL;
+    bus->bus = bus->wire;
 
     error = open_lines(bus, wiring);
     if (error == 0)
-        error = wiring->spi ? sheen_spidev_open(bus, wiring) : sheen_bitbang_open(bus, wiring);
+        error = open_kind(bus, wiring);
     if (error < 0)
         sheen_linux_bus_close(bus);
     return error;
@@ -94,7 +147,7 @@ int sheen_linux_bus_open(struct sheen_linux_bus *bus, const struct sheen_wiring 
 
 void sheen_linux_bus_close(struct sheen_linux_bus *bus)
 {
-    if (bus->bus.write == NULL)
+    if (bus->wire.send == NULL)
         return;
     if (bus->fd >= 0)
         close(bus->fd);
@@ -102,6 +155,7 @@ void sheen_linux_bus_close(struct sheen_linux_bus *bus)
     sheen_pin_close(&bus->mosi);
     sheen_pin_close(&bus->dc);
     sheen_pin_close(&bus->reset);
+    sheen_pin_close(&bus->te);
     sheen_pin_close(&bus->cs);
     *bus = (struct sheen_linux_bus){.fd = -1};
 }

@@ -1,7 +1,7 @@
 /*
  * pins.c - taking, driving and giving back a line, and saying what is wrong with it.
  */
-#include "pins.h"
+#include "sheen_pins.h"
 
 #include "pins_gpiod.h"
 #include "sheen_target.h"

@@ -9,7 +9,7 @@
 #ifndef SHEEN_PINS_GPIOD_H
 #define SHEEN_PINS_GPIOD_H
 
-#include "pins.h"
+#include "sheen_pins.h"
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /*
- * sender.c - see sender.h. One write at a time: the driver waits between any two.
+ * sender.c - see sheen_sender.h. One call at a time: the driver waits between any two.
  */
-#include "sender.h"
+#include "sheen_sender.h"
 
 #include "sheen_target.h"
 
@@ -20,13 +20,15 @@ static uint64_t now_ns(void)
 }
 
 /* Sends on this thread; the lock is not held. */
-static int send_now(struct sheen_sender *sender, enum sheen_dc dc, const void *bytes, size_t count, uint64_t *spent_ns)
+static int send_now(struct sheen_sender *sender, const uint8_t *command, size_t commands, const void *data,
+                    size_t count, uint64_t *spent_ns)
 {
+    const struct sheen_bus *to = sender->layer.to;
     uint64_t start = now_ns();
-    int error = sender->to->write(sender->to->ctx, dc, bytes, count);
+    int error = to->send(to->ctx, command, commands, data, count);
 
-    if (error == 0 && sender->to->wait)
-        error = sender->to->wait(sender->to->ctx);
+    if (error == 0 && to->wait)
+        error = to->wait(to->ctx);
     *spent_ns = now_ns() - start;
     return error;
 }
@@ -43,7 +45,7 @@ static void *run(void *arg)
         if (!sender->bytes)
             break;
         pthread_mutex_unlock(&sender->lock);
-        int error = send_now(sender, SHEEN_DATA, sender->bytes, sender->count, &spent_ns);
+        int error = send_now(sender, sender->command, sender->commands, sender->bytes, sender->count, &spent_ns);
         pthread_mutex_lock(&sender->lock);
         sender->error = error;
         sender->busy_ns += spent_ns;
@@ -68,39 +70,30 @@ static int wait(void *ctx)
     return error;
 }
 
-static int write_bytes(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_sender *sender = ctx;
     uint64_t spent_ns = 0;
     int error = wait(sender); /* nothing is under way where the driver keeps the bus's rules */
 
+    if (error == 0 && commands > SHEEN_BUS_COMMANDS)
+        error = SHEEN_ERR_ARGUMENT;
     if (error < 0)
         return error;
-    if (dc == SHEEN_COMMAND || count < HAND_OVER_BYTES)
-        error = send_now(sender, dc, bytes, count, &spent_ns);
+    if (count < HAND_OVER_BYTES)
+        error = send_now(sender, command, commands, data, count, &spent_ns);
     pthread_mutex_lock(&sender->lock);
     sender->busy_ns += spent_ns;
-    if (dc == SHEEN_DATA && count >= HAND_OVER_BYTES) {
+    if (count >= HAND_OVER_BYTES) {
+        if (commands)
+            memcpy(sender->command, command, commands);
+        sender->commands = commands;
         sender->count = count;
-        sender->bytes = bytes;
+        sender->bytes = data;
         pthread_cond_broadcast(&sender->changed);
     }
     pthread_mutex_unlock(&sender->lock);
     return error;
-}
-
-static int reset(void *ctx, int level)
-{
-    struct sheen_sender *sender = ctx;
-
-    return sender->to->reset(sender->to->ctx, level);
-}
-
-static int delay(void *ctx, uint32_t us)
-{
-    struct sheen_sender *sender = ctx;
-
-    return sender->to->delay(sender->to->ctx, us);
 }
 
 int sheen_sender_open(struct sheen_sender *sender, const struct sheen_bus *to)
@@ -108,9 +101,10 @@ int sheen_sender_open(struct sheen_sender *sender, const struct sheen_bus *to)
     sigset_t all, before;
     int error;
 
-    *sender =
-        (struct sheen_sender){.to = to, .bus = {.ctx = sender, .write = write_bytes, .wait = wait, .delay = delay}};
-    sender->bus.reset = to->reset ? reset : NULL;
+    *sender = (struct sheen_sender){0};
+    sheen_bus_layer_open(&sender->layer, to);
+    sender->layer.bus.send = send;
+    sender->layer.bus.wait = wait;
     pthread_mutex_init(&sender->lock, NULL);
     pthread_cond_init(&sender->changed, NULL);
     /* Signals are the program's: none may interrupt a transfer. */

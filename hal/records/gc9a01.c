@@ -65,6 +65,7 @@ const struct sheen_panel_record sheen_panel_gc9a01 = {
     .controller = "GC9A01",
     .note = "clock rating unpublished, 40 to 80 MHz in use",
     DCS,
+    WRDISBV,
     INIT(init_gc9a01),
     .clock_hz = 40000000,
     GLASS(240, 240),

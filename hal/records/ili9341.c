@@ -17,6 +17,7 @@ const struct sheen_panel_record sheen_panel_ili9341 = {
     .controller = "ILI9341",
     .note = "commonly run at 40 MHz and above",
     DCS,
+    WRDISBV,
     INIT(init_ili9341),
     .clock_hz = 10000000,
     GLASS(240, 320),

@@ -4,21 +4,22 @@
 #ifndef SHEEN_RECORD_H
 #define SHEEN_RECORD_H
 
-#include "../drivers/driver.h"
+#include "sheen_panel.h"
 
 /* The last two fields of a step: no parameters, or these. */
 #define NONE 0, NULL
-#define BYTES(...) sizeof((const uint8_t[]){__VA_ARGS__}), ((const uint8_t[]){__VA_ARGS__})
+#define BYTES SHEEN_BYTES
 
 #define INIT(table) .init = table, .steps = sizeof table / sizeof table[0]
 #define GLASS(w, h) .glass_w = w, .glass_h = h
 #define RAM(w, h) .ram_w = w, .ram_h = h
 
-/* MADCTL of the MIPI-DCS panels. */
-#define MY 0x80
-#define MX 0x40
-#define MV 0x20
+#define MY SHEEN_SCAN_MY
+#define MX SHEEN_SCAN_MX
+#define MV SHEEN_SCAN_MV
 
+/* Commands of the MIPI-DCS panels. */
+#define WRDISBV .brightness_command = 0x51
 #define SLPOUT 0x11
 #define COLMOD 0x3A
 

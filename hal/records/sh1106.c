@@ -28,6 +28,7 @@ const struct sheen_panel_record sheen_panel_sh1106 = {
     .name = "sh1106-128x64",
     .controller = "SH1106",
     .driver = &sheen_driver_sh1106,
+    .brightness_command = 0x81,
     .pixel = SHEEN_GREY2,
     OLED,
     INIT(init_sh1106),

@@ -33,8 +33,8 @@ static const struct sheen_panel_step init_ssd1325[] = INIT_SSD1325(0x4C);
 
 /* Clock: cycle 250 ns (SSD1325 data sheet, serial interface). Remap 52: high nibble left, COM from the last, split. */
 #define SSD1325                                                                                                        \
-    .driver = &sheen_driver_grey, .pixel = SHEEN_GREY16, .clock_hz = 4000000, RAM(128, 80), GLASS(128, 64), OLED,      \
-    .scan = {0x52}
+    .driver = &sheen_driver_grey, .brightness_command = 0x81, .brightness_shift = 1, .pixel = SHEEN_GREY16,            \
+    .clock_hz = 4000000, RAM(128, 80), GLASS(128, 64), OLED, .scan = {0x52}
 
 const struct sheen_panel_record sheen_panel_ssd0323 = {.name = "ssd0323-128x64",
                                                        .controller = "SSD0323",

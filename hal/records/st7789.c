@@ -17,7 +17,7 @@ static const struct sheen_panel_step init_st7789[] = {
 
 /* Clock: write cycle 16 ns (ST7789V data sheet, 4-line serial interface, TSCYCW). All of these are IPS: inverted. */
 #define ST7789                                                                                                         \
-    .controller = "ST7789", DCS, INIT(init_st7789), .clock_hz = 62500000, RAM(240, 320),                               \
+    .controller = "ST7789", DCS, WRDISBV, INIT(init_st7789), .clock_hz = 62500000, RAM(240, 320),                      \
     .scan = {0, MX | MV, MX | MY, MV | MY}, .inverted = 1
 
 const struct sheen_panel_record sheen_panel_st7789_240x320 = {

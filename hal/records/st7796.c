@@ -13,6 +13,7 @@ const struct sheen_panel_record sheen_panel_st7796 = {
     .name = "st7796-320x480",
     .controller = "ST7796S",
     DCS,
+    WRDISBV,
     INIT(init_st7796),
     .clock_hz = 62500000,
     GLASS(320, 480),

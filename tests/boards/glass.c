@@ -115,7 +115,7 @@ static int event(struct sheen_sim_controller *controller, const struct sheen_sim
     switch (kind) {
     case 'C':
     case 'D':
-        sheen_sim_receive(controller, kind == 'D' ? SHEEN_DATA : SHEEN_COMMAND, bytes, count);
+        sheen_sim_receive(controller, kind == 'D' ? SHEEN_SIM_DATA : SHEEN_SIM_COMMAND, bytes, count);
         return 0;
     case 'R':
         sheen_sim_reset_line(controller, (int)number(bytes));

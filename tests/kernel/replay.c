@@ -62,9 +62,10 @@ _Noreturn static void die(const char *name, const char *what)
     exit(1);
 }
 
-static int receive(void *ctx, enum sheen_dc dc, const void *bytes, size_t count)
+static int receive(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
-    sheen_sim_receive(ctx, dc, bytes, count);
+    sheen_sim_receive(ctx, SHEEN_SIM_COMMAND, command, commands);
+    sheen_sim_receive(ctx, SHEEN_SIM_DATA, data, count);
     return 0;
 }
 
@@ -85,7 +86,7 @@ static void begin(struct run *run, const uint8_t level[LINES], double seconds)
     if (sheen_sim_panel_open(&run->panel, &run->choice) < 0)
         die(run->name, "no simulated panel");
     run->controller = sheen_sim_panel_bus(run->panel)->controller;
-    run->far_end = (struct sheen_bus){.ctx = run->controller, .write = receive, .reset = reset_line};
+    run->far_end = (struct sheen_bus){.ctx = run->controller, .send = receive, .reset = reset_line};
     sheen_pin_watcher_init(&run->watcher, &run->far_end, run->mode, wires);
     run->seconds = run->start = seconds;
 }
@@ -129,8 +130,9 @@ static void end(struct run *run, const char *dir)
     if (sheen_sim_panel_complaints(run->panel))
         die(run->name, sheen_sim_panel_complaint(run->panel));
     write_picture(run, dir);
-    printf("%-14s %6zu commands %8zu data bytes %2zu resets in %6.3f s\n", run->name, run->watcher.bytes[SHEEN_COMMAND],
-           run->watcher.bytes[SHEEN_DATA], run->watcher.resets, run->seconds - run->start);
+    printf("%-14s %6zu commands %8zu data bytes %5zu selections %2zu resets in %6.3f s\n", run->name,
+           run->watcher.bytes[SHEEN_SIM_COMMAND], run->watcher.bytes[SHEEN_SIM_DATA], run->watcher.selections,
+           run->watcher.resets, run->seconds - run->start);
     sheen_sim_panel_close(run->panel);
 }
 

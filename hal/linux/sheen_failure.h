@@ -1,5 +1,5 @@
 /*
- * failure.h - why something failed, for a person: one line that names the line or path and the way out.
+ * sheen_failure.h - why something failed, for a person: one line that names the line or path and the way out.
  *
  * Codes say what kind of failure it was (enum sheen_error); on Linux the kernel
  * knows more, and whoever wires a panel needs it. Functions of hal/linux that can

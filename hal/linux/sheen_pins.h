@@ -1,5 +1,5 @@
 /*
- * pins.h - single GPIO lines of a Linux board, through libgpiod 1.6 or 2.
+ * sheen_pins.h - single GPIO lines of a Linux board, through libgpiod 1.6 or 2.
  *
  * A line is named the ways people name it:
  *
@@ -18,7 +18,7 @@
 #ifndef SHEEN_PINS_H
 #define SHEEN_PINS_H
 
-#include "failure.h"
+#include "sheen_failure.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,0 +1,110 @@
+/*
+ * bus_i2cdev.c - I2C through /dev/i2c-N: each call of the bus below sheen_i2c.h is one write message.
+ */
+#include "sheen_linux_bus.h"
+
+#include "sheen_target.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/i2c-dev.h>
+#include <linux/i2c.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+/* Of 7 bits, those that are not reserved (I2C specification UM10204, 3.1.12). */
+#define ADDRESS_FIRST 0x08u
+#define ADDRESS_LAST 0x77u
+
+static int message_fail(struct sheen_linux_bus *bus, int error)
+{
+    switch (error) {
+    case ENXIO: /* which of these, is up to the adapter's driver */
+    case EREMOTEIO:
+    case EIO:
+        return sheen_failed(
+            bus->why, SHEEN_ERR_BUS,
+            "%s: %s: nobody answers at address 0x%02x; see `i2cdetect`, the wiring, or another --address", bus->path,
+            strerror(error), bus->address);
+    case ETIMEDOUT:
+        return sheen_failed(bus->why, SHEEN_ERR_TIMEOUT, "%s: the bus is stuck (SCL or SDA low); are both pulled up?",
+                            bus->path);
+    default:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
+    }
+}
+
+/* What is left of a message cannot be sent by itself: it lacks the control byte. */
+static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+{
+    struct sheen_linux_bus *bus = ctx;
+    int tries = SHEEN_TRIES;
+    ssize_t sent;
+
+    (void)command;
+    (void)commands;
+    do
+        sent = write(bus->fd, data, count);
+    while (sent < 0 && sheen_again(errno, &tries));
+    if (sent < 0)
+        return message_fail(bus, errno);
+    if ((size_t)sent != count)
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: sent %zd of %zu bytes", bus->path, sent, count);
+    return 0;
+}
+
+static int open_fail(struct sheen_linux_bus *bus, int error)
+{
+    switch (error) {
+    case EACCES:
+    case EPERM:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS,
+                            "%s: no permission; become a member of its group (usually i2c) and log in again",
+                            bus->path);
+    case ENOENT:
+        return sheen_failed(
+            bus->why, SHEEN_ERR_ARGUMENT,
+            "%s: no such device; switch I2C on (Raspberry Pi: dtparam=i2c_arm=on in config.txt, restart), "
+            "and load the module i2c-dev",
+            bus->path);
+    default:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
+    }
+}
+
+static int set_address(struct sheen_linux_bus *bus)
+{
+    unsigned long functions = 0;
+
+    if (sheen_ioctl_again(bus->fd, I2C_FUNCS, &functions) < 0)
+        return errno == ENOTTY || errno == ENODEV || errno == EINVAL
+                   ? sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "%s is not an I2C bus (/dev/i2c-1 is one)", bus->path)
+                   : message_fail(bus, errno);
+    if (!(functions & I2C_FUNC_I2C))
+        return sheen_failed(bus->why, SHEEN_ERR_UNSUPPORTED, "%s: its adapter speaks SMBus only", bus->path);
+    if (sheen_ioctl_again(bus->fd, I2C_SLAVE, (void *)(uintptr_t)bus->address) == 0)
+        return 0;
+    if (errno == EBUSY)
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: a driver of the kernel has address 0x%02x; unbind it first",
+                            bus->path, bus->address);
+    return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: address 0x%02x: %s", bus->path, bus->address, strerror(errno));
+}
+
+int sheen_i2cdev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
+{
+    int tries = SHEEN_TRIES;
+
+    bus->path = wiring->i2c;
+    bus->address = wiring->address ? wiring->address : SHEEN_I2C_ADDRESS;
+    if (bus->address < ADDRESS_FIRST || bus->address > ADDRESS_LAST)
+        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "I2C address 0x%02x is not in 0x%02x..0x%02x", bus->address,
+                            ADDRESS_FIRST, ADDRESS_LAST);
+    do
+        bus->fd = open(bus->path, O_RDWR | O_CLOEXEC);
+    while (bus->fd < 0 && sheen_again(errno, &tries));
+    if (bus->fd < 0)
+        return open_fail(bus, errno);
+    bus->wire.send = send;
+    return set_address(bus);
+}

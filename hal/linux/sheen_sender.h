@@ -1,0 +1,46 @@
+/*
+ * sheen_sender.h - a thread that sends, so that the next band is drawn meanwhile: the DMA of a board without DMA.
+ *
+ * A bus around a bus. Calls with much data are handed to the thread and return at
+ * once; wait collects them and their error. Commands and short data go out on the
+ * caller's thread: handing them over would take longer than sending them. Between
+ * a call and its wait the inner bus, and its struct sheen_failure, are the thread's.
+ */
+#ifndef SHEEN_SENDER_H
+#define SHEEN_SENDER_H
+
+#include "sheen_bus.h"
+
+#include <pthread.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct sheen_sender {
+    struct sheen_bus_layer layer; /* layer.bus is what the panel driver is given; not to be moved */
+    pthread_t thread;
+    pthread_mutex_t lock; /* guards what follows */
+    pthread_cond_t changed;
+    uint8_t command[SHEEN_BUS_COMMANDS];
+    size_t commands;
+    const void *bytes; /* the call under way, with the command; NULL: none */
+    size_t count;
+    uint64_t busy_ns; /* time spent in the inner bus's send, since the start */
+    int error;        /* of the last call, until wait takes it */
+    int quit;
+};
+
+/* 0, or SHEEN_ERR_MEMORY where there is no thread to be had. *to must outlive the sender. */
+int sheen_sender_open(struct sheen_sender *sender, const struct sheen_bus *to);
+
+/* Waits for the call under way and ends the thread. */
+void sheen_sender_close(struct sheen_sender *sender);
+
+/* Nanoseconds that the bus has been busy sending, since the last call. */
+uint64_t sheen_sender_busy_ns(struct sheen_sender *sender);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
