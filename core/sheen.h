@@ -113,22 +113,20 @@ struct sheen_pose {
     sheen_q24_t translation[3]; /* units */
 };
 
-enum sheen_shading {
-    SHEEN_FLAT = 0,
-    SHEEN_GOURAUD,
-    SHEEN_PHONG,
-    SHEEN_SLERP /* a scan-line method: it depends on the triangle's orientation on the screen */
-};
+/*
+ * How light is brought over a triangle: name one, and that one is linked. slerp is a scan-line
+ * method: it depends on the triangle's orientation on the screen.
+ */
+struct sheen_shader;
+extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
 
 struct sheen_draw {
     const struct sheen_mesh *mesh;
     const struct sheen_material *material;
     const struct sheen_light *lights; /* copied by sheen_draw */
     uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS */
-    uint8_t shading;                  /* enum sheen_shading */
-    uint8_t two_sided;                /* 1: back faces are drawn too, with their normals negated */
-    uint8_t way;                      /* 0: chosen for each triangle; 1 + enum sheen_way: that one where it is
-                                         good enough, else the exact one (for tests and measurements) */
+    const struct sheen_shader *shader;
+    uint8_t two_sided; /* 1: back faces are drawn too, with their normals negated */
     struct sheen_pose pose;
 };
 
@@ -222,25 +220,9 @@ int sheen_wait(struct sheen_frame *frame);
 /* The next frame sends everything (the panel was written to by others, or lost power). */
 void sheen_invalidate(struct sheen_frame *frame);
 
-/* How a triangle was shaded: the cheapest way whose error stays below what a level shows. */
-enum sheen_way {
-    SHEEN_WAY_FLAT = 0,          /* one colour; also triangles too flat for gradients, or out of the light */
-    SHEEN_WAY_GOURAUD_LINEAR,    /* linear on the screen */
-    SHEEN_WAY_GOURAUD_QUADRATIC, /* quadratic on the screen, through the middles of the edges */
-    SHEEN_WAY_GOURAUD_QUOTIENT,  /* Blinn's I/m over 1/m, a reciprocal a pixel */
-    SHEEN_WAY_PHONG_LINEAR,      /* normals nearly agree, no highlight: intensities linear */
-    SHEEN_WAY_PHONG_QUADRATIC,   /* diffuse part and R.V quadratic over the triangle, power by table */
-    SHEEN_WAY_PHONG_BLOCKS,      /* quadratic over blocks of 8 or 16 px with exact nodes */
-    SHEEN_WAY_PHONG_ROOT,        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
-    SHEEN_WAY_PHONG_LIGHTS,      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
-    SHEEN_WAY_SLERP,             /* L.N and R.V by recurrences along great arcs */
-    SHEEN_WAYS
-};
-
 /* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
 struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
-    uint32_t by_way[SHEEN_WAYS];               /* set-ups by enum sheen_way */
     uint32_t setups, spans;
     uint32_t covered, shaded;                               /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels;                            /* pushes and their area */

@@ -23,7 +23,10 @@ static const struct {
     {{LIGHT(-0.7, 0.3, 0.4, 0.7), LIGHT(0.8, 0.2, 0.1, 0.5)}, 2}, /* both */
 };
 
-static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
+static const struct {
+    const char *name;
+    const struct sheen_shader *shader;
+} shadings[] = {{"phong", &sheen_phong}, {"slerp", &sheen_slerp}, {"flat", &sheen_flat}, {"gouraud", &sheen_gouraud}};
 
 enum {
     LIGHTINGS = sizeof lightings / sizeof lightings[0],
@@ -32,9 +35,9 @@ enum {
     MAX_FRONT = 512 /* of the teapot 508 triangles face the eye at most */
 };
 
-const char *demo_shading_name(unsigned shading)
+const char *demo_shading_name(const struct demo *demo)
 {
-    return shading < SHADINGS ? shadings[shading] : "?";
+    return shadings[demo->shading].name;
 }
 
 /* ---- the line of text ---- */
@@ -62,7 +65,7 @@ static char *append_number(char *to, unsigned value)
 
 static void set_line(struct demo *demo, unsigned tenths)
 {
-    char *to = append(append(demo->text.line, shadings[demo->draw.shading]), " ");
+    char *to = append(append(demo->text.line, demo_shading_name(demo)), " ");
 
     if (demo->held) {
         append_number(to, demo->number);
@@ -93,7 +96,7 @@ static void set_scene(struct demo *demo)
                                      .ctx = &demo->text,
                                      .overlay = text_overlay};
     demo->text = (struct text){.x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .pixel = target->pixel};
-    demo->draw = (struct sheen_draw){.mesh = &teapot, .material = &demo->material, .shading = SHEEN_PHONG};
+    demo->draw = (struct sheen_draw){.mesh = &teapot, .material = &demo->material, .shader = shadings[0].shader};
 }
 
 int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers)
@@ -124,7 +127,8 @@ void demo_key(struct demo *demo, int key)
     case 'n':
         break;
     case 's':
-        demo->draw.shading = (uint8_t)((demo->draw.shading + 1u) % SHADINGS);
+        demo->shading = (uint8_t)((demo->shading + 1u) % SHADINGS);
+        demo->draw.shader = shadings[demo->shading].shader;
         break;
     case 'l':
         demo->light = (uint8_t)((demo->light + 1u) % LIGHTINGS);

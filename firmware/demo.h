@@ -20,6 +20,7 @@ struct demo {
     struct sheen_draw draw;
     struct text text;
     uint16_t number; /* of the next frame, 0..59 */
+    uint8_t shading; /* which of the shadings */
     uint8_t light;   /* which of the lightings */
     uint8_t held;
     uint8_t step; /* held: frames still to draw */
@@ -47,7 +48,7 @@ int demo_due(const struct demo *demo);
  */
 int demo_frame(struct demo *demo, unsigned tenths);
 
-/* "phong" for enum sheen_shading. */
-const char *demo_shading_name(unsigned shading);
+/* "phong", say. */
+const char *demo_shading_name(const struct demo *demo);
 
 #endif

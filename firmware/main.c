@@ -102,7 +102,7 @@ static void lap_report(uint32_t clocks)
 {
     uint32_t sent = (board_bus_bytes - lap.bytes) / lap.frames;
 
-    log_text(demo_shading_name(demo.draw.shading));
+    log_text(demo_shading_name(&demo));
     log_text(", light ");
     log_number(demo.light);
     log_text(": ");

@@ -10,6 +10,7 @@
 #define SHEEN_LECTURE_H
 
 #include "lecture_plot.h"
+#include "shadings.h"
 
 int sheen_lecture_mach(struct sheen_page *page);
 int sheen_lecture_highlight(struct sheen_page *page);

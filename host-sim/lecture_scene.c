@@ -99,7 +99,7 @@ static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_materi
                                 .material = material,
                                 .lights = light,
                                 .light_count = 1,
-                                .shading = (uint8_t)scene->shading};
+                                .shader = sheen_shader_of((unsigned)scene->shading)};
     sheen_pose_orbit(&draw->pose, to_angle(scene->yaw), 0, to_angle(scene->roll),
                      (sheen_q24_t)lround(scene->distance * 16777216));
     return sheen_material_prepare(material);

@@ -4,6 +4,7 @@
 #ifndef SHEEN_LECTURE_SCENE_H
 #define SHEEN_LECTURE_SCENE_H
 
+#include "shadings.h"
 #include "sheen.h"
 
 /* ---- meshes by hand ---- */

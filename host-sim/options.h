@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "problem.h"
+#include "shadings.h"
 #include "sheen.h"
 
 /* Exit statuses. */

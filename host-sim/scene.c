@@ -177,7 +177,7 @@ static int draw_all(struct sheen_scene *scene, int number)
     const struct sheen_options *options = scene->options;
     struct sheen_draw draw = {.lights = scene->lights,
                               .light_count = (uint8_t)options->lights.count,
-                              .shading = (uint8_t)options->shade,
+                              .shader = sheen_shader_of((unsigned)options->shade),
                               .two_sided = (uint8_t)options->two_sided};
 
     sheen_pose_orbit(&draw.pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),

@@ -5,6 +5,8 @@
 
 #include <inttypes.h>
 
+#include "frame/ways.h"
+
 /* By enum sheen_way. */
 static const char *const way_names[SHEEN_WAYS] = {"flat",
                                                   "gouraud_linear",
@@ -17,14 +19,17 @@ static const char *const way_names[SHEEN_WAYS] = {"flat",
                                                   "phong_lights",
                                                   "slerp"};
 
-static void print_triangles(FILE *stream, const struct sheen_stats *stats)
+static void print_triangles(FILE *stream, const struct sheen_stats *stats, const struct sheen_frame *frame)
 {
+    uint32_t by_way[SHEEN_WAYS];
+
+    sheen_frame_ways(frame, by_way);
     fprintf(stream,
             "\"triangles\": {\"in\": %" PRIu32 ", \"front\": %" PRIu32 ", \"drawn\": %" PRIu32 ", \"clipped\": %" PRIu32
             ", \"by_shading\": {",
             stats->triangles, stats->front, stats->drawn, stats->clipped);
     for (size_t i = 0; i < sizeof way_names / sizeof way_names[0]; i++)
-        fprintf(stream, "%s\"%s\": %" PRIu32, i ? ", " : "", way_names[i], stats->by_way[i]);
+        fprintf(stream, "%s\"%s\": %" PRIu32, i ? ", " : "", way_names[i], by_way[i]);
     fprintf(stream, "}}, \"setups\": %" PRIu32 ", \"spans\": %" PRIu32, stats->setups, stats->spans);
 }
 
@@ -35,7 +40,7 @@ int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int numb
 
     sheen_frame_stats(table->scene.frame, &stats);
     fprintf(stream, "{\"frame\": %d, ", number);
-    print_triangles(stream, &stats);
+    print_triangles(stream, &stats, table->scene.frame);
     fprintf(stream, ", \"pixels\": {\"covered\": %" PRIu32 ", \"shaded\": %" PRIu32 "}", stats.covered, stats.shaded);
     fprintf(stream,
             ", \"bus\": {\"bytes\": %" PRIu64 ", \"commands\": %" PRIu64 ", \"transactions\": %" PRIu64

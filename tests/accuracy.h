@@ -41,7 +41,7 @@ void accuracy_ortho(struct ref_scene *scene);
 /* A picture of the core's, and how it does against the reference's. */
 struct accuracy_shot {
     struct ref_score score;
-    struct sheen_stats stats;
+    struct core_stats stats;
     uint16_t values[ACCURACY_PIXELS]; /* 565, row by row */
 };
 

@@ -42,7 +42,7 @@ int accuracy_line_add(struct accuracy_line *line, const struct accuracy_shot *sh
     line->within_one = fmin(line->within_one, share(score->within_one, score->compared));
     line->highlight = fmin(line->highlight, share(score->highlight_equal, score->highlight));
     line->worst = score->worst > line->worst ? score->worst : line->worst;
-    line->setups += shot->stats.setups;
+    line->setups += shot->stats.frame.setups;
     for (int way = 0; way < SHEEN_WAYS; way++)
         line->by_way[way] += shot->stats.by_way[way];
     if (accuracy_kept(score, scene->shading))

@@ -185,13 +185,13 @@ void core_frame_free(struct core_frame *f)
 int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows)
 {
-    struct sheen_stats unused;
+    struct core_stats unused;
 
     return core_draw_scene_way(target, scene, mesh, band_rows, 0, &unused);
 }
 
 int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
-                        int band_rows, unsigned way, struct sheen_stats *stats)
+                        int band_rows, unsigned way, struct core_stats *stats)
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)band_rows,
@@ -205,21 +205,22 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                               .material = &material,
                               .lights = lights,
                               .light_count = (uint8_t)scene->light_count,
-                              .shading = (uint8_t)scene->shading,
-                              .two_sided = scene->two_sided,
-                              .way = (uint8_t)way};
+                              .shader = sheen_shader_of((unsigned)scene->shading),
+                              .two_sided = scene->two_sided};
     struct core_frame f;
     int status = core_frame_make(&f, &config);
 
     if (status < 0)
         return status;
+    sheen_frame_force(f.frame, way);
     core_view(&view, scene);
     core_pose(&draw.pose, scene);
     core_lights(lights, scene);
     if ((status = core_material(&material, scene)) == SHEEN_OK && (status = sheen_begin(f.frame, &view)) == SHEEN_OK &&
         (status = sheen_draw(f.frame, &draw)) == SHEEN_OK && (status = sheen_end(f.frame)) == SHEEN_OK)
         status = sheen_wait(f.frame);
-    sheen_frame_stats(f.frame, stats);
+    sheen_frame_stats(f.frame, &stats->frame);
+    sheen_frame_ways(f.frame, stats->by_way);
     core_frame_free(&f);
     return status;
 }

@@ -4,6 +4,8 @@
 #ifndef CORE_PICTURE_H
 #define CORE_PICTURE_H
 
+#include "../host-sim/shadings.h"
+#include "frame/ways.h"
 #include "memory_target.h"
 #include "reference/reference.h"
 #include "sheen.h"
@@ -35,11 +37,17 @@ struct core_frame {
 int core_frame_make(struct core_frame *f, const struct sheen_config *config);
 void core_frame_free(struct core_frame *f);
 
+/* What a frame counted, and the ways of its set-ups. */
+struct core_stats {
+    struct sheen_stats frame;
+    uint32_t by_way[SHEEN_WAYS];
+};
+
 /* Draw the scene with `mesh` to the target, in bands of band_rows. 0, or the code of what failed. */
 int core_draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                     int band_rows);
-/* The same with struct sheen_draw's `way`; then *stats are the frame's. */
+/* The same by one way (frame/ways.h); then *stats are the frame's. */
 int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
-                        int band_rows, unsigned way, struct sheen_stats *stats);
+                        int band_rows, unsigned way, struct core_stats *stats);
 
 #endif

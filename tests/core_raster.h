@@ -1,26 +1,33 @@
 /*
- * core_raster.h - the core's set-up and edge stepping, for tests that hand it snapped corners.
+ * core_raster.h - one triangle through the core's set-up and rows, without a frame.
  */
 #ifndef CORE_RASTER_H
 #define CORE_RASTER_H
 
 #include "exact_cover.h"
-#include "frame/frame.h"
+#include "shading/shading.h"
 
-/* Just enough of a frame for sheen_setup and sheen_spans: one draw, one triangle. */
+/* What a shading's room is given: a draw record, a triangle, and of the view what its set-up needs. */
 struct core_raster {
-    struct sheen_frame frame;
-    struct sheen_target target; /* its size and order of bytes alone */
+    struct screen screen;
+    struct pixel_format format; /* 565 in this machine's order */
     struct sheen_mesh mesh;
     struct sheen_material material;
-    struct draw_record draw;
+    struct draw draw;
     struct vertex vertex[3];
-    struct entry entry[1];
-    uint32_t cut[1];
 };
 
-/* A picture of width x height px. */
+/* A set-up's slot. */
+struct core_setup {
+    struct setup s;
+    uint64_t room[(SETUP_BYTES - sizeof(struct setup) + 7) / 8];
+};
+
+/* A picture of width x height px, flat shading without lights. */
 void core_raster_begin(struct core_raster *r, int width, int height);
+
+/* Set the triangle up from row `from` on, whole; 0 where it has no row there, or no area. */
+int core_raster_set_up(struct core_raster *r, int from, struct core_setup *to);
 
 /*
  * The spans of a triangle in the rectangle, corners in 1/64 px of the picture, within +-511 px of its centre;

@@ -67,7 +67,7 @@ void stage_draw(const struct stage *stage, const struct actor *actor, struct she
                                 .material = &stage->material[actor->material],
                                 .lights = stage->light,
                                 .light_count = 1,
-                                .shading = (uint8_t)actor->shading};
+                                .shader = sheen_shader_of((unsigned)actor->shading)};
     sheen_pose_orbit(&draw->pose, SHEEN_DEGREES(actor->yaw), SHEEN_DEGREES(actor->pitch), 0, 0);
     draw->pose.scale = SHEEN_Q16(actor->size);
     draw->pose.translation[0] = SHEEN_Q24(actor->x);

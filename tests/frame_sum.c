@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../host-sim/shadings.h"
 #include "frame_sum_mesh.h"
 #include "sheen.h"
 
@@ -124,7 +125,7 @@ static int print_sums(int mesh, int shading, int view, int format)
                                   .align_x = format == SHEEN_GREY2    ? 8
                                              : format == SHEEN_GREY16 ? 2
                                                                       : 1};
-    struct sheen_draw draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shading = (uint8_t)shading};
+    struct sheen_draw draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shader = sheen_shader_of(shading)};
 
     target.ctx = &target;
     for (int i = 0; i < 6; i++) {

@@ -55,7 +55,7 @@ static bool has_ways(const struct ref_scene *scene, const struct forced *f)
 }
 
 /* True where no triangle took a way that it should not: one colour is for those too flat, or out of the light. */
-static bool obeyed(const struct sheen_stats *stats, const struct forced *f, const struct ref_scene *scene)
+static bool obeyed(const struct core_stats *stats, const struct forced *f, const struct ref_scene *scene)
 {
     bool right = true;
 
@@ -99,7 +99,7 @@ static int judge(struct accuracy_line *line, struct mesh_lines *lines, const str
         return 1;
     }
     failed = draw_and_add(line, &shot, scene, &picture, mesh, view, 0);
-    lines->chosen.setups += shot.stats.setups;
+    lines->chosen.setups += shot.stats.frame.setups;
     for (int way = 0; way < SHEEN_WAYS; way++)
         lines->chosen.by_way[way] += shot.stats.by_way[way];
     for (int i = 0; i < FORCED; i++) {

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "../host-sim/shadings.h"
 #include "baked_box.h"
 #include "baked_egg.h"
 #include "baked_egg_crease.h"
@@ -117,7 +118,7 @@ static void draw(const struct sheen_mesh *mesh, enum sheen_shading shading, uint
         .to = {-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
     struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05)};
     struct sheen_draw scene = {
-        .mesh = mesh, .material = &material, .lights = &light, .light_count = 1, .shading = (uint8_t)shading};
+        .mesh = mesh, .material = &material, .lights = &light, .light_count = 1, .shader = sheen_shader_of(shading)};
     struct sheen_frame *frame;
     size_t size = sheen_arena_size(&config);
     void *arena = malloc(size);

@@ -68,7 +68,7 @@ static void random_mesh(struct bin_case *c, int which, uint32_t *state)
 
 static int draw_mesh(struct bin_case *c, int which)
 {
-    struct sheen_draw draw = {.mesh = &c->mesh[which], .material = &c->material, .two_sided = 1};
+    struct sheen_draw draw = {.mesh = &c->mesh[which], .material = &c->material, .shader = &sheen_flat, .two_sided = 1};
 
     sheen_pose_orbit(&draw.pose, 0, 0, 0, SHEEN_Q24(4));
     return sheen_draw(c->frame.frame, &draw);

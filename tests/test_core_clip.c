@@ -10,6 +10,7 @@
 
 #include "test_core_worst.h"
 
+#include "../host-sim/shadings.h"
 #include "exact_cover.h"
 #include "frame/frame.h"
 #include "frame_stage.h"
@@ -59,7 +60,7 @@ static int case_draw(struct clip_case *c, enum sheen_shading shading, int two_si
                               .material = &c->material,
                               .lights = &light,
                               .light_count = 1,
-                              .shading = (uint8_t)shading,
+                              .shader = sheen_shader_of(shading),
                               .two_sided = (uint8_t)two_sided};
 
     sheen_pose_identity(&draw.pose);
@@ -351,7 +352,7 @@ static void test_attributes_of_pieces(void **unused)
         for (uint32_t p = 0; p < f->pieces; p++)
             for (int k = 0; k < 3; k++) {
                 const struct vertex *v = &f->piece[p].corner[k];
-                assert_true((v->flags & LIT) != 0 && v->diffuse <= 32768 && v->specular <= 32768);
+                assert_true((v->flags & LIT) != 0 && v->kept[0] <= 32768 && v->kept[1] <= 32768);
                 note_corner(&c, &worst, v, f->piece[p].normal[k]);
             }
         assert_int_equal(sheen_end(c.frame.frame), SHEEN_OK);

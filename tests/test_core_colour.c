@@ -64,7 +64,7 @@ static void note_terms(struct worst *worst, const struct colour_case *c, enum sh
     uint64_t brightest = 0;
 
     format_of(&format, pixel);
-    sheen_colour_begin(&t, &format, m, &c->light);
+    sheen_colour_begin(&t, &format, m, c->light.diffuse_sum, c->light.specular_sum);
     double one = ldexp(1, t.fraction), diffuse = m->diffuse / 65536. * c->light.diffuse_sum / 65536;
     double specular = m->specular / 65536. * c->light.specular_sum / 65536;
     for (int k = 0; k < 3; k++) {
@@ -123,10 +123,10 @@ static void test_clamp(void **unused)
         c.material.ambient = SHEEN_Q16(0.25);
         c.material.diffuse = SHEEN_Q16(0.5);
         c.material.specular = SHEEN_Q16(0.25);
-        sheen_colour_begin(&t, &format, &c.material, &c.light);
+        sheen_colour_begin(&t, &format, &c.material, c.light.diffuse_sum, c.light.specular_sum);
         assert_int_equal(t.clamp, 0);
         c.material.specular += 65536 / 32;
-        sheen_colour_begin(&t, &format, &c.material, &c.light);
+        sheen_colour_begin(&t, &format, &c.material, c.light.diffuse_sum, c.light.specular_sum);
         assert_int_equal(t.clamp, 1);
     }
 }

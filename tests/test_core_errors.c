@@ -8,6 +8,7 @@
 
 #include "test_core_worst.h"
 
+#include "../host-sim/shadings.h"
 #include "frame_stage.h"
 #include "sheen.h"
 
@@ -39,7 +40,7 @@ WRONG(no_material, draw->material = NULL)
 WRONG(no_positions, mesh->positions = NULL)
 WRONG(no_indices, mesh->indices = NULL)
 WRONG(no_normals, mesh->normals = NULL)
-WRONG(unknown_shading, draw->shading = 200)
+WRONG(no_shader, draw->shader = NULL)
 WRONG(unprepared, memset(material, 0, sizeof *material))
 WRONG(unprepared_garbage, memset(material, 0xff, sizeof *material))
 WRONG(five_lights, draw->light_count = 5)
@@ -63,7 +64,7 @@ static const struct wrong wrongs[] = {
     {"no positions", no_positions, SHEEN_ERR_ARGUMENT},
     {"no indices", no_indices, SHEEN_ERR_ARGUMENT},
     {"no normals", no_normals, SHEEN_ERR_ARGUMENT},
-    {"unknown shading", unknown_shading, SHEEN_ERR_ARGUMENT},
+    {"no shader", no_shader, SHEEN_ERR_ARGUMENT},
     {"a material of zeros", unprepared, SHEEN_ERR_ARGUMENT},
     {"a material of ones", unprepared_garbage, SHEEN_ERR_ARGUMENT},
     {"five lights", five_lights, SHEEN_ERR_ARGUMENT},

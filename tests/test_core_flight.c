@@ -9,6 +9,7 @@
 
 #include "test_core_worst.h"
 
+#include "../host-sim/shadings.h"
 #include "frame_stage.h"
 #include "shapes.h"
 
@@ -114,7 +115,7 @@ static int draw_frame(struct flight *f, int i, int one_sided, enum sheen_shading
                               .material = &f->material,
                               .lights = &light,
                               .light_count = 1,
-                              .shading = (uint8_t)shading,
+                              .shader = sheen_shader_of(shading),
                               .two_sided = !one_sided};
     double eye[3];
     sheen_q24_t at[3], target[3];

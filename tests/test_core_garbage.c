@@ -9,6 +9,7 @@
 
 #include "test_core_worst.h"
 
+#include "../host-sim/shadings.h"
 #include "frame_stage.h"
 #include "sheen.h"
 
@@ -119,7 +120,7 @@ static void fill_draw(struct garbage *g)
                              .material = &g->material,
                              .lights = g->lights,
                              .light_count = (uint8_t)below(g, SHEEN_MAX_LIGHTS + 1),
-                             .shading = (uint8_t)below(g, SHEEN_SLERP + 1),
+                             .shader = sheen_shader_of(below(g, SHEEN_SLERP + 1)),
                              .two_sided = (uint8_t)below(g, 2)};
     sheen_pose_orbit(&d->pose, stage_random(&g->state), stage_random(&g->state), stage_random(&g->state), 0);
     d->pose.scale = below(g, 4) == 0 ? positive(g) : 1 << (12 + below(g, 7));
@@ -187,8 +188,8 @@ static void scene(struct garbage *g, int unit)
         fill_look(g);
         for (int k = 0; k < 3; k++) {
             fill_draw(g);
-            if (!unit && g->draw.shading == SHEEN_SLERP)
-                g->draw.shading = SHEEN_PHONG; /* great arcs are for unit vectors */
+            if (!unit && g->draw.shader == &sheen_slerp)
+                g->draw.shader = &sheen_phong; /* great arcs are for unit vectors */
             code = sheen_draw(frame.frame, &g->draw);
             assert_true(expected_code(code));
             *(code == 0 ? &g->drawn : &g->refused) += 1;

@@ -13,6 +13,7 @@
 
 #include "core_raster.h"
 #include "frame_stage.h"
+#include "shading/phong.h"
 
 /* A quadric's value at a pixel, in closed form. */
 static uint32_t quadric_at(const struct quadric *q, int32_t x, int32_t y)
@@ -242,7 +243,7 @@ static void test_steepest_slopes(void **unused)
 struct phong_case {
     struct worst *dot, *square;
     struct core_raster *raster;
-    struct setup setup;
+    struct core_setup setup;
     struct gradients g;
     double n[3][3]; /* corner normals times weight as the core rounds them, 1.0 is 1.0 */
 };
@@ -260,9 +261,9 @@ static void note_phong(void *ctx, int px, int py, const double *b)
         square += n[i] * n[i];
     }
     double slack = 4 * plane_slack(&c->g, 2 * ONE / 4, dx, dy);
-    int32_t ln = (int32_t)plane_at(&c->setup.shade.phong.light, px, py);
-    int32_t nv = (int32_t)plane_at(&c->setup.shade.phong.view, px, py);
-    int32_t d = (int32_t)(quadric_at(&c->setup.shade.phong.square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
+    const struct phong_setup *phong = (const struct phong_setup *)(const void *)&c->setup;
+    int32_t ln = (int32_t)plane_at(&phong->light, px, py), nv = (int32_t)plane_at(&phong->view, px, py);
+    int32_t d = (int32_t)(quadric_at(&phong->square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
     worst_note(c->dot, (ln - light) / slack, "L.N at %d %d", px, py);
     worst_note(c->dot, (nv - view) / slack, "V.N at %d %d", px, py);
     double walked = 16 + (dx + dy + dx * dx / 2 + dx * dy + dy * dy / 2) / 2;
@@ -278,7 +279,7 @@ static void random_corners(struct core_raster *r, struct phong_case *c, int16_t 
     for (int i = 0; i < 3; i++)
         centre[i] = stage_uniform(state, -1, 1);
     for (int k = 0; k < 3; k++) {
-        const struct projection *p = &r->frame.projection;
+        const struct screen *p = &r->screen;
         double n[3], length = 0;
         r->vertex[k].z = (uint16_t)(20000 + stage_random(state) % 45000);
         weight[k] = ((uint32_t)r->vertex[k].z << p->weight_shift) + p->weight_offset;
@@ -293,7 +294,7 @@ static void random_corners(struct core_raster *r, struct phong_case *c, int16_t 
     int exponent;
     (void)frexp(most, &exponent); /* the largest in [1/2, 1), then 16 bits, halves up */
     for (int k = 0; k < 3; k++) {
-        double w = r->frame.view.affine ? 65536 : floor(ldexp(weight[k], 16 - exponent) + 0.5);
+        double w = r->screen.flat_weight ? 65536 : floor(ldexp(weight[k], 16 - exponent) + 0.5);
         for (int i = 0; i < 3; i++)
             c->n[k][i] = floor(normals[3 * k + i] * w / 4) * 0x1p-29;
     }
@@ -333,8 +334,7 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
     for (int k = 0; k < 9; k++) /* a back face: set-up takes them negated */
         normals[k] = (int16_t)-normals[k];
     r->mesh.normals = normals;
-    if (!sheen_setup(&r->frame, &r->draw, 0, 0, &c->setup) || c->setup.way != SHEEN_WAY_PHONG_ROOT ||
-        !scale_normals(c, &shape))
+    if (!core_raster_set_up(r, 0, &c->setup) || c->setup.s.way != SHEEN_WAY_PHONG_ROOT || !scale_normals(c, &shape))
         return;
     each_pixel(&shape, note_phong, c);
 }
@@ -358,13 +358,16 @@ static void test_phong_set_up(void **unused)
 
     (void)unused;
     core_raster_begin(&r, WIDTH, HEIGHT);
-    r.draw.shading = SHEEN_PHONG;
+    r.draw.shader = &sheen_phong;
     r.draw.forced = 1 + SHEEN_WAY_PHONG_ROOT; /* the others take nodes in their place */
-    r.frame.view = (struct sheen_view){.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(10)};
-    assert_int_equal(sheen_project_begin(&r.frame.projection, &r.frame.view, HEIGHT), SHEEN_OK);
+    const struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(10)};
+    struct projection projection;
+    assert_int_equal(sheen_project_begin(&projection, &view, HEIGHT), SHEEN_OK);
+    r.screen.weight_shift = (uint8_t)projection.weight_shift;
+    r.screen.weight_offset = projection.weight_offset;
     for (int i = 0; i < TRIANGLES; i++) {
         struct phong_case c = {.dot = &dot, .square = &square, .raster = &r};
-        r.frame.view.affine = i % 2 == 0;
+        r.screen.flat_weight = i % 2 == 0;
         note_light(&r, &state);
         note_triangle(&r, &c, &state, i);
     }

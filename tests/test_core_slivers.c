@@ -45,7 +45,7 @@ static void bench_make(struct bench *b)
     static const int16_t origin[9];
     struct sheen_mesh mesh = mesh_of(origin);
     struct sheen_view view;
-    struct sheen_draw draw = {.mesh = &mesh, .material = &b->material, .two_sided = 1};
+    struct sheen_draw draw = {.mesh = &mesh, .material = &b->material, .shader = &sheen_flat, .two_sided = 1};
 
     memset(b, 0, sizeof *b);
     b->material.shininess = 8;
@@ -101,7 +101,7 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
         return 0;
     sheen_pose_identity(&pose);
     assert_int_equal(sheen_transform_begin(&t, &mesh, &pose), SHEEN_OK);
-    f->draw[0].mesh = &mesh;
+    f->draw[0].as.mesh = &mesh;
     f->entries = f->pieces = 0;
     sheen_bin_clear(f);
     for (int k = 0; k < 3; k++) {

@@ -2,7 +2,7 @@
  * test_dither_tap.h - the core's unrounded colours, pixel by pixel.
  *
  * Included before the first line of every file of the library core_tapped, which is the
- * core and nothing else but this: triangle/rows.h then hands over what it is about to round.
+ * core and nothing else but this: pixel/pixel.h then hands over what it is about to round.
  */
 #ifndef TEST_DITHER_TAP_H
 #define TEST_DITHER_TAP_H

@@ -191,12 +191,12 @@ static void compare_coverage(struct tally *tally, const uint16_t *values, const 
 static void draw(struct tally *tally, uint16_t *values, const struct sheen_mesh *mesh, const struct ref_scene *scene)
 {
     struct memory_target target;
-    struct sheen_stats stats;
+    struct core_stats stats;
 
     assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
     assert_int_equal(core_draw_scene_way(&target.target, scene, mesh, 16, 0, &stats), SHEEN_OK);
     assert_int_equal(target.breaches, 0);
-    tally->clipped += stats.clipped;
+    tally->clipped += stats.frame.clipped;
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         values[i] = (uint16_t)memory_target_pixel(&target, i % WIDTH, i / WIDTH);
     memory_target_free(&target);

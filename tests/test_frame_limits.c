@@ -256,7 +256,7 @@ static void what_is_not_listed_needs_no_piece(void **state)
     static const uint8_t front[3] = {0, 1, 2}, back[3] = {0, 2, 1};
     struct sheen_mesh mesh = {
         .positions = position, .index_bytes = 1, .vertices = 3, .triangles = 1, .scale = SHEEN_Q24(20)};
-    struct sheen_draw draw = {.mesh = &mesh, .material = &stage.material[0]};
+    struct sheen_draw draw = {.mesh = &mesh, .material = &stage.material[0], .shader = &sheen_flat};
     struct memory_target target;
     struct sheen_config config;
     struct sheen_view view;

@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "../host-sim/shadings.h"
 #include "memory_target.h"
 #include "quantise.h"
 #include "test_panel_canvas.h"
@@ -76,7 +77,7 @@ static int scene_draw(struct scene *scene, unsigned n)
                                     .dither = scene->dither,
                                     .background = {0, 0, 32}};
     struct sheen_draw what = {
-        .mesh = &teapot.mesh, .material = &material, .lights = &light, .light_count = 1, .shading = SHEEN_PHONG};
+        .mesh = &teapot.mesh, .material = &material, .lights = &light, .light_count = 1, .shader = &sheen_phong};
     int error;
 
     sheen_pose_orbit(&what.pose, SHEEN_DEGREES(30) + n * SHEEN_DEGREES(6), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));

@@ -58,7 +58,8 @@ static void shoot(const struct ref_scene *scene)
     assert_int_equal(accuracy_shoot(&shot, scene, &picture, sphere.mesh, 1 + SHEEN_WAY_PHONG_ROOT), SHEEN_OK);
     ref_picture_free(&picture);
     assert_true(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] > 500);
-    assert_int_equal(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] + shot.stats.by_way[SHEEN_WAY_FLAT], shot.stats.setups);
+    assert_int_equal(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] + shot.stats.by_way[SHEEN_WAY_FLAT],
+                     shot.stats.frame.setups);
 }
 
 /* How many of the sphere's pictures in the table (3 views, shininess 8, 32, 128) miss it; prints the worst shares. */
@@ -100,7 +101,7 @@ static int most_used_entry(int view, long *changed)
     for (int entry = 0; entry < ENTRIES; entry++) {
         long differing = 0;
         spoil(entry);
-        struct sheen_stats stats;
+        struct core_stats stats;
         struct memory_target target;
         assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
         assert_int_equal(

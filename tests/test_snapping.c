@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "../host-sim/shadings.h"
 #include "accuracy.h"
 #include "reference/ref_vector.h"
 
@@ -98,7 +99,7 @@ static void draw_triangle(struct core_frame *f, const struct ref_scene *scene, c
 {
     struct sheen_mesh one = *mesh;
     struct sheen_view view;
-    struct sheen_draw draw = {.mesh = &one, .material = material, .shading = SHEEN_FLAT};
+    struct sheen_draw draw = {.mesh = &one, .material = material, .shader = &sheen_flat};
 
     one.indices = (const uint16_t *)mesh->indices + 3 * triangle;
     one.polygons = mesh->polygons + triangle;

@@ -65,7 +65,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->worker = take(base, &used, c->workers, sizeof(struct worker));
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
-        w->carried = take(base, &used, c->max_carried + 1u, sizeof(struct setup));
+        w->carried = take(base, &used, c->max_carried + 1u, SETUP_BYTES);
         w->pending = take(base, &used, bits, sizeof(uint32_t));
         w->spans = take(base, &used, c->band_rows, sizeof(struct span));
         w->depth = take(base, &used, tile, sizeof(uint16_t));

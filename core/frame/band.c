@@ -20,12 +20,17 @@ static void add_list(const struct sheen_frame *f, struct worker *w, unsigned ban
         w->pending[e >> 5] |= 1u << (e & 31u);
 }
 
+static struct setup *slot_of(const struct worker *w, unsigned slot)
+{
+    return (struct setup *)(void *)(w->carried + slot * SETUP_BYTES);
+}
+
 static void carried_clear(struct worker *w, unsigned slots)
 {
     w->first_carried = NO_SLOT;
     w->first_free = 0;
     for (unsigned i = 0; i < slots; i++)
-        w->carried[i].next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
+        slot_of(w, i)->next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
 }
 
 /* Entries that reach band b: what is left of the band above, or, after a jump, all that may have begun above. */
@@ -87,51 +92,30 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 
 /* ---- drawing ---- */
 
-static void shade(const struct tile *t, const struct setup *s)
+/* Prepare entry e from row `from` on; 0 where it has no row left. */
+static int set_up(const struct sheen_frame *f, const struct draw_record *d, uint32_t e, int32_t from, struct setup *s)
 {
-    switch (s->way) {
-    case SHEEN_WAY_GOURAUD_LINEAR:
-    case SHEEN_WAY_PHONG_LINEAR:
-        sheen_shade_gouraud_linear(t, s);
-        break;
-    case SHEEN_WAY_GOURAUD_QUADRATIC:
-        if (s->highlight)
-            sheen_shade_quadratic_specular(t, s);
-        else
-            sheen_shade_quadratic_diffuse(t, s);
-        break;
-    case SHEEN_WAY_PHONG_QUADRATIC:
-        if (s->highlight)
-            sheen_shade_quadratic_power(t, s);
-        else
-            sheen_shade_quadratic_diffuse(t, s);
-        break;
-    case SHEEN_WAY_GOURAUD_QUOTIENT:
-        sheen_shade_gouraud_quotient(t, s);
-        break;
-    case SHEEN_WAY_PHONG_BLOCKS:
-    case SHEEN_WAY_PHONG_ROOT:
-        sheen_shade_phong_root(t, s);
-        break;
-    case SHEEN_WAY_PHONG_LIGHTS:
-        sheen_shade_phong_lights(t, s);
-        break;
-    case SHEEN_WAY_SLERP:
-        sheen_shade_slerp(t, s);
-        break;
-    default:
-        sheen_shade_flat(t, s);
-    }
+    struct surface_corners c;
+    struct gradients g;
+    int flat;
+
+    sheen_entry_corners(f, d, e, &c.at);
+    s->entry = (uint16_t)e;
+    s->draw = &d->as;
+    if (!sheen_triangle_begin(&f->screen, from, &c, &g, &flat, s))
+        return 0;
+    d->as.shader->setup(s, &c, flat ? NULL : &g);
+    return 1;
 }
 
 static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, struct setup *s)
 {
-    t->rows = sheen_spans(f, s, t->rect, w->spans, &t->first_row);
+    t->rows = sheen_spans(&f->screen, s, t->rect, w->spans, &t->first_row);
     w->stats.spans += t->rows;
     for (unsigned i = 0; i < t->rows; i++)
         if (SHEEN_STATS && w->spans[i].x1 > w->spans[i].x0)
             w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
-    shade(t, s);
+    s->rows(t, s);
 }
 
 /*
@@ -141,25 +125,25 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
 static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
                            const struct draw_record *d, uint8_t *link, int *going_on)
 {
-    struct setup *s = &w->carried[f->config.max_carried]; /* the spare one, where no slot is free */
+    struct setup *s = slot_of(w, f->config.max_carried); /* the spare one, where no slot is free */
     uint8_t slot = *link;
-    int carried = slot != NO_SLOT && w->carried[slot].entry == e;
+    int carried = slot != NO_SLOT && slot_of(w, slot)->entry == e;
 
     if (carried) {
-        s = &w->carried[slot];
+        s = slot_of(w, slot);
     } else {
         slot = w->first_free;
         uint8_t next_free = NO_SLOT;
         if (slot != NO_SLOT) {
-            s = &w->carried[slot];
+            s = slot_of(w, slot);
             next_free = s->next;
         }
-        *going_on = sheen_setup(f, d, e, t->rect.y0, s);
+        *going_on = set_up(f, d, e, t->rect.y0, s);
         s->next = next_free; /* set-up leaves the slot where it was: free */
         if (!*going_on)
             return link;
         w->stats.setups++;
-        w->stats.by_way[s->way]++;
+        w->by_way[s->way]++;
     }
     draw_rows(f, w, t, s);
     *going_on = s->row < s->end_row;

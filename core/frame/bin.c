@@ -123,8 +123,8 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     }
     c->triangle = (uint16_t)id;
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(d->mesh, 3 * id + k);
+        uint32_t index = mesh_index(d->as.mesh, 3 * id + k);
         c->v[k] = &f->vertex[d->first_vertex + index];
-        c->normal[k] = d->mesh->normals != NULL ? d->mesh->normals + 3 * index : NULL;
+        c->normal[k] = d->as.mesh->normals != NULL ? d->as.mesh->normals + 3 * index : NULL;
     }
 }

@@ -45,6 +45,7 @@ static void workers_begin(struct sheen_frame *f)
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* no band's pending triangles are at hand */
         memset(&w->stats, 0, sizeof w->stats);
+        memset(w->by_way, 0, sizeof w->by_way);
     }
 }
 
@@ -83,6 +84,12 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     f->view = *view;
     f->viewport = viewport;
     f->projection = projection;
+    f->screen = (struct screen){.viewport = viewport,
+                                .centre_x = SUBPIXEL_HALF * (viewport.x0 + viewport.x1),
+                                .centre_y = SUBPIXEL_HALF * (viewport.y0 + viewport.y1),
+                                .weight_offset = projection.weight_offset,
+                                .weight_shift = (uint8_t)projection.weight_shift,
+                                .flat_weight = view->affine || projection.orthographic != 0};
     f->vertices = f->entries = f->pieces = f->draws = 0;
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
@@ -103,17 +110,14 @@ static void transform_mesh(struct sheen_frame *f, const struct sheen_mesh *mesh,
     }
 }
 
-/* Gouraud: light the corners of a listed triangle, each vertex once. */
-static void light_corners(const struct draw_record *d, struct vertex *store, const uint32_t index[3])
+/* Light the corners of a listed triangle, each vertex once. */
+static void light_corners(const struct draw *d, struct vertex *store, const uint32_t index[3])
 {
     for (int k = 0; k < 3; k++) {
         struct vertex *v = &store[index[k]];
         if ((v->flags & LIT) != 0)
             continue;
-        struct lit lit;
-        sheen_light_normal(&d->light, d->material, d->mesh->normals + 3 * index[k], &lit);
-        v->diffuse = (uint16_t)lit.diffuse;
-        v->specular = (uint16_t)lit.specular;
+        d->shader->light(d, d->mesh->normals + 3 * index[k], v->kept);
         v->flags |= LIT;
     }
 }
@@ -123,8 +127,8 @@ static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, con
                          uint32_t triangle)
 {
     struct vertex *store = f->vertex + d->first_vertex;
-    const uint32_t index[3] = {mesh_index(d->mesh, 3 * triangle), mesh_index(d->mesh, 3 * triangle + 1),
-                               mesh_index(d->mesh, 3 * triangle + 2)};
+    const uint32_t index[3] = {mesh_index(d->as.mesh, 3 * triangle), mesh_index(d->as.mesh, 3 * triangle + 1),
+                               mesh_index(d->as.mesh, 3 * triangle + 2)};
     const struct vertex *const v[3] = {&store[index[0]], &store[index[1]], &store[index[2]]};
 
     if ((v[0]->flags & v[1]->flags & v[2]->flags & OUTSIDE) != 0)
@@ -133,12 +137,12 @@ static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, con
         return sheen_clip(f, d, t, (uint16_t)triangle);
 
     int64_t area = twice_area(v[0], v[1], v[2]);
-    if (area >= 0 && (area == 0 || !d->two_sided))
+    if (area >= 0 && (area == 0 || !d->as.two_sided))
         return 0;
     f->stats.front++;
     int listed = sheen_bin_triangle(f, v, triangle, 0);
-    if (listed == 1 && d->shading == SHEEN_GOURAUD)
-        light_corners(d, store, index);
+    if (listed == 1 && d->as.shader->light != NULL)
+        light_corners(&d->as, store, index);
     return listed < 0 ? listed : 0;
 }
 
@@ -148,9 +152,9 @@ static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw
 
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
-    if (mesh == NULL || draw->material == NULL || draw->shading > SHEEN_SLERP || mesh->positions == NULL ||
+    if (mesh == NULL || draw->material == NULL || draw->shader == NULL || mesh->positions == NULL ||
         mesh->indices == NULL || draw->material->shininess == 0 || draw->material->power_shift > 3 ||
-        (mesh->normals == NULL && draw->shading != SHEEN_FLAT))
+        (mesh->normals == NULL && draw->shader->needs_normals))
         return SHEEN_ERR_ARGUMENT;
     if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)
         return SHEEN_ERR_CAPACITY;
@@ -167,20 +171,21 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
     if (error < 0)
         return error;
     struct draw_record *d = &f->draw[f->draws];
-    d->mesh = draw->mesh;
-    d->material = draw->material;
-    d->shading = draw->shading;
-    d->two_sided = draw->two_sided;
-    d->forced = draw->way;
+    d->as.mesh = draw->mesh;
+    d->as.material = draw->material;
+    d->as.shader = draw->shader;
+    d->as.two_sided = draw->two_sided;
+    d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
+    d->as.forced = f->forced;
     d->first_vertex = f->vertices;
     if (!sheen_is_rotation(draw->pose.rotation))
         return SHEEN_ERR_ARGUMENT;
-    error = sheen_light_begin(&d->light, draw);
+    error = sheen_light_begin(&d->as.light, draw);
     if (error == 0)
         error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
     if (error < 0)
         return error;
-    sheen_colour_begin(&d->colour, &f->format, draw->material, &d->light);
+    sheen_colour_begin(&d->as.colour, &f->format, draw->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
     transform_mesh(f, draw->mesh, &t, f->vertex + d->first_vertex);
     for (uint32_t i = 0; i < draw->mesh->triangles && error == 0; i++)
         error = draw_triangle(f, d, &t, i);

@@ -8,9 +8,7 @@
 #ifndef SHEEN_FRAME_H
 #define SHEEN_FRAME_H
 
-#include "../pixel/colour.h"
-#include "../triangle/triangle.h"
-#include "../vertex/vertex.h"
+#include "../shading/shading.h"
 
 #define NONE 0xffffu /* end of a list of entries */
 
@@ -18,13 +16,9 @@
 
 /* What a draw call left behind for the bands. */
 struct draw_record {
-    const struct sheen_mesh *mesh;
-    const struct sheen_material *material;
-    struct lighting light;
-    struct colour_terms colour;
-    uint32_t first_vertex;              /* of the mesh in the frame's store */
-    uint32_t end_entry;                 /* entries of this draw end here */
-    uint8_t shading, two_sided, forced; /* forced: 1 + enum sheen_way, or 0 */
+    struct draw as;        /* what its triangles need */
+    uint32_t first_vertex; /* of the mesh in the frame's store */
+    uint32_t end_entry;    /* entries of this draw end here */
 };
 
 /* A visible triangle, in submission order; `next` links those that begin in the same band. */
@@ -54,13 +48,14 @@ struct band {
 struct worker {
     void *pixels[2];
     uint16_t *depth;
-    struct span *spans;    /* band_rows */
-    uint32_t *pending;     /* a bit an entry: begun, not done */
-    struct setup *carried; /* max_carried slots and a spare one */
+    struct span *spans; /* band_rows */
+    uint32_t *pending;  /* a bit an entry: begun, not done */
+    uint8_t *carried;   /* SETUP_BYTES each: max_carried slots and a spare one */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
     int32_t last_band; /* -2 before the first */
     struct sheen_stats stats;
+    uint32_t by_way[SHEEN_WAYS]; /* set-ups */
 };
 
 enum frame_state {
@@ -78,9 +73,11 @@ struct sheen_frame {
     struct sheen_rect viewport;
     struct pixel_format format;
     struct projection projection;
+    struct screen screen;
     uint8_t state;         /* enum frame_state */
     uint8_t send_all;      /* this frame sends every band whole */
     uint8_t send_all_next; /* so will the next one: a push or a wait failed, a band was left out, or sheen_invalidate */
+    uint8_t forced;        /* for the draws to come, as in struct draw */
     uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
     int error;             /* the first of this frame's pushes and waits */
     unsigned bands, max_bands, bands_left;
@@ -99,32 +96,15 @@ struct sheen_frame {
     size_t arena_bytes;
 };
 
-/* 1 where pixels are 565 without dither: the half of the one rounding can be added in advance. */
-static inline uint8_t sheen_rounds_early(const struct sheen_frame *f)
-{
-    return FAST_LOOPS && !f->format.grey && !f->view.dither;
-}
-
-/* 1 where a way is not ruled out by a draw that forces another. */
-static inline int sheen_way_wanted(const struct draw_record *d, enum sheen_way way)
-{
-    return d->forced == 0 || d->forced == 1 + (unsigned)way;
-}
-
-static inline uint32_t mesh_index(const struct sheen_mesh *mesh, uint32_t i)
-{
-    return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
-}
-
 /* Screen coordinates of a vertex on the target, 1/64 px. */
 static inline int32_t target_x(const struct sheen_frame *f, int32_t x)
 {
-    return x + SUBPIXEL_HALF * (f->viewport.x0 + f->viewport.x1);
+    return x + f->screen.centre_x;
 }
 
 static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
 {
-    return y + SUBPIXEL_HALF * (f->viewport.y0 + f->viewport.y1);
+    return y + f->screen.centre_y;
 }
 
 /* clip.c: cut a triangle and list its pieces; 0 or SHEEN_ERR_CAPACITY. */

@@ -2,6 +2,7 @@
  * stats.c - counters of a frame, error texts and checks of what the caller hands in.
  */
 #include "frame.h"
+#include "ways.h"
 
 void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
 {
@@ -11,8 +12,6 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     *stats = f->stats;
     for (unsigned i = 0; i < c->workers; i++) {
         const struct sheen_stats *w = &f->worker[i].stats;
-        for (unsigned way = 0; way < sizeof stats->by_way / sizeof stats->by_way[0]; way++)
-            stats->by_way[way] += w->by_way[way];
         stats->setups += w->setups;
         stats->spans += w->spans;
         stats->covered += w->covered;
@@ -24,6 +23,20 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof(struct vertex));
     stats->ram_lists = (uint32_t)(c->max_triangles * sizeof(struct entry));
     stats->ram_bands = (uint32_t)(c->workers * tile * (c->buffers * pixel + sizeof(uint16_t)));
+}
+
+void sheen_frame_ways(const struct sheen_frame *f, uint32_t by_way[SHEEN_WAYS])
+{
+    for (unsigned way = 0; way < SHEEN_WAYS; way++) {
+        by_way[way] = 0;
+        for (unsigned i = 0; i < f->config.workers; i++)
+            by_way[way] += f->worker[i].by_way[way];
+    }
+}
+
+void sheen_frame_force(struct sheen_frame *f, unsigned way)
+{
+    f->forced = (uint8_t)way;
 }
 
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)

@@ -4,7 +4,7 @@
  * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
  * carry 10 fraction bits, one less for each doubling of the intensities above 1.
  */
-#include "../frame/frame.h"
+#include "pixel.h"
 
 /* a * b for UQ0.32 factors, 1.0 held as 0xffffffff. */
 static uint32_t multiply(uint32_t a, uint32_t b)
@@ -91,7 +91,7 @@ static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t col
  * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, so h <= 6 and fraction >= 17.
  */
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
-                        const struct lighting *l)
+                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
     uint64_t a[3], b[3], c[3];
     unsigned headroom = 0;
@@ -99,8 +99,8 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
     t->clamp = 0;
     for (int k = 0; k < 3; k++) {
         a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
-        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)l->diffuse_sum) >> 16);
-        c[k] = channel_of(format, k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)l->specular_sum) >> 16);
+        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16);
+        c[k] = channel_of(format, k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16);
         /* 1/256 level above the highest still rounds to it */
         uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)format->scale[k] << 16) + (1u << 24);
         t->clamp |= most > top;

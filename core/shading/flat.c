@@ -1,23 +1,7 @@
 /*
- * flat.c - one colour a polygon: what flat shading and degenerate triangles use.
+ * flat.c - flat shading: one intensity a polygon, from its own normal (lecture, "Uniform Shading").
  */
-#include "../frame/frame.h"
-
-void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit)
-{
-    const struct colour_terms *terms = &s->draw->colour;
-    const uint32_t half = 1u << (terms->fraction - 1);
-    uint32_t level[3];
-
-    for (int k = 0; k < 3; k++) {
-        uint32_t channel = colour_channel(terms, k, lit);
-        s->shade.flat.channel[k] = channel < terms->top[k] ? channel : terms->top[k];
-        level[k] = (s->shade.flat.channel[k] + half) >> terms->fraction;
-    }
-    s->way = SHEEN_WAY_FLAT;
-    s->fast = sheen_rounds_early(f);
-    s->shade.flat.pixel = pixel_order(level[0] << 11 | level[1] << 5 | level[2], f->format.swap);
-}
+#include "shading.h"
 
 /*
  * The normal of a triangle from its corners, for meshes that have none: the cross
@@ -63,33 +47,18 @@ static void polygon_normal(const struct sheen_mesh *mesh, uint32_t triangle, int
         normal[i] = (int16_t)(known ? min32(asr32(unit[i] + (1 << 14), 15), 32767) : 0);
 }
 
-void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c)
+static void flat_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     int16_t normal[3];
     struct lit lit;
 
+    (void)g;
     polygon_normal(s->draw->mesh, c->at.triangle, normal);
     if (c->back)
         for (int i = 0; i < 3; i++)
             normal[i] = (int16_t)-max32(normal[i], -32767);
     sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
-    sheen_setup_constant(f, s, &lit);
+    sheen_setup_constant(s, &lit);
 }
 
-/* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */
-void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c)
-{
-    sheen_q30_t sum[3], unit[3] = {0, 0, 0};
-    int16_t normal[3];
-    struct lit lit;
-
-    for (int i = 0; i < 3; i++) {
-        sum[i] = c->at.normal[0][i] + c->at.normal[1][i] + c->at.normal[2][i];
-        sum[i] = c->back ? -sum[i] : sum[i];
-    }
-    (void)sheen_normalize(sum, unit); /* a zero sum stays zero: ambient only */
-    for (int i = 0; i < 3; i++)
-        normal[i] = (int16_t)min32(asr32(unit[i] + (1 << 14), 15), 32767);
-    sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
-    sheen_setup_constant(f, s, &lit);
-}
+const struct sheen_shader sheen_flat = {.setup = flat_setup};

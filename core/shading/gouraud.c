@@ -2,7 +2,11 @@
  * gouraud.c - intensities at the corners to planes or quadrics, and the choice
  * among linear on the screen, quadratic, and Blinn's quotient.
  */
-#include "../frame/frame.h"
+#include "gouraud.h"
+
+SETUP_FITS(struct linear_setup);
+SETUP_FITS(struct quadric_setup);
+SETUP_FITS(struct quotient_setup);
 
 /* Intensities at a corner: lit when the mesh was drawn, or now for back faces. */
 static void corner_lit(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
@@ -10,8 +14,8 @@ static void corner_lit(const struct setup *s, const struct surface_corners *c, i
     const struct vertex *v = c->at.v[k];
 
     if (!c->back || (v->flags & LIT_AS_SEEN) != 0) {
-        lit->diffuse = v->diffuse;
-        lit->specular = v->specular;
+        lit->diffuse = v->kept[0];
+        lit->specular = v->kept[1];
         return;
     }
     const int16_t *n = c->at.normal[k];
@@ -55,35 +59,48 @@ static enum sheen_way way_of(const struct setup *s, const struct surface_corners
 {
     uint32_t spread = sheen_weight_spread(c);
 
-    if (c->flat_weight || (difference * spread >> 17 == 0 && sheen_way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR)))
+    if (c->flat_weight || (difference * spread >> 17 == 0 && way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR)))
         return SHEEN_WAY_GOURAUD_LINEAR;
     if (spread < 16384 && difference * (spread * spread >> 16) >> 20 == 0 &&
-        sheen_way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC))
+        way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC))
         return SHEEN_WAY_GOURAUD_QUADRATIC;
     return SHEEN_WAY_GOURAUD_QUOTIENT;
 }
 
-/* Linear channels, or under quotient channels and 1 times weight. */
-static APART void channel_planes(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                                 const struct lit lit[3])
+/* Linear channels; fast: + 1/2 once for all pixels. */
+static void linear(struct setup *s, const struct gradients *g, const struct lit lit[3])
 {
+    struct linear_setup *l = (struct linear_setup *)s;
     const struct colour_terms *terms = &s->draw->colour;
-    int quotient = s->way == SHEEN_WAY_GOURAUD_QUOTIENT;
+
+    s->rows = sheen_linear_rows;
+    for (int i = 0; i < 3; i++) {
+        int32_t value[3]; /* < 2^31 */
+        for (int k = 0; k < 3; k++)
+            value[k] = (int32_t)colour_channel(terms, i, &lit[k]);
+        l->channel[i] = sheen_gradient_plane(g, value, 0);
+        l->channel[i].base += s->fast ? 1u << (terms->fraction - 1) : 0;
+    }
+}
+
+/* Channels and 1 times weight. */
+static APART void quotient(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                           const struct lit lit[3])
+{
+    struct quotient_setup *q = (struct quotient_setup *)s;
     int32_t value[3]; /* < 2^31 */
 
+    s->way = SHEEN_WAY_GOURAUD_QUOTIENT;
+    s->rows = sheen_quotient_rows;
+    s->fast = 0;
     for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            uint32_t channel = colour_channel(terms, i, &lit[k]);
-            value[k] = (int32_t)(quotient ? mul_high(channel, c->weight[k]) : channel);
-        }
-        s->shade.gouraud.channel[i] = sheen_gradient_plane(g, value, 0);
-        if (s->fast) /* + 1/2 once for all pixels */
-            s->shade.gouraud.channel[i].base += 1u << (terms->fraction - 1);
+        for (int k = 0; k < 3; k++)
+            value[k] = (int32_t)mul_high(colour_channel(&s->draw->colour, i, &lit[k]), c->weight[k]);
+        q->channel[i] = sheen_gradient_plane(g, value, 0);
     }
-    for (int k = 0; k < 3 && quotient; k++)
+    for (int k = 0; k < 3; k++)
         value[k] = (int32_t)(c->weight[k] >> 1);
-    if (quotient)
-        s->shade.gouraud.weight = sheen_gradient_plane(g, value, 1);
+    q->weight = sheen_gradient_plane(g, value, 1);
 }
 
 /* An intensity's quadric, Q1.30, rounding added: an edge's excess is (4 share - 2) (first - second). */
@@ -101,6 +118,8 @@ static void intensity_quadric(const struct gradients *g, const struct node_produ
 static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
                            const struct lit lit[3])
 {
+    struct quadric_setup *q = (struct quadric_setup *)s;
+    int highlight = (lit[0].specular | lit[1].specular | lit[2].specular) != 0;
     struct node_products products;
     struct middles middles;
     struct nodes n;
@@ -110,17 +129,16 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     sheen_middles(c, &middles);
     for (int k = 0; k < 3; k++)
         n.corner[k] = (int32_t)(lit[k].diffuse << 15);
-    intensity_quadric(g, &products, &middles, &n, &s->shade.quadratic.diffuse);
-    s->highlight = (lit[0].specular | lit[1].specular | lit[2].specular) != 0;
+    intensity_quadric(g, &products, &middles, &n, &q->diffuse);
+    s->rows = highlight ? sheen_quadric_rows_specular : sheen_quadric_rows_diffuse;
     for (int k = 0; k < 3; k++)
         n.corner[k] = (int32_t)(lit[k].specular << 15);
-    if (s->highlight)
-        intensity_quadric(g, &products, &middles, &n, &s->shade.quadratic.second);
+    if (highlight)
+        intensity_quadric(g, &products, &middles, &n, &q->second);
     return 1;
 }
 
-void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                         const struct gradients *g)
+static void gouraud_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     struct lit lit[3];
 
@@ -129,17 +147,26 @@ void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const str
     if (g == NULL) {
         struct lit mean = {(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse) / 3,
                            (lit[0].specular + lit[1].specular + lit[2].specular) / 3};
-        sheen_setup_constant(f, s, &mean);
+        sheen_setup_constant(s, &mean);
         return;
     }
     struct survey survey = survey_of(&s->draw->colour, lit);
     s->way = (uint8_t)way_of(s, c, survey.difference);
-    s->fast = sheen_rounds_early(f) && !survey.over && s->way != SHEEN_WAY_GOURAUD_QUOTIENT;
-    if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC) {
-        if (quadratic(s, c, g, lit))
-            return;
-        s->way = SHEEN_WAY_GOURAUD_QUOTIENT;
-        s->fast = 0;
-    }
-    channel_planes(s, c, g, lit);
+    s->fast = s->draw->early && !survey.over;
+    if (s->way == SHEEN_WAY_GOURAUD_LINEAR)
+        linear(s, g, lit);
+    else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT || !quadratic(s, c, g, lit))
+        quotient(s, c, g, lit);
 }
+
+/* A vertex keeps its intensities. */
+static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
+{
+    struct lit lit;
+
+    sheen_light_normal(&d->light, d->material, normal, &lit);
+    kept[0] = (uint16_t)lit.diffuse;
+    kept[1] = (uint16_t)lit.specular;
+}
+
+const struct sheen_shader sheen_gouraud = {.light = gouraud_light, .setup = gouraud_setup, .needs_normals = 1};

@@ -3,7 +3,10 @@
  * (lecture, "Clever Implementation"; the change in D as mended: its second
  * difference is constant).
  */
-#include "../frame/frame.h"
+#include "phong.h"
+
+SETUP_FITS(struct phong_setup);
+SETUP_FITS(struct phong_lights_setup);
 
 /* Steps of the normal below 2 a px in Q2.29, or the triangle is scaled down, at most so many bits. */
 #define STEEPEST ((int64_t)1 << 30)
@@ -102,9 +105,8 @@ static uint8_t block_shift(const struct slope slope[3])
     return steepest <= half_degree / 4 ? 4 : steepest <= half_degree / 2 ? 3 : 0;
 }
 
-/* Returns 0 where the normal's steps do not fit. */
-int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                      const struct gradients *g)
+/* Normals that are linear over the triangle. Returns 0 where their steps do not fit. */
+static APART int linear_normals(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     const struct lighting *l = &s->draw->light;
     int32_t n[3][3];
@@ -113,18 +115,32 @@ int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct
     weighted_normals(c, n);
     if (!normal_slopes(g, n, slope))
         return 0;
-    s->fast = sheen_rounds_early(f) && !s->draw->colour.clamp;
+    s->fast = s->draw->early && !s->draw->colour.clamp;
     if (l->count > 1) {
+        struct phong_lights_setup *several = (struct phong_lights_setup *)s;
         s->way = SHEEN_WAY_PHONG_LIGHTS;
+        s->rows = sheen_phong_lights_rows;
         for (int i = 0; i < 3; i++)
-            s->shade.normal[i] = normal_plane(g, &slope[i]);
+            several->normal[i] = normal_plane(g, &slope[i]);
         return 1;
     }
-    s->block_shift = block_shift(slope);
-    s->way = s->block_shift != 0 && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_BLOCKS) ? SHEEN_WAY_PHONG_BLOCKS
-                                                                                      : SHEEN_WAY_PHONG_ROOT;
-    s->shade.phong.light = dot_plane(g, l->to[0], slope);
-    s->shade.phong.view = dot_plane(g, l->view, slope);
-    s->shade.phong.square = square_quadric(g, slope);
+    struct phong_setup *one = (struct phong_setup *)s;
+    s->detail = block_shift(slope);
+    s->way =
+        s->detail != 0 && way_wanted(s->draw, SHEEN_WAY_PHONG_BLOCKS) ? SHEEN_WAY_PHONG_BLOCKS : SHEEN_WAY_PHONG_ROOT;
+    s->rows = sheen_phong_rows;
+    one->light = dot_plane(g, l->to[0], slope);
+    one->view = dot_plane(g, l->view, slope);
+    one->square = square_quadric(g, slope);
     return 1;
 }
+
+static void phong_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+{
+    unsigned lights = s->draw->light.count;
+
+    if (g == NULL || lights == 0 || (!(lights == 1 && sheen_phong_nodes(s, c, g)) && !linear_normals(s, c, g)))
+        sheen_setup_mean_normal(s, c);
+}
+
+const struct sheen_shader sheen_phong = {.setup = phong_setup, .needs_normals = 1};

@@ -2,20 +2,20 @@
  * phong_blocks.c - Phong over runs of 8 or 16 px: exact nodes half a block apart,
  * a parabola through three of them in between.
  */
-#include "../triangle/rows.h"
+#include "phong.h"
 
 /* To the pixel n further on. */
-static void run_next(const struct setup *s, struct normal_run *r, int32_t n)
+static void run_next(const struct phong_setup *p, struct normal_run *r, int32_t n)
 {
-    r->ln += (uint32_t)n * s->shade.phong.light.dx;
-    r->nv += (uint32_t)n * s->shade.phong.view.dx;
-    r->d += (uint32_t)n * r->d_step + pairs(n) * s->shade.phong.square.dxx;
-    r->d_step += (uint32_t)n * s->shade.phong.square.dxx;
+    r->ln += (uint32_t)n * p->light.dx;
+    r->nv += (uint32_t)n * p->view.dx;
+    r->d += (uint32_t)n * r->d_step + pairs(n) * p->square.dxx;
+    r->d_step += (uint32_t)n * p->square.dxx;
 }
 
-static struct normal_run run_at(const struct setup *s, const struct quadric_row *square, int32_t x, int32_t y)
+static struct normal_run run_at(const struct phong_setup *p, const struct quadric_row *square, int32_t x, int32_t y)
 {
-    struct normal_run r = {plane_at(&s->shade.phong.light, x, y), plane_at(&s->shade.phong.view, x, y), 0, 0};
+    struct normal_run r = {plane_at(&p->light, x, y), plane_at(&p->view, x, y), 0, 0};
 
     quadric_run(square, x, &r.d, &r.d_step);
     return r;
@@ -55,10 +55,10 @@ static struct parabola through(int32_t f0, int32_t f1, int32_t f2, unsigned shif
 }
 
 /* Blocks from x on while they fit before x1; returns where the rest begins, *run there. */
-static int32_t block_row(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
+static int32_t block_row(const struct tile *t, const struct phong_setup *p, int32_t x, int32_t x1, int32_t y,
                          struct normal_run *run)
 {
-    const int32_t lv1 = s->draw->light.lv1[0], length = 1 << s->block_shift;
+    const int32_t lv1 = p->s.draw->light.lv1[0], length = 1 << p->s.detail;
     struct node node[3];
 
     if (x + length > x1 || !node_at(lv1, run, &node[0]))
@@ -66,16 +66,16 @@ static int32_t block_row(const struct tile *t, const struct setup *s, int32_t x,
     node[0].diffuse += (int32_t)HALF; /* rounding */
     while (x + length <= x1) {
         struct normal_run next = *run;
-        run_next(s, &next, length / 2);
+        run_next(p, &next, length / 2);
         if (!node_at(lv1, &next, &node[1]))
             return x;
-        run_next(s, &next, length / 2);
+        run_next(p, &next, length / 2);
         if (!node_at(lv1, &next, &node[2]))
             return x;
         node[1].diffuse += (int32_t)HALF;
         node[2].diffuse += (int32_t)HALF;
-        sheen_shade_block(t, s, x, y, through(node[0].diffuse, node[1].diffuse, node[2].diffuse, s->block_shift),
-                          through(node[0].reflected, node[1].reflected, node[2].reflected, s->block_shift));
+        sheen_phong_block(t, p, x, y, through(node[0].diffuse, node[1].diffuse, node[2].diffuse, p->s.detail),
+                          through(node[0].reflected, node[1].reflected, node[2].reflected, p->s.detail));
         node[0] = node[2];
         *run = next;
         x += length;
@@ -84,17 +84,18 @@ static int32_t block_row(const struct tile *t, const struct setup *s, int32_t x,
 }
 
 /* The rows of a triangle: blocks where they are wanted and fit, a root a pixel for the rest. */
-void sheen_shade_phong_root(const struct tile *t, const struct setup *s)
+void sheen_phong_rows(const struct tile *t, const struct setup *s)
 {
-    struct quadric_row square = quadric_row_at(&s->shade.phong.square, t->first_row);
+    const struct phong_setup *p = (const struct phong_setup *)s;
+    struct quadric_row square = quadric_row_at(&p->square, t->first_row);
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        struct normal_run run = run_at(s, &square, x, y);
+        struct normal_run run = run_at(p, &square, x, y);
         if (s->way == SHEEN_WAY_PHONG_BLOCKS)
-            x = block_row(t, s, x, x1, y, &run);
+            x = block_row(t, p, x, x1, y, &run);
         if (x < x1)
-            sheen_shade_root_run(t, s, x, x1, y, run);
+            sheen_phong_root_run(t, p, x, x1, y, run);
         quadric_row_next(&square);
     }
 }

@@ -6,7 +6,10 @@
  * k = 2 p e, p = w1 w2 / (w1 + w2)^2, e = 1 - N1.N2, and
  * 1/sqrt(1 - k) = 1 + k/2 + 3 k^2/8 + ..., off by 1e-6 at 15 degrees, 1e-5 at 22.
  */
-#include "../frame/frame.h"
+#include "phong.h"
+
+SETUP_FITS(struct linear_setup);
+SETUP_FITS(struct quadric_setup);
 
 /* 1 - cos of the largest angle between corner normals, Q1.30: 22 degrees without a highlight, */
 #define WIDEST_DIFFUSE 78186000
@@ -85,7 +88,7 @@ static int32_t upper_bound(const struct nodes *n)
 }
 
 /* 1 where some pixel may come out above 1.0 in a channel; u: least 1 - R.V, Q2.29. */
-static int exceeds(const struct draw_record *d, const struct nodes *diffuse, int32_t u)
+static int exceeds(const struct draw *d, const struct nodes *diffuse, int32_t u)
 {
     const struct colour_terms *terms = &d->colour;
     struct lit most = {(uint32_t)max32(0, min32(asr32(upper_bound(diffuse), 15) + 1, 32768)),
@@ -113,18 +116,19 @@ static int nearly_linear(const struct setup *s, const struct nodes *diffuse)
 /* Channels at the corners, interpolated like Gouraud's. */
 static APART void linear_channels(struct setup *s, const struct gradients *g, const struct nodes *diffuse)
 {
+    struct linear_setup *l = (struct linear_setup *)s;
     const struct colour_terms *terms = &s->draw->colour;
 
     s->way = SHEEN_WAY_PHONG_LINEAR;
+    s->rows = sheen_linear_rows;
     for (int i = 0; i < 3; i++) {
         int32_t channel[3];
         for (int k = 0; k < 3; k++) {
             struct lit lit = {(uint32_t)((diffuse->corner[k] + (1 << 14)) >> 15), 0};
             channel[k] = (int32_t)colour_channel(terms, i, &lit);
         }
-        s->shade.gouraud.channel[i] = sheen_gradient_plane(g, channel, 0);
-        if (s->fast)
-            s->shade.gouraud.channel[i].base += 1u << (terms->fraction - 1);
+        l->channel[i] = sheen_gradient_plane(g, channel, 0);
+        l->channel[i].base += s->fast ? 1u << (terms->fraction - 1) : 0;
     }
 }
 
@@ -165,23 +169,23 @@ static APART int32_t nodes_of(const struct setup *s, const struct surface_corner
 
 /* Returns 0 where the triangle is too small for node products. */
 static APART int quadrics(struct setup *s, const struct gradients *g, const struct nodes *diffuse,
-                          const struct nodes *reflected)
+                          const struct nodes *reflected, int highlight)
 {
+    struct quadric_setup *q = (struct quadric_setup *)s;
     struct node_products products;
 
     if (!sheen_node_products(&products, g))
         return 0;
     s->way = SHEEN_WAY_PHONG_QUADRATIC;
-    sheen_node_quadric(g, &products, diffuse, &s->shade.quadratic.diffuse);
-    s->shade.quadratic.diffuse.base += 1u << 14; /* rounding to UQ1.15, once for all pixels */
-    if (s->highlight)
-        sheen_node_quadric(g, &products, reflected, &s->shade.quadratic.second);
+    s->rows = highlight ? sheen_quadric_rows_power : sheen_quadric_rows_diffuse;
+    sheen_node_quadric(g, &products, diffuse, &q->diffuse);
+    q->diffuse.base += 1u << 14; /* rounding to UQ1.15, once for all pixels */
+    if (highlight)
+        sheen_node_quadric(g, &products, reflected, &q->second);
     return 1;
 }
 
-/* Returns 0 where the normals are too far apart, or another way is forced. */
-int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                            const struct gradients *g)
+int sheen_phong_nodes(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     const struct sheen_material *m = s->draw->material;
     struct nodes diffuse, reflected;
@@ -190,14 +194,15 @@ int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const 
     if (apart == INT32_MAX)
         return 0;
     int32_t least = lower_bound(&reflected);
-    s->highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
-    if (s->highlight && apart > (m->shininess > 32 ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
+    int highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
+    if (highlight && apart > (m->shininess > 32 ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
         return 0;
-    s->faded = s->highlight && lower_bound(&diffuse) < FADED << 15;
-    s->fast = sheen_rounds_early(f) && !s->faded && !exceeds(s->draw, &diffuse, s->highlight ? least : INT32_MAX);
-    if (!s->highlight && sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_LINEAR) && nearly_linear(s, &diffuse)) {
+    int faded = highlight && lower_bound(&diffuse) < FADED << 15;
+    s->fast = s->draw->early && !faded && !exceeds(s->draw, &diffuse, highlight ? least : INT32_MAX);
+    if (!highlight && way_wanted(s->draw, SHEEN_WAY_PHONG_LINEAR) && nearly_linear(s, &diffuse)) {
         linear_channels(s, g, &diffuse);
         return 1;
     }
-    return sheen_way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) && quadrics(s, g, &diffuse, &reflected);
+    s->detail = (uint8_t)faded;
+    return way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) && quadrics(s, g, &diffuse, &reflected, highlight);
 }

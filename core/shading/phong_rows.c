@@ -8,8 +8,7 @@
  *   diffuse  = (L.N) r,   R.V = 2 (L.N)(V.N) r^2 - L.V.
  * Over a triangle the result does not depend on its orientation.
  */
-#include "../math/newton.h"
-#include "../triangle/rows.h"
+#include "phong.h"
 
 /*
  * D outside the root table's [1/4, 1 + 1/512): normals far apart, or a triangle
@@ -54,16 +53,16 @@ SPECIALISED void light_pixel(struct power power, int32_t lv1, int32_t ln, int32_
 }
 
 /* Pixels x..x1 with a root each; fast is a constant argument, rounding then is in the terms. */
-SPECIALISED void root_run(const struct tile *t, const struct setup *s, const struct colour_terms *terms, int32_t x,
-                          int32_t x1, int32_t y, struct normal_run run, int fast)
+SPECIALISED void root_run(const struct tile *t, const struct phong_setup *p, const struct colour_terms *terms,
+                          int32_t x, int32_t x1, int32_t y, struct normal_run run, int fast)
 {
-    const struct power power = power_of(s->draw->material);
-    const int32_t lv1 = s->draw->light.lv1[0];
-    const uint32_t dz = s->depth.dx, dln = s->shade.phong.light.dx, dnv = s->shade.phong.view.dx;
-    const uint32_t ddd = s->shade.phong.square.dxx;
+    const struct power power = power_of(p->s.draw->material);
+    const int32_t lv1 = p->s.draw->light.lv1[0];
+    const uint32_t dz = p->s.depth.dx, dln = p->light.dx, dnv = p->view.dx;
+    const uint32_t ddd = p->square.dxx;
     const unsigned fraction = terms->fraction, swap = t->format->swap;
     struct rounding rounding = rounding_of(t, terms, y);
-    uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+    uint32_t at = tile_offset(t, x, y), z = plane_at(&p->s.depth, x, y);
 
     for (; x < x1; x++, at++, z += dz) {
         if (nearer(t, t->depth + at, z)) {
@@ -83,30 +82,30 @@ SPECIALISED void root_run(const struct tile *t, const struct setup *s, const str
     }
 }
 
-void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
+void sheen_phong_root_run(const struct tile *t, const struct phong_setup *p, int32_t x, int32_t x1, int32_t y,
                           struct normal_run run)
 {
-    struct colour_terms terms = s->draw->colour;
+    struct colour_terms terms = p->s.draw->colour;
 
-    if (!FAST_LOOPS || !s->fast) {
-        root_run(t, s, &terms, x, x1, y, run, 0);
+    if (!FAST_LOOPS || !p->s.fast) {
+        root_run(t, p, &terms, x, x1, y, run, 0);
         return;
     }
     for (int k = 0; k < 3; k++) /* + 1/2 once for all pixels */
         terms.a[k] += 1u << (terms.fraction - 1);
-    root_run(t, s, &terms, x, x1, y, run, 1);
+    root_run(t, p, &terms, x, x1, y, run, 1);
 }
 
 /* A block from pixel x on: both parabolas stepped. */
-void sheen_shade_block(const struct tile *t, const struct setup *s, int32_t x, int32_t y, struct parabola diffuse,
+void sheen_phong_block(const struct tile *t, const struct phong_setup *p, int32_t x, int32_t y, struct parabola diffuse,
                        struct parabola reflected)
 {
-    const struct colour_terms *terms = &s->draw->colour;
-    const struct power power = power_of(s->draw->material);
+    const struct colour_terms *terms = &p->s.draw->colour;
+    const struct power power = power_of(p->s.draw->material);
     struct rounding rounding = rounding_of(t, terms, y);
-    uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+    uint32_t at = tile_offset(t, x, y), z = plane_at(&p->s.depth, x, y);
 
-    for (int32_t end = x + (1 << s->block_shift); x < end; x++, at++, z += s->depth.dx) {
+    for (int32_t end = x + (1 << p->s.detail); x < end; x++, at++, z += p->s.depth.dx) {
         if (nearer(t, t->depth + at, z)) {
             struct lit lit = {0, 0};
             if (diffuse.value > 0) {
@@ -172,10 +171,10 @@ static void light_normal(const struct setup *s, const int32_t n[3], uint32_t roo
     lit->specular = (specular + HALF) >> 15;
 }
 
-void sheen_shade_phong_lights(const struct tile *t, const struct setup *s)
+void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
 {
     const struct colour_terms *terms = &s->draw->colour;
-    const struct plane *p = s->shade.normal;
+    const struct plane *p = ((const struct phong_lights_setup *)s)->normal;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;

@@ -6,10 +6,11 @@
  * angle; both obey x'' = -4 sin^2(step/2) x, so a pixel needs no root, no sine
  * and no product of L.N with N.V.
  */
-#include "../frame/frame.h"
+#include "slerp.h"
 #include "../math/angle.h"
 #include "../math/arc.h"
-#include "../math/newton.h"
+
+SETUP_FITS(struct slerp_setup);
 
 /* Even steps of the angle are good enough where they are off by less than this, about 1e-4 rad. */
 #define TOLERANCE (1u << 16)
@@ -30,16 +31,16 @@ static uint32_t in_space(uint32_t t, uint32_t w1, uint32_t w2, uint32_t *weight)
 /* ---- the ends of a row ---- */
 
 /* Where row y crosses the edge from corner a down to corner b: x, weight and normal there. */
-static void cross_edge(const struct tile *t, const struct setup *s, unsigned a, unsigned b, uint32_t angle, int32_t y,
-                       int32_t *x, uint32_t *weight, int32_t normal[3])
+static void cross_edge(const struct tile *t, const struct slerp_setup *s, unsigned a, unsigned b, uint32_t angle,
+                       int32_t y, int32_t *x, uint32_t *weight, int32_t normal[3])
 {
-    int32_t ya = s->shade.slerp.y[a] + t->centre_y, height = s->shade.slerp.y[b] - s->shade.slerp.y[a];
-    int32_t xa = s->shade.slerp.x[a] + t->centre_x, across = s->shade.slerp.x[b] - s->shade.slerp.x[a];
+    int32_t ya = s->y[a] + t->centre_y, height = s->y[b] - s->y[a];
+    int32_t xa = s->x[a] + t->centre_x, across = s->x[b] - s->x[a];
     uint32_t part = sheen_ratio((uint32_t)(y * SUBPIXEL_ONE + SUBPIXEL_HALF - ya), (uint32_t)height);
-    uint32_t wa = (uint32_t)s->shade.slerp.weight[a] << 16, wb = (uint32_t)s->shade.slerp.weight[b] << 16;
+    uint32_t wa = (uint32_t)s->weight[a] << 16, wb = (uint32_t)s->weight[b] << 16;
 
     *x = xa * 1024 + (int32_t)asr64((int64_t)across * part, 22); /* Q15.16 px */
-    sheen_arc_normal(s->shade.slerp.normal[a], s->shade.slerp.normal[b], angle, in_space(part, wa, wb, weight), normal);
+    sheen_arc_normal(s->normal[a], s->normal[b], angle, in_space(part, wa, wb, weight), normal);
 }
 
 /* ---- lights along the arc ---- */
@@ -83,10 +84,10 @@ static int32_t held(int64_t x)
     return (int32_t)(x > one ? one : x < -one ? -one : x);
 }
 
-static void light_row(const struct setup *s, const int32_t left[3], const int32_t right[3], const struct arc *arc,
+static void light_row(const struct slerp_setup *s, const int32_t left[3], const int32_t right[3], const struct arc *arc,
                       struct slerp_row *row)
 {
-    const struct lighting *l = &s->draw->light;
+    const struct lighting *l = &s->s.draw->light;
     int flat = arc->angle < TINY_ANGLE >> 6 || row->opposite; /* the left end's normal throughout */
     struct ends v = dots(left, right, l->view);
     int32_t c = held(v.left), d = flat ? 0 : sine_factor(v, arc);
@@ -119,7 +120,7 @@ static int nearly_even(const struct slerp_row *row)
  * The scan line of pixel row y: which two edges it crosses (a horizontal one
  * never), what is there, and the arc between. Returns 0 where it crosses none.
  */
-static int begin_row(const struct tile *t, const struct setup *s, int32_t y, struct slerp_row *row)
+static int begin_row(const struct tile *t, const struct slerp_setup *s, int32_t y, struct slerp_row *row)
 {
     int32_t centre = y * SUBPIXEL_ONE + SUBPIXEL_HALF - t->centre_y, x[2], normal[2][3];
     uint32_t weight[2];
@@ -127,12 +128,12 @@ static int begin_row(const struct tile *t, const struct setup *s, int32_t y, str
 
     for (unsigned k = 0; k < 3 && found < 2; k++) {
         unsigned a = k, b = k == 2 ? 0 : k + 1;
-        if (s->shade.slerp.y[b] < s->shade.slerp.y[a]) {
+        if (s->y[b] < s->y[a]) {
             a = b;
             b = k;
         }
-        if (s->shade.slerp.y[a] <= centre && centre < s->shade.slerp.y[b]) {
-            cross_edge(t, s, a, b, s->shade.slerp.angle[k], y, &x[found], &weight[found], normal[found]);
+        if (s->y[a] <= centre && centre < s->y[b]) {
+            cross_edge(t, s, a, b, s->angle[k], y, &x[found], &weight[found], normal[found]);
             found++;
         }
     }
@@ -218,8 +219,10 @@ static unsigned begin_block(const struct slerp_row *row, unsigned lights, int32_
     return length;
 }
 
-void sheen_shade_slerp(const struct tile *t, const struct setup *s)
+static void slerp_rows(const struct tile *t, const struct setup *setup)
 {
+    const struct slerp_setup *s = (const struct slerp_setup *)setup;
+
     for (unsigned i = 0; i < t->rows; i++) {
         struct slerp_row row;
         int32_t x = t->spans[i].x0, x1 = t->spans[i].x1, y = t->first_row + (int32_t)i;
@@ -227,8 +230,8 @@ void sheen_shade_slerp(const struct tile *t, const struct setup *s)
             continue;
         while (x < x1) {
             struct arc_block block;
-            unsigned length = begin_block(&row, s->draw->light.count, x, x1 - x, &block);
-            sheen_shade_arc(t, s, &row, &block, x, y, length);
+            unsigned length = begin_block(&row, s->s.draw->light.count, x, x1 - x, &block);
+            sheen_slerp_block(t, s, &row, &block, x, y, length);
             x += (int32_t)length;
         }
     }
@@ -236,22 +239,30 @@ void sheen_shade_slerp(const struct tile *t, const struct setup *s)
 
 /* ---- set-up ---- */
 
-void sheen_setup_slerp(struct setup *s, const struct surface_corners *c)
+static void slerp_setup(struct setup *setup, const struct surface_corners *c, const struct gradients *g)
 {
+    struct slerp_setup *s = (struct slerp_setup *)setup;
     int32_t unit[3][3]; /* by corner and component, Q1.30 */
 
+    if (g == NULL || setup->draw->light.count == 0) {
+        sheen_setup_mean_normal(setup, c);
+        return;
+    }
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
             int32_t component = max32(c->at.normal[k][i], -32767);
-            s->shade.slerp.normal[k][i] = (int16_t)(c->back ? -component : component);
-            unit[k][i] = s->shade.slerp.normal[k][i] * 32769; /* 32767 * 32769 = 2^30 - 1 */
+            s->normal[k][i] = (int16_t)(c->back ? -component : component);
+            unit[k][i] = s->normal[k][i] * 32769; /* 32767 * 32769 = 2^30 - 1 */
         }
-        s->shade.slerp.weight[k] = (uint16_t)(c->flat_weight ? 0xffff : c->weight[k] >> 16);
-        s->shade.slerp.x[k] = c->at.v[k]->x;
-        s->shade.slerp.y[k] = c->at.v[k]->y;
+        s->weight[k] = (uint16_t)(c->flat_weight ? 0xffff : c->weight[k] >> 16);
+        s->x[k] = c->at.v[k]->x;
+        s->y[k] = c->at.v[k]->y;
     }
-    s->way = SHEEN_WAY_SLERP;
-    s->fast = 0;
+    setup->way = SHEEN_WAY_SLERP;
+    setup->fast = 0;
+    setup->rows = slerp_rows;
     for (int k = 0; k < 3; k++)
-        s->shade.slerp.angle[k] = sheen_arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
+        s->angle[k] = sheen_arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
 }
+
+const struct sheen_shader sheen_slerp = {.setup = slerp_setup, .needs_normals = 1, .unit_normals = 1};

@@ -2,7 +2,7 @@
  * slerp_rows.c - normals on great arcs along edges and rows: two multiplications
  * a light and pixel, no root.
  */
-#include "../triangle/rows.h"
+#include "slerp.h"
 
 /* The next pixel of x'' = -e x: x (Q1.30 or Q2.29) cut to 17 bits times 15 of e, over 2^(15 + shift). */
 SPECIALISED void recur(int32_t *x, int32_t *step, uint32_t law, unsigned shift)
@@ -12,10 +12,10 @@ SPECIALISED void recur(int32_t *x, int32_t *step, uint32_t law, unsigned shift)
 }
 
 /* Sum over the lights, each with its weight; the states move to the next pixel. */
-SPECIALISED void light_step(const struct setup *s, const struct slerp_row *row, struct arc_block *block, int wanted,
-                            struct lit *lit)
+SPECIALISED void light_step(const struct slerp_setup *s, const struct slerp_row *row, struct arc_block *block,
+                            int wanted, struct lit *lit)
 {
-    const struct lighting *l = &s->draw->light;
+    const struct lighting *l = &s->s.draw->light;
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
 
     for (unsigned i = 0; i < l->count; i++) {
@@ -25,7 +25,7 @@ SPECIALISED void light_step(const struct setup *s, const struct slerp_row *row, 
             diffuse += l->diffuse_weight[i] * ln;
             /* 1 - R.V, Q2.29 */
             int32_t u = (int32_t)((1u << 29) - (uint32_t)row->light[i].mean - (uint32_t)at->reflected);
-            specular += l->specular_weight[i] * highlight_at(power_of(s->draw->material), u, ln);
+            specular += l->specular_weight[i] * highlight_at(power_of(s->s.draw->material), u, ln);
         }
         recur(&at->light, &at->light_step, block->light_law, block->light_law_shift);
         recur(&at->reflected, &at->reflected_step, block->reflected_law, block->reflected_law_shift);
@@ -35,14 +35,14 @@ SPECIALISED void light_step(const struct setup *s, const struct slerp_row *row, 
 }
 
 /* length pixels of row y from x on. */
-void sheen_shade_arc(const struct tile *t, const struct setup *s, const struct slerp_row *row, struct arc_block *block,
-                     int32_t x, int32_t y, unsigned length)
+void sheen_slerp_block(const struct tile *t, const struct slerp_setup *s, const struct slerp_row *row,
+                       struct arc_block *block, int32_t x, int32_t y, unsigned length)
 {
-    const struct colour_terms *terms = &s->draw->colour;
+    const struct colour_terms *terms = &s->s.draw->colour;
     struct rounding rounding = rounding_of(t, terms, y);
-    uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+    uint32_t at = tile_offset(t, x, y), z = plane_at(&s->s.depth, x, y);
 
-    for (unsigned i = 0; i < length; i++, x++, at++, z += s->depth.dx) {
+    for (unsigned i = 0; i < length; i++, x++, at++, z += s->s.depth.dx) {
         struct lit lit;
         int seen = nearer(t, t->depth + at, z);
         light_step(s, row, block, seen, &lit);

@@ -3,8 +3,7 @@
  *
  * One reciprocal of the area serves all attributes of a triangle.
  */
-#include "../frame/frame.h"
-#include "../math/newton.h"
+#include "triangle.h"
 
 /*
  * b1x = 64 (y2 - y0) / area and so on, coordinates in 1/64 px, area in 1/4096

@@ -6,8 +6,7 @@
  * Excesses are small, so 15 bits of them and of the products do: 32-bit arithmetic
  * throughout, off by less than a hundredth of the excess.
  */
-#include "../frame/frame.h"
-#include "../math/newton.h"
+#include "triangle.h"
 
 /* Steps of the barycentric coordinates keep 14 bits: value = raw / 2^scale. */
 #define STEP_SHIFT 17

@@ -6,7 +6,7 @@
  * Where a highlight may fall, 1 - R.V is the second quadric and the power table
  * follows a pixel. Gouraud's intensities in perspective come the same way.
  */
-#include "rows.h"
+#include "triangle.h"
 
 /* What the second quadric is; a constant argument of the fast loops. */
 enum second {
@@ -41,12 +41,12 @@ struct run {
 };
 
 /* The loop's numbers are locals: no store of a pixel can be thought to change them. */
-SPECIALISED void fast_run(const struct tile *t, const struct setup *s, const struct colour_terms *terms, uint32_t at,
-                          uint32_t count, struct run run, enum second kind)
+SPECIALISED void fast_run(const struct tile *t, const struct quadric_setup *q, const struct colour_terms *terms,
+                          uint32_t at, uint32_t count, struct run run, enum second kind)
 {
     uint16_t *pixels = (uint16_t *)t->pixels + at, *end = pixels + count, *depth = t->depth + at;
-    const struct power power = power_of(s->draw->material);
-    const uint32_t dz = s->depth.dx, ddd = s->shade.quadratic.diffuse.dxx, dds = s->shade.quadratic.second.dxx;
+    const struct power power = power_of(q->s.draw->material);
+    const uint32_t dz = q->s.depth.dx, ddd = q->diffuse.dxx, dds = q->second.dxx;
     const uint32_t ar = terms->a[0], ag = terms->a[1], ab = terms->a[2];
     const uint32_t br = terms->b[0], bg = terms->b[1], bb = terms->b[2];
     const uint32_t cr = terms->c[0], cg = terms->c[1], cb = terms->c[2];
@@ -74,30 +74,30 @@ SPECIALISED void fast_run(const struct tile *t, const struct setup *s, const str
     } while (++pixels != end);
 }
 
-SPECIALISED void general_run(const struct tile *t, const struct setup *s, const struct colour_terms *terms, uint32_t at,
-                             int32_t x, int32_t x1, int32_t y, struct run run, enum second kind)
+SPECIALISED void general_run(const struct tile *t, const struct quadric_setup *q, const struct colour_terms *terms,
+                             uint32_t at, int32_t x, int32_t x1, int32_t y, struct run run, enum second kind)
 {
     struct rounding rounding = rounding_of(t, terms, y);
 
     for (; x < x1; x++, at++) {
         if (nearer(t, t->depth + at, run.z)) {
-            struct lit lit = lit_of(power_of(s->draw->material), run.diffuse, run.second, kind);
+            struct lit lit = lit_of(power_of(q->s.draw->material), run.diffuse, run.second, kind);
             put_general(t, terms, rounding, at, x, channel_lit(terms, 0, lit, kind), channel_lit(terms, 1, lit, kind),
                         channel_lit(terms, 2, lit, kind));
         }
-        run.z += s->depth.dx;
+        run.z += q->s.depth.dx;
         run.diffuse += run.diffuse_step;
-        run.diffuse_step += s->shade.quadratic.diffuse.dxx;
+        run.diffuse_step += q->diffuse.dxx;
         run.second += run.second_step;
-        run.second_step += s->shade.quadratic.second.dxx;
+        run.second_step += q->second.dxx;
     }
 }
 
-SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enum second kind, int fast)
+SPECIALISED void quadratic_rows(const struct tile *t, const struct quadric_setup *q, enum second kind, int fast)
 {
-    struct colour_terms terms = s->draw->colour;
-    struct quadric_row diffuse = quadric_row_at(&s->shade.quadratic.diffuse, t->first_row);
-    struct quadric_row second = quadric_row_at(&s->shade.quadratic.second, t->first_row);
+    struct colour_terms terms = q->s.draw->colour;
+    struct quadric_row diffuse = quadric_row_at(&q->diffuse, t->first_row);
+    struct quadric_row second = quadric_row_at(&q->second, t->first_row);
 
     if (fast) /* + 1/2 once for all pixels */
         for (int k = 0; k < 3; k++)
@@ -105,15 +105,15 @@ SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enu
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x < x1) {
-            struct run run = {plane_at(&s->depth, x, y), 0, 0, 0, 0};
+            struct run run = {plane_at(&q->s.depth, x, y), 0, 0, 0, 0};
             uint32_t at = tile_offset(t, x, y);
             quadric_run(&diffuse, x, &run.diffuse, &run.diffuse_step);
             if (kind != SECOND_NONE)
                 quadric_run(&second, x, &run.second, &run.second_step);
             if (fast)
-                fast_run(t, s, &terms, at, (uint32_t)(x1 - x), run, kind);
+                fast_run(t, q, &terms, at, (uint32_t)(x1 - x), run, kind);
             else
-                general_run(t, s, &terms, at, x, x1, y, run, kind);
+                general_run(t, q, &terms, at, x, x1, y, run, kind);
         }
         quadric_row_next(&diffuse);
         if (kind != SECOND_NONE)
@@ -122,31 +122,37 @@ SPECIALISED void quadratic_rows(const struct tile *t, const struct setup *s, enu
 }
 
 /* One loop for every format, clamp and dither. */
-static APART void general_rows(const struct tile *t, const struct setup *s, enum second kind)
+static APART void general_rows(const struct tile *t, const struct quadric_setup *q, enum second kind)
 {
-    quadratic_rows(t, s, kind, 0);
+    quadratic_rows(t, q, kind, 0);
 }
 
-void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s)
+void sheen_quadric_rows_diffuse(const struct tile *t, const struct setup *s)
 {
+    const struct quadric_setup *q = (const struct quadric_setup *)s;
+
     if (FAST_LOOPS && s->fast)
-        quadratic_rows(t, s, SECOND_NONE, 1);
+        quadratic_rows(t, q, SECOND_NONE, 1);
     else
-        general_rows(t, s, SECOND_NONE);
+        general_rows(t, q, SECOND_NONE);
 }
 
-void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s)
+void sheen_quadric_rows_specular(const struct tile *t, const struct setup *s)
 {
+    const struct quadric_setup *q = (const struct quadric_setup *)s;
+
     if (FAST_LOOPS && s->fast)
-        quadratic_rows(t, s, SECOND_SPECULAR, 1);
+        quadratic_rows(t, q, SECOND_SPECULAR, 1);
     else
-        general_rows(t, s, SECOND_SPECULAR);
+        general_rows(t, q, SECOND_SPECULAR);
 }
 
-void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s)
+void sheen_quadric_rows_power(const struct tile *t, const struct setup *s)
 {
+    const struct quadric_setup *q = (const struct quadric_setup *)s;
+
     if (FAST_LOOPS && s->fast)
-        quadratic_rows(t, s, SECOND_POWER, 1);
+        quadratic_rows(t, q, SECOND_POWER, 1);
     else
-        general_rows(t, s, s->faded ? SECOND_FADED : SECOND_POWER);
+        general_rows(t, q, s->detail ? SECOND_FADED : SECOND_POWER);
 }

@@ -1,7 +1,7 @@
 /*
  * setup.c - three vertices to edges, depth and the set-up of their shading.
  */
-#include "../frame/frame.h"
+#include "triangle.h"
 
 /*
  * Start an edge from (xa, ya) down to (xb, yb), 1/64 px, ya < yb, at pixel row
@@ -75,21 +75,21 @@ static void edges_begin(struct setup *s, const int32_t x[3], const int32_t y[3],
 }
 
 /* The lower short edge takes over at row s->middle_row. */
-void sheen_setup_lower_edge(const struct sheen_frame *f, struct setup *s)
+void sheen_triangle_lower_edge(const struct screen *screen, struct setup *s)
 {
-    edge_begin(s->long_right ? &s->left : &s->right, target_x(f, s->middle_x), target_y(f, s->middle_y),
-               target_x(f, s->bottom_x), target_y(f, s->bottom_y), s->row);
+    edge_begin(s->long_right ? &s->left : &s->right, s->middle_x + screen->centre_x, s->middle_y + screen->centre_y,
+               s->bottom_x + screen->centre_x, s->bottom_y + screen->centre_y, s->row);
 }
 
 /* Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two. */
-static void weigh(const struct sheen_frame *f, struct surface_corners *c)
+static void weigh(const struct screen *screen, struct surface_corners *c)
 {
-    const struct projection *p = &f->projection;
     uint32_t all = 0;
 
-    c->flat_weight = f->view.affine || p->orthographic != 0;
+    c->flat_weight = screen->flat_weight;
     for (int k = 0; k < 3; k++) {
-        c->weight[k] = c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << p->weight_shift) + p->weight_offset;
+        c->weight[k] =
+            c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << screen->weight_shift) + screen->weight_offset;
         all |= c->weight[k];
     }
     for (int k = 0; k < 3 && all != 0; k++) /* all 0: far is too far for near, no weight is left to tell */
@@ -106,24 +106,6 @@ static struct plane depth_plane(const struct gradients *g, const struct surface_
         return sheen_gradient_plane(g, z, 16);
     struct plane constant = {(uint32_t)z[0] << 16, 0, 0};
     return constant;
-}
-
-/* The way a triangle is shaded is chosen here and, within a shading, in its sheen_setup_*. */
-static void shading_begin(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                          const struct gradients *g)
-{
-    unsigned shading = s->draw->shading;
-
-    if (shading == SHEEN_GOURAUD)
-        sheen_setup_gouraud(f, s, c, g);
-    else if (shading == SHEEN_FLAT)
-        sheen_setup_flat(f, s, c);
-    else if (g == NULL || s->draw->light.count == 0)
-        sheen_setup_mean_normal(f, s, c);
-    else if (shading == SHEEN_SLERP)
-        sheen_setup_slerp(s, c);
-    else if (!(s->draw->light.count == 1 && sheen_setup_phong_nodes(f, s, c, g)) && !sheen_setup_phong(f, s, c, g))
-        sheen_setup_mean_normal(f, s, c);
 }
 
 /* Put corners in clockwise order on the screen; returns twice the area, 1/4096 px^2. */
@@ -144,37 +126,31 @@ static uint32_t orient(struct corners *c, uint8_t *back)
     return (uint32_t)area; /* <= (2 * 511 * 64)^2 < 2^32 */
 }
 
-int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, int32_t from, struct setup *s)
+int sheen_triangle_begin(const struct screen *screen, int32_t from, struct surface_corners *c, struct gradients *g,
+                         int *flat, struct setup *s)
 {
-    struct surface_corners c;
-    struct gradients gradients, *g = &gradients;
     int32_t x[3], y[3];
     unsigned order[3];
 
-    sheen_entry_corners(f, d, entry, &c.at);
-    uint32_t area = orient(&c.at, &c.back);
+    uint32_t area = orient(&c->at, &c->back);
     for (int k = 0; k < 3; k++) {
-        x[k] = target_x(f, c.at.v[k]->x);
-        y[k] = target_y(f, c.at.v[k]->y);
+        x[k] = c->at.v[k]->x + screen->centre_x;
+        y[k] = c->at.v[k]->y + screen->centre_y;
     }
-    s->long_right = (uint8_t)sort_rows(y, order); /* clockwise: top, middle, bottom even = middle on the right */
+    s->long_right = sort_rows(y, order) != 0; /* clockwise: top, middle, bottom even = middle on the right */
     s->row = (int16_t)max32(first_centre(y[order[0]]), from);
     s->middle_row = (int16_t)first_centre(y[order[1]]);
-    s->end_row = (int16_t)min32(first_centre(y[order[2]]), f->viewport.y1);
+    s->end_row = (int16_t)min32(first_centre(y[order[2]]), screen->viewport.y1);
     if (s->row >= s->end_row)
         return 0;
-    s->entry = (uint16_t)entry;
-    s->draw = d;
-    const struct vertex *middle = c.at.v[order[1]], *bottom = c.at.v[order[2]];
+    const struct vertex *middle = c->at.v[order[1]], *bottom = c->at.v[order[2]];
     s->middle_x = middle->x;
     s->middle_y = middle->y;
     s->bottom_x = bottom->x;
     s->bottom_y = bottom->y;
     edges_begin(s, x, y, order);
-    if (!sheen_gradients(g, x, y, area))
-        g = NULL;
-    weigh(f, &c);
-    s->depth = depth_plane(g, &c);
-    shading_begin(f, s, &c, g);
+    *flat = !sheen_gradients(g, x, y, area);
+    weigh(screen, c);
+    s->depth = depth_plane(*flat ? NULL : g, c);
     return 1;
 }

@@ -1,7 +1,7 @@
 /*
  * spans.c - the rows of a triangle: edges stepped exactly, one span a row.
  */
-#include "../frame/frame.h"
+#include "triangle.h"
 
 /* To the next row: floor division with remainder, carried on. */
 static inline void edge_step(struct edge *e)
@@ -14,7 +14,7 @@ static inline void edge_step(struct edge *e)
     }
 }
 
-unsigned sheen_spans(const struct sheen_frame *f, struct setup *s, struct sheen_rect rect, struct span *spans,
+unsigned sheen_spans(const struct screen *screen, struct setup *s, struct sheen_rect rect, struct span *spans,
                      int16_t *first_row)
 {
     int32_t end = min32(s->end_row, rect.y1);
@@ -29,7 +29,7 @@ unsigned sheen_spans(const struct sheen_frame *f, struct setup *s, struct sheen_
         edge_step(&s->left);
         edge_step(&s->right);
         if (s->row == s->middle_row && s->row < s->end_row)
-            sheen_setup_lower_edge(f, s);
+            sheen_triangle_lower_edge(screen, s);
     }
     return rows;
 }

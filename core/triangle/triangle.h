@@ -1,37 +1,41 @@
 /*
- * triangle.h - private: a triangle made ready, its rows, and the ways to shade them.
+ * triangle.h - private: a triangle made ready: edges, gradients, and the rows that several shadings share.
  */
 #ifndef SHEEN_TRIANGLE_H
 #define SHEEN_TRIANGLE_H
 
-#include "../pixel/colour.h"
+#include "../math/newton.h"
 #include "../vertex/vertex.h"
+#include "ways.h"
 
-struct sheen_frame;
+struct sheen_shader;
 
-/* Builds that count pixels pay for it; pictures are the same. */
-#ifndef SHEEN_STATS
-#define SHEEN_STATS 0
-#endif
+/* What a draw call left behind for its triangles. */
+struct draw {
+    const struct sheen_mesh *mesh;
+    const struct sheen_material *material;
+    const struct sheen_shader *shader;
+    struct lighting light;
+    struct colour_terms colour;
+    uint8_t two_sided;
+    uint8_t early;  /* 565 without dither: the half of the one rounding can be added in advance */
+    uint8_t forced; /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
+};
 
-/*
- * Loops of their own for 565 without clamp or dither; builds for size take the
- * general ones, which give the same pixels.
- */
-#ifndef FAST_LOOPS
-#ifdef __OPTIMIZE_SIZE__
-#define FAST_LOOPS 0
-#else
-#define FAST_LOOPS 1
-#endif
-#endif
+/* 1 where a way is not ruled out by another that is forced. */
+static inline int way_wanted(const struct draw *d, enum sheen_way way)
+{
+    return d->forced == 0 || d->forced == 1 + (unsigned)way;
+}
 
-/* Kept out of its caller, whose stack it would stay on: the limit is 1 KB. */
-#ifdef __GNUC__
-#define APART __attribute__((noinline))
-#else
-#define APART
-#endif
+/* Of the view, what a triangle's set-up needs. */
+struct screen {
+    struct sheen_rect viewport;
+    int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */
+    uint32_t weight_offset;     /* as in struct projection */
+    uint8_t weight_shift;
+    uint8_t flat_weight; /* affine or orthographic: all weights are equal */
+};
 
 /* ---- set-up: three vertices -> edges and gradients ---- */
 
@@ -54,69 +58,28 @@ struct quadric {
     uint32_t base, dx, dy, dxx, dxy, dyy;
 };
 
-/* A triangle ready to be stepped; kept across bands' edges when it goes on below. */
+/*
+ * A triangle ready to be stepped; kept across bands' edges when it goes on below.
+ * What a way of shading needs besides follows it: a struct that begins with this one
+ * and has at most SETUP_BYTES, which SETUP_FITS asserts.
+ */
 struct setup {
     uint16_t entry;
     uint8_t next;                     /* slot in the worker's list */
     uint8_t way;                      /* enum sheen_way */
     int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
-    uint8_t long_right;               /* the long edge is the right one */
-    uint8_t highlight;                /* by quadrics: there is a second one, */
-    uint8_t faded;                    /* and L.N may lie below 1/8 (Phong) */
-    uint8_t block_shift;              /* blocks: the logarithm of their length, px */
-    uint8_t fast;                     /* 565, no dither, no clamp: rounding is in the planes */
+    unsigned long_right : 1;          /* the long edge is the right one */
+    unsigned fast : 1;                /* 565, no dither, no clamp: rounding is in the planes */
+    unsigned detail : 8;              /* the way's own */
     struct edge left, right;
     int16_t middle_x, middle_y, bottom_x, bottom_y; /* the lower short edge, as in struct vertex */
-    const struct draw_record *draw;
+    const struct draw *draw;
+    void (*rows)(const struct tile *t, const struct setup *s);
     struct plane depth; /* UQ16.16 of z16 */
-    union {
-        struct {
-            uint32_t channel[3];
-            uint16_t pixel; /* fast: in the target's order */
-        } flat;
-        struct {
-            struct plane channel[3]; /* with the draw's fraction; under quotient times weight */
-            struct plane weight;     /* UQ0.32, quotient */
-        } gouraud;
-        struct {
-            struct plane light, view; /* L.N and V.N, Q1.30 */
-            struct quadric square;    /* N.N, UQ1.31 */
-        } phong;
-        struct {
-            struct quadric diffuse; /* Q1.30 */
-            struct quadric second;  /* Gouraud: specular, Q1.30; Phong: 1 - R.V, Q2.29 */
-        } quadratic;
-        struct plane normal[3]; /* Phong under several lights: N, Q1.30 */
-        struct {
-            int16_t normal[3][3]; /* of the corners, as seen, Q0.15 */
-            uint16_t weight[3];   /* UQ0.16, proportional to 1/m */
-            int16_t x[3], y[3];   /* as in struct vertex */
-            uint32_t angle[3];    /* between the normals of corners k and k + 1, turns */
-        } slerp;
-    } shade;
 };
 
-/* A row of a triangle inside the tile: x0 <= x < x1, empty where x0 >= x1. */
-struct span {
-    int16_t x0, x1;
-};
-
-/* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */
-struct tile {
-    struct sheen_rect rect; /* px on the target */
-    unsigned pitch;         /* px */
-    void *pixels;           /* uint16_t, or uint8_t on grey */
-    uint16_t *depth;
-    const struct pixel_format *format;
-    unsigned dither;
-    int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */
-    const struct span *spans;
-    int16_t first_row; /* of the spans */
-    unsigned rows;
-#if SHEEN_STATS
-    uint32_t *shaded;
-#endif
-};
+#define SETUP_BYTES (sizeof(struct setup) + 48)
+#define SETUP_FITS(type) _Static_assert(sizeof(type) <= SETUP_BYTES, #type " is larger than a set-up's slot")
 
 static inline uint32_t plane_at(const struct plane *p, int32_t x, int32_t y)
 {
@@ -128,11 +91,6 @@ static inline uint32_t pairs(int32_t x)
 {
     return (uint32_t)(x * (x - 1) / 2);
 }
-
-/* setup.c: prepare a triangle from row `from` on; 0 where it has no row left. */
-int sheen_setup(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, int32_t from,
-                struct setup *s);
-void sheen_setup_lower_edge(const struct sheen_frame *f, struct setup *s);
 
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
@@ -205,76 +163,80 @@ void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up,
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s);
 struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up);
 
+/* ---- set-up and rows ---- */
+
+/*
+ * setup.c: edges, depth, gradients and weights from row `from` on, in *s and *c; 0 where there is no row left.
+ * c->at is given. *flat becomes 1 where the triangle is too flat for gradients, *g then is not set.
+ */
+int sheen_triangle_begin(const struct screen *screen, int32_t from, struct surface_corners *c, struct gradients *g,
+                         int *flat, struct setup *s);
+void sheen_triangle_lower_edge(const struct screen *screen, struct setup *s);
+
 /* spans.c: the rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] is *first_row. */
-unsigned sheen_spans(const struct sheen_frame *f, struct setup *s, struct sheen_rect rect, struct span *spans,
+unsigned sheen_spans(const struct screen *screen, struct setup *s, struct sheen_rect rect, struct span *spans,
                      int16_t *first_row);
 
-/* shading/: set-up and rows. g is NULL where the triangle is too flat for gradients. */
-void sheen_setup_flat(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
-void sheen_setup_gouraud(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                         const struct gradients *g);
-int sheen_setup_phong_nodes(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                            const struct gradients *g);
-int sheen_setup_phong(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c,
-                      const struct gradients *g);
-void sheen_setup_mean_normal(const struct sheen_frame *f, struct setup *s, const struct surface_corners *c);
-/* One colour from intensities: what flat shading and degenerate triangles use. */
-void sheen_setup_constant(const struct sheen_frame *f, struct setup *s, const struct lit *lit);
-void sheen_shade_flat(const struct tile *t, const struct setup *s);
-void sheen_shade_gouraud_linear(const struct tile *t, const struct setup *s);
-void sheen_shade_gouraud_quotient(const struct tile *t, const struct setup *s);
-void sheen_shade_phong_root(const struct tile *t, const struct setup *s);
-/* L.N, V.N and N.N at a pixel of a row, and the last one's step. */
-struct normal_run {
-    uint32_t ln, nv, d, d_step;
+/* One colour: what flat shading and degenerate triangles use. */
+struct constant_setup {
+    struct setup s;
+    uint32_t channel[3];
+    uint16_t value; /* fast: 565 */
 };
 
-/* A quadratic along a row, a step a pixel. */
-struct parabola {
-    int32_t value, step, bend;
+/* From intensities; from the mean of the corners' normals. */
+void sheen_setup_constant(struct setup *s, const struct lit *lit);
+void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c);
+void sheen_constant_rows(const struct tile *t, const struct setup *s);
+
+/* Channels that are linear on the screen. */
+struct linear_setup {
+    struct setup s;
+    struct plane channel[3]; /* with the draw's fraction; fast: + 1/2 */
 };
 
-int sheen_rescale(uint32_t *d, int32_t *ln, int32_t *nv);
-void sheen_shade_root_run(const struct tile *t, const struct setup *s, int32_t x, int32_t x1, int32_t y,
-                          struct normal_run run);
-void sheen_shade_block(const struct tile *t, const struct setup *s, int32_t x, int32_t y, struct parabola diffuse,
-                       struct parabola reflected);
-void sheen_shade_quadratic_diffuse(const struct tile *t, const struct setup *s);
-void sheen_shade_quadratic_specular(const struct tile *t, const struct setup *s);
-void sheen_shade_quadratic_power(const struct tile *t, const struct setup *s);
-void sheen_shade_phong_lights(const struct tile *t, const struct setup *s);
+void sheen_linear_rows(const struct tile *t, const struct setup *s);
 
-/* slerp.c: normals that follow great arcs (lecture, "Spherical Linear Interpolation"). */
-
-/* A unit vector at each end of a row of the triangle, and the arc between. */
-struct slerp_row {
-    int32_t x0, width;      /* the left crossing and the distance to the right one, px, Q15.16 */
-    uint32_t weight[2];     /* at both, UQ0.32 */
-    uint32_t angle;         /* between the normals, turns, at most 1/2 */
-    uint8_t even;           /* t* is t: no perspective, or none that would be seen */
-    uint8_t opposite;       /* the ends are opposite: the left one holds while t < 1/2 */
-    struct arc_light {      /* a light along the arc, w the angle from the left end: */
-        int32_t a, b;       /* L.N = a cos w + b sin w, Q1.30 */
-        int32_t mean, p, q; /* R.V = mean + p cos 2w + q sin 2w, Q2.29 */
-    } light[SHEEN_MAX_LIGHTS];
+/* Intensities that are quadratic on the screen; detail: power, L.N may lie below 1/8. */
+struct quadric_setup {
+    struct setup s;
+    struct quadric diffuse; /* Q1.30 */
+    struct quadric second;  /* specular: its intensity, Q1.30; power: 1 - R.V, Q2.29 */
 };
 
-/* x + x's law x'' = -e x, one light's two sinusoids at a pixel and their next steps. */
-struct arc_state {
-    int32_t light, light_step;         /* L.N, Q1.30 */
-    int32_t reflected, reflected_step; /* R.V less its mean, Q2.29 */
+void sheen_quadric_rows_diffuse(const struct tile *t, const struct setup *s);
+void sheen_quadric_rows_specular(const struct tile *t, const struct setup *s);
+void sheen_quadric_rows_power(const struct tile *t, const struct setup *s);
+
+/* A quadric along the rows of a triangle: value in column 0, first difference there in x and to the next row. */
+struct quadric_row {
+    uint32_t value, dx, dy, dxx, dxy, dyy;
 };
 
-/* A run of pixels over which the angle grows evenly. */
-struct arc_block {
-    struct arc_state state[SHEEN_MAX_LIGHTS];
-    uint32_t light_law, reflected_law;             /* e = 4 sin^2(step / 2) and 4 sin^2(step): 15 bits, */
-    unsigned light_law_shift, reflected_law_shift; /* over 2^(15 + shift) */
-};
+SPECIALISED struct quadric_row quadric_row_at(const struct quadric *q, int32_t y)
+{
+    struct quadric_row r = {q->base + (uint32_t)y * q->dy + pairs(y) * q->dyy,
+                            q->dx + (uint32_t)y * q->dxy,
+                            q->dy + (uint32_t)y * q->dyy,
+                            q->dxx,
+                            q->dxy,
+                            q->dyy};
 
-void sheen_shade_arc(const struct tile *t, const struct setup *s, const struct slerp_row *row, struct arc_block *block,
-                     int32_t x, int32_t y, unsigned length);
-void sheen_setup_slerp(struct setup *s, const struct surface_corners *c);
-void sheen_shade_slerp(const struct tile *t, const struct setup *s);
+    return r;
+}
+
+SPECIALISED void quadric_row_next(struct quadric_row *r)
+{
+    r->value += r->dy;
+    r->dy += r->dyy;
+    r->dx += r->dxy;
+}
+
+/* Where the run of pixels from column x begins: value and first difference. */
+SPECIALISED void quadric_run(const struct quadric_row *r, int32_t x, uint32_t *value, uint32_t *difference)
+{
+    *value = r->value + (uint32_t)x * r->dx + pairs(x) * r->dxx;
+    *difference = r->dx + (uint32_t)x * r->dxx;
+}
 
 #endif

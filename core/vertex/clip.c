@@ -12,7 +12,6 @@
  * takes at least one corner away where it adds two: MAX_CLIP_CORNERS = 3 + PLANES.
  */
 #include "../frame/frame.h"
-#include "../math/newton.h"
 
 #define CUT_SIDE (511 * 2 - 1) /* half px */
 #define PLANES (MAX_CLIP_CORNERS - 3)
@@ -131,23 +130,23 @@ static void triangle_corners(const struct sheen_frame *f, const struct draw_reco
                              uint16_t triangle, struct clip_corner corner[3], const int16_t *normal[3])
 {
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(d->mesh, 3u * triangle + k);
-        sheen_transform_point(t, d->mesh->positions + 3 * index, corner[k].eye);
+        uint32_t index = mesh_index(d->as.mesh, 3u * triangle + k);
+        sheen_transform_point(t, d->as.mesh->positions + 3 * index, corner[k].eye);
         corner[k].v = f->vertex[d->first_vertex + index];
         for (uint32_t i = 0; i < 3; i++)
             corner[k].share[i] = i == k ? 1 << 30 : 0;
-        normal[k] = d->mesh->normals != NULL ? d->mesh->normals + 3 * index : NULL;
+        normal[k] = d->as.mesh->normals != NULL ? d->as.mesh->normals + 3 * index : NULL;
     }
 }
 
 /* Intensities of the triangle's corners for the side that is seen; pieces store what lies between. */
-static void light_triangle(const struct draw_record *d, const int16_t *const normal[3], int back, struct lit lit[3])
+static void light_triangle(const struct draw_record *d, const int16_t *const normal[3], int back, uint16_t lit[3][2])
 {
     for (int k = 0; k < 3; k++) {
         int16_t seen[3];
         for (int i = 0; i < 3; i++)
             seen[i] = (int16_t)(back ? -max32(normal[k][i], -32767) : normal[k][i]);
-        sheen_light_normal(&d->light, d->material, seen, &lit[k]);
+        d->as.shader->light(&d->as, seen, lit[k]);
     }
 }
 
@@ -157,8 +156,8 @@ static int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
 }
 
 /* A corner as pieces store it; unit: slerp goes from unit vector to unit vector. */
-static void piece_corner(const struct clip_corner *from, const int16_t *const normal[3], const struct lit lit[3],
-                         int unit, struct vertex *v, int16_t out[3])
+static void piece_corner(const struct clip_corner *from, const int16_t *const normal[3], uint16_t lit[3][2], int unit,
+                         struct vertex *v, int16_t out[3])
 {
     *v = from->v;
     v->flags = LIT | LIT_AS_SEEN;
@@ -170,25 +169,23 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
     if (unit && sheen_normalize(n, n) == SHEEN_OK)
         for (int i = 0; i < 3; i++)
             out[i] = (int16_t)min32(asr32(n[i] + (1 << 14), 15), 32767);
-    v->diffuse = (uint16_t)max32(
-        0, shared(from->share, (int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse));
-    v->specular = (uint16_t)max32(
-        0, shared(from->share, (int32_t)lit[0].specular, (int32_t)lit[1].specular, (int32_t)lit[2].specular));
+    for (int i = 0; i < 2; i++)
+        v->kept[i] = (uint16_t)max32(0, shared(from->share, lit[0][i], lit[1][i], lit[2][i]));
 }
 
 /* List the fan of what is left. Returns 0 or SHEEN_ERR_CAPACITY. */
 static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
                        const struct clip_corner *polygon, unsigned count, const int16_t *const normal[3])
 {
-    struct lit lit[3] = {{0, 0}, {0, 0}, {0, 0}};
+    uint16_t lit[3][2] = {{0, 0}, {0, 0}, {0, 0}};
     int64_t whole = 0; /* the polygon's side decides; a sliver of the fan that snapping turned over is left out */
 
     for (unsigned i = 1; i + 1 < count; i++)
         whole += twice_area(&polygon[0].v, &polygon[i].v, &polygon[i + 1].v);
-    if (whole >= 0 && (whole == 0 || !d->two_sided))
+    if (whole >= 0 && (whole == 0 || !d->as.two_sided))
         return SHEEN_OK;
     f->stats.front++;
-    if (d->shading == SHEEN_GOURAUD)
+    if (d->as.shader->light != NULL)
         light_triangle(d, normal, whole > 0, lit);
     for (unsigned i = 1; i + 1 < count; i++) {
         const struct clip_corner *fan[3] = {&polygon[0], &polygon[i], &polygon[i + 1]};
@@ -205,7 +202,7 @@ static int list_pieces(struct sheen_frame *f, const struct draw_record *d, uint1
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
         for (int k = 0; k < 3; k++)
-            piece_corner(fan[k], normal, lit, d->shading == SHEEN_SLERP, &piece->corner[k], piece->normal[k]);
+            piece_corner(fan[k], normal, lit, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
     }
     return SHEEN_OK;
 }

@@ -5,7 +5,7 @@
  * relative: diffuse and specular in [0, 1] of what the draw's lights can give,
  * so 16 bits hold it whatever the intensities; pixel/colour.c puts them back.
  */
-#include "../frame/frame.h"
+#include "vertex.h"
 
 /* v in model space: transpose(R) * v; R's rows are orthonormal. Q1.30. */
 static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t out[3])

@@ -4,8 +4,8 @@
  * m = -z is the lecture's mass ("Fixing Distortion"): x_s = focal * x / m. One
  * reciprocal a vertex serves x, y and depth.
  */
-#include "../frame/frame.h"
 #include "../math/newton.h"
+#include "vertex.h"
 
 /* x / 2^shift, any shift >= 0. */
 static uint64_t shift_right(uint64_t x, int shift)

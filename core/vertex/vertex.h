@@ -1,11 +1,10 @@
 /*
- * vertex.h - private: vertices on the screen, and how a mesh's get there.
+ * vertex.h - private: vertices on the screen, how a mesh's get there, and light at them.
  */
 #ifndef SHEEN_VERTEX_H
 #define SHEEN_VERTEX_H
 
-#include "../math/fixed.h"
-#include "../sheen.h"
+#include "../pixel/pixel.h"
 
 #define SUBPIXEL_BITS 6 /* vertices are snapped to 1/64 px */
 #define SUBPIXEL_ONE 64
@@ -28,16 +27,15 @@ enum vertex_flag { /* sides of the view volume a vertex lies outside of, and wha
     OUTSIDE_TOP = 16,
     OUTSIDE_BOTTOM = 32,
     OUTSIDE = 63,
-    LIT = 64,         /* diffuse and specular are set, for the mesh's normal */
+    LIT = 64,         /* kept is set, for the mesh's normal */
     LIT_AS_SEEN = 128 /* for the side that is seen, front or back: corners of pieces */
 };
 
 struct vertex {
-    int16_t x, y;      /* Q9.6 px from the viewport's centre, +-511 px; undefined where OUTSIDE */
-    uint16_t z;        /* z16 */
-    uint16_t flags;    /* enum vertex_flag */
-    uint16_t diffuse;  /* UQ1.15, Gouraud, once LIT: weighted sum of max(0, L.N) */
-    uint16_t specular; /* UQ1.15, likewise of (R.V)^n */
+    int16_t x, y;     /* Q9.6 px from the viewport's centre, +-511 px; undefined where OUTSIDE */
+    uint16_t z;       /* z16 */
+    uint16_t flags;   /* enum vertex_flag */
+    uint16_t kept[2]; /* what the shading keeps of a vertex, once LIT; Gouraud: diffuse and specular, UQ1.15 */
 };
 
 /*
@@ -88,5 +86,27 @@ static inline int32_t first_centre(int32_t v)
 {
     return asr32(v + SUBPIXEL_HALF - 1, SUBPIXEL_BITS);
 }
+
+static inline uint32_t mesh_index(const struct sheen_mesh *mesh, uint32_t i)
+{
+    return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
+}
+
+/* ---- light ---- */
+
+/* Lights and the eye in model space, so that dot products come straight from the mesh's normals. */
+struct lighting {
+    sheen_q30_t view[3];                        /* V */
+    sheen_q30_t to[SHEEN_MAX_LIGHTS][3];        /* L */
+    int32_t lv1[SHEEN_MAX_LIGHTS];              /* 1 + L.V, Q2.29 */
+    uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
+    uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
+    sheen_q16_t diffuse_sum, specular_sum;      /* of the lights' intensities */
+    uint8_t count;
+};
+
+int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw);
+void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
+                        struct lit *out);
 
 #endif

@@ -44,7 +44,7 @@ int main(void)
     struct sheen_config config = {.target = &target, .max_vertices = 8, .max_triangles = 12, .max_carried = 12};
     struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05), .dither = 1};
     struct sheen_material gold = {{200, 160, 80}, {255, 255, 255}, SHEEN_Q16(.1), SHEEN_Q16(.6), SHEEN_Q16(.3), 32};
-    struct sheen_draw draw = {&cube, &gold, &(struct sheen_light){{-5, 7, 5}, SHEEN_Q16(1), 1}, 1, SHEEN_PHONG};
+    struct sheen_draw draw = {&cube, &gold, &(struct sheen_light){{-5, 7, 5}, SHEEN_Q16(1), 1}, 1, &sheen_phong};
 
     sheen_pose_orbit(&draw.pose, SHEEN_DEGREES(30), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
     return sheen_material_prepare(&gold) || sheen_panel_open(&panel, &sheen_panel_ssd0323, &bus, 0) ||

@@ -49,7 +49,7 @@ static int run(struct bench *bench, int frame)
                               .material = &bench->material,
                               .lights = &light,
                               .light_count = 1,
-                              .shading = bench->shading,
+                              .shader = sheen_shader_of(bench->shading),
                               .pose = bench->scene->pose[frame]};
     int status = sheen_begin(bench->frame, &view);
 

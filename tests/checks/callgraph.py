@@ -33,9 +33,20 @@ class CallGraph:
             if frame[2] != "static":
                 self.dynamic.append(name)
 
-    def resolve_indirect(self, taken):
-        """An indirect call may reach every function whose address is taken: all names in taken."""
-        self.calls[INDIRECT] = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
+    def resolve_indirect(self, taken, kinds=()):
+        """An indirect call may reach every function whose address is taken: all names in taken.
+
+        kinds: (pattern of callers, pattern of what their indirect calls reach); no caller of another name is held to it.
+        """
+        reached = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
+        self.calls[INDIRECT] = reached
+        for callers, callees in kinds:
+            node = f"{INDIRECT} {callees}"
+            self.calls[node] = [name for name in reached if re.search(callees, name)]
+            self.stack[node] = 0
+            for caller, called in self.calls.items():
+                if re.search(callers, caller):
+                    self.calls[caller] = [node if name == INDIRECT else name for name in called]
 
     def cycles(self):
         """A list of cycles, each as the list of its functions; one for each back edge met."""

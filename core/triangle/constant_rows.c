@@ -1,11 +1,13 @@
 /*
- * flat_rows.c - one intensity a polygon (lecture, "Uniform Shading").
+ * constant_rows.c - one colour a triangle (lecture, "Uniform Shading").
  */
-#include "../triangle/rows.h"
+#include "triangle.h"
 
-void sheen_shade_flat(const struct tile *t, const struct setup *s)
+void sheen_constant_rows(const struct tile *t, const struct setup *s)
 {
-    const uint32_t *channel = s->shade.flat.channel;
+    const struct constant_setup *constant = (const struct constant_setup *)s;
+    const uint32_t *channel = constant->channel;
+    const uint16_t pixel = pixel_order(constant->value, t->format->swap);
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
@@ -17,7 +19,7 @@ void sheen_shade_flat(const struct tile *t, const struct setup *s)
             if (!nearer(t, t->depth + at, z))
                 continue;
             if (FAST_LOOPS && s->fast)
-                ((uint16_t *)t->pixels)[at] = s->shade.flat.pixel;
+                ((uint16_t *)t->pixels)[at] = pixel;
             else
                 put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);
         }

@@ -1,0 +1,248 @@
+/*
+ * pixel.h - private: what a pixel is made of, a band's tile of them, and the depth test.
+ */
+#ifndef SHEEN_PIXEL_H
+#define SHEEN_PIXEL_H
+
+#include "../math/fixed.h"
+#include "../sheen.h"
+
+/* Builds that count pixels pay for it; pictures are the same. */
+#ifndef SHEEN_STATS
+#define SHEEN_STATS 0
+#endif
+
+/*
+ * Loops of their own for 565 without clamp or dither; builds for size take the
+ * general ones, which give the same pixels.
+ */
+#ifndef FAST_LOOPS
+#ifdef __OPTIMIZE_SIZE__
+#define FAST_LOOPS 0
+#else
+#define FAST_LOOPS 1
+#endif
+#endif
+
+/* Kept out of its caller, whose stack it would stay on: the limit is 1 KB. */
+#ifdef __GNUC__
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
+/* Intensities relative to the most that the draw's lights can give. */
+struct lit {
+    uint32_t diffuse, specular; /* UQ1.15, 0..32768 */
+};
+
+/* A material's power table, ready for a loop. */
+struct power {
+    const uint16_t *table;
+    unsigned shift; /* 18..21: an entry is 2^shift of u in Q2.29 */
+};
+
+static inline struct power power_of(const struct sheen_material *m)
+{
+    struct power p = {m->power, 21u - m->power_shift};
+
+    return p;
+}
+
+/*
+ * s^n for u = 1 - s in Q2.29, u any int32: UQ1.15.
+ * Range: index < 256; drop <= 32768 and the fraction < 2^16, so the product fits 32 bits unsigned.
+ */
+static inline uint32_t power_at(struct power p, int32_t u)
+{
+    uint32_t at = (uint32_t)max32(u, 0), index = at >> p.shift;
+
+    if (index >= SHEEN_POWER_ENTRIES)
+        return 0;
+    uint32_t entry = p.table[index], drop = entry - p.table[index + 1];
+    uint32_t fraction = (at >> (p.shift - 16u)) & 0xffffu;
+    return entry - ((drop * fraction + 0x8000u) >> 16);
+}
+
+#define FADED (1 << 12) /* UQ1.15: at L.N = 1/8 and beyond a highlight is whole */
+
+/*
+ * A light's highlight at L.N = ln > 0, UQ1.15: s^n times min(1, 8 L.N), so that it ends at
+ * L.N = 0 without a jump. Range: 2^15 * 2^12.
+ */
+static inline uint32_t highlight_at(struct power p, int32_t u, uint32_t ln)
+{
+    uint32_t power = power_at(p, u);
+
+    return ln < FADED ? (power * ln + FADED / 2) >> 12 : power;
+}
+
+/* ---- colour: intensities -> channels of the target ---- */
+
+/*
+ * What a target's pixels are made of. On 565 the channels are red, green, blue
+ * in levels; on grey they are the shares of red, green and blue in the level.
+ */
+struct pixel_format {
+    uint32_t scale[3];  /* levels that 1.0 of red, green, blue gives, UQ8.16 */
+    uint8_t level_bits; /* of the highest level: 6, 8, 4 or 1 */
+    uint8_t grey;       /* a byte a pixel while drawing, packed before the push */
+    uint8_t pixel_bits; /* in the target's memory */
+    uint8_t swap;       /* 565 bytes change places between this machine and the target */
+};
+
+/*
+ * A channel before rounding: a + b * diffuse + c * specular, unsigned with
+ * `fraction` fraction bits, below 2^31 whatever the lights (see colour.c).
+ */
+struct colour_terms {
+    uint32_t a[3];
+    uint16_t b[3], c[3];
+    uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
+    uint8_t fraction;
+    uint8_t clamp; /* some normal may give more */
+};
+
+static inline uint32_t colour_channel(const struct colour_terms *t, int k, const struct lit *lit)
+{
+    return t->a[k] + t->b[k] * lit->diffuse + t->c[k] * lit->specular;
+}
+
+/* A 565 value in the target's byte order. */
+static inline uint16_t pixel_order(uint32_t value, unsigned swap)
+{
+    return (uint16_t)(swap ? (value << 8 | value >> 8) : value);
+}
+
+/*
+ * What is added before the one rounding: thresholds (B + 1/2) / 64 of the 8x8
+ * Bayer matrix, in 1/128, row y mod 8; the ninth row is 1/2 throughout, no dither.
+ */
+#define NO_DITHER 8
+extern const uint8_t sheen_thresholds[9][8];
+
+static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
+{
+    return sheen_thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
+}
+
+void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
+void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
+/* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */
+uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
+/* Grey levels of a tile, a byte each, to the target's packing, in place. */
+void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows);
+
+/* ---- a tile, and what its rows do at a pixel ---- */
+
+/* A row of a triangle inside the tile: x0 <= x < x1, empty where x0 >= x1. */
+struct span {
+    int16_t x0, x1;
+};
+
+/* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */
+struct tile {
+    struct sheen_rect rect; /* px on the target */
+    unsigned pitch;         /* px */
+    void *pixels;           /* uint16_t, or uint8_t on grey */
+    uint16_t *depth;
+    const struct pixel_format *format;
+    unsigned dither;
+    int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */
+    const struct span *spans;
+    int16_t first_row; /* of the spans */
+    unsigned rows;
+#if SHEEN_STATS
+    uint32_t *shaded;
+#endif
+};
+
+/* Loops are written once and specialised by constant arguments. */
+#if FAST_LOOPS
+#define SPECIALISED static inline __attribute__((always_inline))
+#else
+#define SPECIALISED static inline
+#endif
+
+/* Pixels that pass the depth test, in builds that count them. */
+#if SHEEN_STATS
+#define COUNT_SHADED(t) (++*(t)->shaded)
+#else
+#define COUNT_SHADED(t) ((void)0)
+#endif
+
+/* Where a span's first pixel stands in the tile. */
+SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
+{
+    return (uint32_t)(y - t->rect.y0) * t->pitch + (uint32_t)(x - t->rect.x0);
+}
+
+/* Nearer than what is there? Then it is there. z: UQ16.16 of z16; on a tie the first drawn stays. */
+SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
+{
+    uint32_t z16 = z >> 16;
+
+    (void)t;
+    if (z16 <= *depth)
+        return 0;
+    *depth = (uint16_t)z16;
+    COUNT_SHADED(t);
+    return 1;
+}
+
+/* A row's thresholds, and what they are shifted by to the draw's fraction. */
+struct rounding {
+    const uint8_t *threshold;
+    unsigned shift;
+};
+
+SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colour_terms *terms, int32_t y)
+{
+    struct rounding r = {threshold_row(t->dither, y), terms->fraction - 7u};
+
+    return r;
+}
+
+/* What the dithering test compares with: a test build defines it and sees each pixel's unrounded channels. */
+#ifndef SHEEN_TEST_TAP
+#define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
+#endif
+
+SPECIALISED uint32_t clamped(uint32_t x, uint32_t top)
+{
+    return x > top ? top : x;
+}
+
+/* The one rounding: floor(channel + threshold), each channel at most 1.0. */
+SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
+                             uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)
+{
+    uint32_t threshold = (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift;
+    unsigned fraction = terms->fraction;
+
+    SHEEN_TEST_TAP(t, at, r, g, b, fraction);
+    r = clamped(r, terms->top[0]) + threshold;
+    g = clamped(g, terms->top[1]);
+    b = clamped(b, terms->top[2]);
+    if (t->format->grey) {
+        ((uint8_t *)t->pixels)[at] = (uint8_t)((r + g + b) >> fraction);
+        return;
+    }
+    uint32_t value = (r >> fraction) << 11 | ((g + threshold) >> fraction) << 5 | (b + threshold) >> fraction;
+    ((uint16_t *)t->pixels)[at] = pixel_order(value, t->format->swap);
+}
+
+/* floor of channels that rounding was added to and that no corner takes above the highest level. */
+SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, unsigned swap)
+{
+    return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
+}
+
+/* max(0, x) for a sum that rounding may have taken below 0. */
+SPECIALISED uint32_t not_negative(uint32_t x)
+{
+    return (int32_t)x < 0 ? 0 : x;
+}
+
+#endif

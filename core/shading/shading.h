@@ -1,0 +1,26 @@
+/*
+ * shading.h - private: what a shading is to a frame.
+ *
+ * A frame knows a shading as a struct sheen_shader, which the caller names: what is
+ * not named is not linked. A room (flat, gouraud, phong, slerp) gets a draw record,
+ * a triangle and a tile; it never sees the frame.
+ */
+#ifndef SHEEN_SHADING_H
+#define SHEEN_SHADING_H
+
+#include "../triangle/triangle.h"
+
+/*
+ * light: what the shading keeps of a vertex, from its normal (as the mesh has it, or as
+ *   seen), once for each that a listed triangle uses; NULL: nothing. Between corners it is linear.
+ * setup: chooses the cheapest way within PICTURE's table and fills in what follows *s; g: NULL
+ *   where the triangle is too flat for gradients. Sets way, fast and rows.
+ */
+struct sheen_shader {
+    void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
+    void (*setup)(struct setup *s, const struct surface_corners *c, const struct gradients *g);
+    uint8_t needs_normals; /* 1: the mesh has to have vertex normals */
+    uint8_t unit_normals;  /* 1: corners of pieces need unit normals */
+};
+
+#endif
