@@ -2,6 +2,7 @@
  * gltf_shape.cpp - a glTF mesh's primitives as triangles, at rest: morph targets applied.
  */
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -98,8 +99,10 @@ std::vector<uint32_t> read_indices(const source &from, size_t vertices)
     else if (number) {
         const table indices = read_accessor(from.file, number, "SCALAR");
         out.reserve(indices.count);
-        for (const double index : indices.numbers) /* NaN and what is negative become one that there is not */
-            out.push_back(index >= 0 && index < 4294967295.0 ? static_cast<uint32_t>(index) : UINT32_MAX);
+        for (const double index : indices.numbers) { /* what is no number from 0 on becomes one that there is not */
+            const bool is_whole = index >= 0 && index < 4294967295.0 && index == std::floor(index);
+            out.push_back(is_whole ? static_cast<uint32_t>(index) : UINT32_MAX);
+        }
     } else {
         out.resize(vertices);
         std::iota(out.begin(), out.end(), 0u);

@@ -16,6 +16,11 @@ sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_fi
   TIMEOUT 300)
 sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
 sheen_script(cli_mesh_files cli COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen> TIMEOUT 300)
+find_package(draco REQUIRED)
+find_package(meshoptimizer REQUIRED)
+add_executable(gltf_pack tools/gltf_pack.cpp)
+target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
+sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack> TIMEOUT 300)
 sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models)
 
 # Headers baked while building, for a program that draws from them.

@@ -87,13 +87,37 @@ static size_t binary_stl(char *out)
     return 184;
 }
 
+/* The same triangle as .gltf's above in chunks: 12 bytes of header, JSON, the 36 bytes of its buffer. */
+static size_t binary_gltf(char *out)
+{
+    static const char json[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36}]}";
+    static const float points[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    uint32_t size = sizeof json - 1, padded = (size + 3) / 4 * 4, all = 12 + 8 + padded + 8 + 36, points_size = 36;
+
+    memset(out, ' ', all);
+    memcpy(out, "glTF\2\0\0", 8);
+    memcpy(out + 8, &all, 4);
+    memcpy(out + 12, &padded, 4);
+    memcpy(out + 16, "JSON", 4);
+    memcpy(out + 20, json, size);
+    memcpy(out + 20 + padded, &points_size, 4);
+    memcpy(out + 24 + padded, "BIN", 4);
+    memcpy(out + 28 + padded, points, sizeof points);
+    return all;
+}
+
 static void every_sample(void (*each)(const struct sample *sample))
 {
-    char stl_binary[184];
-    size_t stl_count = binary_stl(stl_binary);
+    char stl_binary[184], glb[LARGEST];
+    size_t stl_count = binary_stl(stl_binary), glb_count = binary_gltf(glb);
     const struct sample samples[] = {
         {"s.obj", obj, sizeof obj - 1}, {"s.stl", stl, sizeof stl - 1},           {"b.stl", stl_binary, stl_count},
         {"s.ply", ply, sizeof ply - 1}, {"b.ply", ply_binary, sizeof ply_binary}, {"s.gltf", gltf, sizeof gltf - 1},
+        {"b.glb", glb, glb_count},
     };
 
     for (size_t i = 0; i < sizeof samples / sizeof samples[0]; i++) {
@@ -109,6 +133,7 @@ static void cut(const struct sample *sample)
     for (size_t count = 0; count < sample->count; count++)
         meshes += survives(sample->name, sample->bytes, count);
     printf("%s: %zu cuts, %d of them meshes\n", sample->name, sample->count, meshes);
+    assert_true(meshes == 0 || !strstr(sample->name, ".gl")); /* both forms of glTF tell where they end */
     if (!survives(sample->name, sample->bytes, sample->count))
         fail_msg("%s: whole, and no mesh", sample->name);
 }
