@@ -212,7 +212,8 @@ static int explain(const char *said, const char *path, struct sheen_problem *pro
 {
     if (strstr(said, "bad_alloc") || strstr(said, "length_error"))
         return SHEEN_ERR_MEMORY; /* mesh_file.c says it */
-    if (strstr(said, "No suitable reader"))
+    const char *ending = strrchr(path, '.');
+    if (strstr(said, "No suitable reader") || !ending || !aiIsExtensionSupported(ending))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its format is not known, by its name nor by its content",
                              path);
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, said);

@@ -68,14 +68,12 @@ static void flush(struct aiFile *file)
 /*
  * COLLADA's convex_mesh, a body for collisions, is written as a mesh is and left out by assimp; under the name of
  * one it is read. The names have blanks behind them then, which XML lets be.
- * UTF-16 becomes UTF-8, which it takes for any other.
  */
-static void prepare_collada(struct sheen_bytes *bytes)
+static void rename_convex_meshes(struct sheen_bytes *bytes)
 {
     static const char *const names[] = {"<convex_mesh", "</convex_mesh"};
     static const char *const as[] = {"<mesh       ", "</mesh       "};
 
-    (void)sheen_bytes_to_utf8(bytes); /* where there is no memory for it, assimp will say that it is no XML */
     for (int i = 0; i < 2; i++) {
         size_t length = strlen(names[i]);
         char *at = (char *)bytes->bytes, *end = at + bytes->count;
@@ -97,8 +95,9 @@ static struct aiFile *open_file(struct aiFileIO *io, const char *path, const cha
         free(opened);
         return NULL;
     }
+    (void)sheen_bytes_to_utf8(&opened->bytes); /* not all of its readers know UTF-16 */
     if (length > 4 && strcasecmp(path + length - 4, ".dae") == 0)
-        prepare_collada(&opened->bytes);
+        rename_convex_meshes(&opened->bytes);
     opened->file = (struct aiFile){.ReadProc = read_items,
                                    .WriteProc = write_nothing,
                                    .TellProc = tell,

@@ -27,7 +27,8 @@ void sheen_sink_normal(struct sheen_sink *sink, const double normal[3])
 
 void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal)
 {
-    if (sink->keeping) {
+    /* Corners that are about to be dropped may be more than were counted to be kept. */
+    if (sink->keeping && sink->corners < sink->out->corner_count) {
         sink->out->corners[sink->corners] = (uint32_t)point;
         if (sink->out->normals) /* until the end its number plus 1, and 0 for none */
             sink->out->normals[sink->corners][0] = normal == SHEEN_NO_NORMAL ? 0 : (double)normal + 1;
