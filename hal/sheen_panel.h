@@ -43,6 +43,7 @@ struct sheen_panel_step {
 extern const struct sheen_panel_driver sheen_driver_dcs, /* MIPI-DCS colour: ILI9341, ST7789, ST7735, GC9A01 ... */
     sheen_driver_ssd1351,                                /* colour OLED */
     sheen_driver_grey,                                   /* 16 greys: SSD0323, SSD1325, SSD1327 */
+    sheen_driver_ssd1322,                                /* 16 greys: SSD1322 */
     sheen_driver_ssd1306, sheen_driver_sh1106;           /* black and white */
 
 /* Of scan, for sheen_driver_dcs: MADCTL's bits. */
@@ -77,6 +78,7 @@ struct sheen_panel_record {
     uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
     uint8_t brightness_command;          /* takes a byte; 0: it has none */
     uint8_t brightness_shift;            /* of 0..255, to the right, for registers of fewer bits */
+    uint8_t bits_18;                     /* 1: on the wire RGB565 becomes three bytes a pixel (DCS) */
     uint8_t bgr;                         /* 1: the sub-pixels stand blue, green, red */
     uint8_t inverted;                    /* 1: shows true colours with inversion on (IPS glass) */
     uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
@@ -103,8 +105,8 @@ struct sheen_panel {
 /*
  * Ties a panel to its record and bus; sends nothing. orientation: 0..7.
  * SHEEN_ERR_ARGUMENT: a NULL, an orientation above 7, or a record whose glass
- * does not fit its RAM or its pixel packing (GREY16: width, height and gap_x even;
- * GREY2: width, height and gap_y multiples of 8).
+ * does not fit its RAM or its pixel packing (GREY16: width, height and gap_x even,
+ * multiples of 4 on the SSD1322; GREY2: width, height and gap_y multiples of 8).
  */
 int sheen_panel_open(struct sheen_panel *panel, const struct sheen_panel_record *record, const struct sheen_bus *bus,
                      unsigned orientation);
@@ -167,15 +169,16 @@ const struct sheen_panel_record *sheen_panel_find(const char *name);
 const struct sheen_panel_record *sheen_panel_at(size_t index);
 
 /* The records by themselves: firmware that names one and links with --gc-sections holds no other, nor their drivers. */
-extern const struct sheen_panel_record sheen_panel_ili9341, sheen_panel_st7789_240x320, sheen_panel_st7789_240x240,
-    sheen_panel_st7789_240x240_round, sheen_panel_st7789_240x280, sheen_panel_st7789_135x240,
-    sheen_panel_st7789_170x320, sheen_panel_st7789_172x320, sheen_panel_st7789_76x284, sheen_panel_st7735_128x160,
-    sheen_panel_st7735_128x160_red, sheen_panel_st7735_128x160_green, sheen_panel_st7735_128x128,
-    sheen_panel_st7735_128x128_green, sheen_panel_st7735_80x160_green, sheen_panel_st7735_80x160_red,
-    sheen_panel_st7796, sheen_panel_gc9a01, sheen_panel_ssd1351_128x128, sheen_panel_ssd1351_128x96,
-    sheen_panel_ssd0323, sheen_panel_ssd1325, sheen_panel_ssd1327_128x128, sheen_panel_ssd1327_96x96,
-    sheen_panel_ssd1306_128x64, sheen_panel_ssd1306_128x32, sheen_panel_ssd1306_72x40, sheen_panel_ssd1306_64x48,
-    sheen_panel_sh1106;
+extern const struct sheen_panel_record sheen_panel_ili9341, sheen_panel_ili9488, sheen_panel_st7789_240x320,
+    sheen_panel_st7789_240x240, sheen_panel_st7789_240x240_round, sheen_panel_st7789_240x280,
+    sheen_panel_st7789_135x240, sheen_panel_st7789_170x320, sheen_panel_st7789_172x320, sheen_panel_st7789_76x284,
+    sheen_panel_st7789_128x128, sheen_panel_st7735_128x160, sheen_panel_st7735_128x160_red,
+    sheen_panel_st7735_128x160_green, sheen_panel_st7735_128x128, sheen_panel_st7735_128x128_green,
+    sheen_panel_st7735_80x160_green, sheen_panel_st7735_80x160_red, sheen_panel_st7796, sheen_panel_gc9a01,
+    sheen_panel_ssd1351_128x128, sheen_panel_ssd1351_128x96, sheen_panel_ssd0323, sheen_panel_ssd1325,
+    sheen_panel_ssd1322, sheen_panel_ssd1327_128x128, sheen_panel_ssd1327_96x96, sheen_panel_ssd1306_128x64,
+    sheen_panel_ssd1306_128x32, sheen_panel_ssd1306_72x40, sheen_panel_ssd1306_64x48, sheen_panel_sh1106,
+    sheen_panel_sh1106_nogap;
 
 #ifdef __cplusplus
 }

@@ -40,6 +40,7 @@ struct sheen_sim_chip {
     uint16_t (*shown)(const struct sheen_sim_controller *controller, unsigned column, unsigned row);
     uint16_t max_level;          /* 0: RGB565; else grey levels 0..max_level */
     uint8_t reset_command;       /* may cut any other command off; 0: there is none */
+    uint8_t bits_18;             /* 1: three bytes a pixel, and no other way (colour) */
     uint8_t params_are_commands; /* 1: parameters come with D/C low, data is always picture data */
     uint32_t reset_low_us, reset_us;
 };
@@ -70,7 +71,8 @@ struct sheen_sim_controller {
     uint8_t params[16];
     uint16_t x0, x1, y0, y1, x, y; /* window and address counter, in the chip's own units */
     uint8_t wrapped;               /* the counter has been through the whole window */
-    uint8_t half, half_set;        /* first byte of a pixel of two */
+    uint8_t half, half_set;        /* of a pixel of two or three bytes, the last that came, and how many have */
+    uint8_t red;                   /* of three, the first */
     uint8_t awake, on, inverted, scan, format;
     uint8_t brightness, lit_by_it; /* the register; DCS: whether the backlight follows it */
     uint8_t tearing;               /* the TE output is on */
@@ -111,9 +113,10 @@ void sheen_sim_set_columns(struct sheen_sim_controller *controller);
 void sheen_sim_set_rows(struct sheen_sim_controller *controller);
 void sheen_sim_set_brightness(struct sheen_sim_controller *controller);
 
-extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341, sheen_sim_chip_st7789,
-    sheen_sim_chip_st7735, sheen_sim_chip_st7796, sheen_sim_chip_gc9a01, sheen_sim_chip_ssd1351, sheen_sim_chip_ssd0323,
-    sheen_sim_chip_ssd1325, sheen_sim_chip_ssd1327, sheen_sim_chip_ssd1306, sheen_sim_chip_sh1106;
+extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341, sheen_sim_chip_ili9488,
+    sheen_sim_chip_ssd1322, sheen_sim_chip_st7789, sheen_sim_chip_st7735, sheen_sim_chip_st7796, sheen_sim_chip_gc9a01,
+    sheen_sim_chip_ssd1351, sheen_sim_chip_ssd0323, sheen_sim_chip_ssd1325, sheen_sim_chip_ssd1327,
+    sheen_sim_chip_ssd1306, sheen_sim_chip_sh1106;
 
 /* The module of that whole name; NULL where there is none. */
 const struct sheen_sim_module *sheen_sim_module_find(const char *name);

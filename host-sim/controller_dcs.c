@@ -24,7 +24,7 @@ static void defaults(struct sheen_sim_controller *controller)
 
     controller->awake = controller->on = controller->inverted = controller->scan = 0;
     controller->tearing = controller->brightness = controller->lit_by_it = 0;
-    controller->format = 0x66; /* 18 bits: pixels sent before COLMOD are an error */
+    controller->format = controller->module->chip->bits_18 ? 0x55 : 0x66; /* pixels sent before COLMOD are an error */
     controller->x0 = controller->y0 = 0;
     controller->x1 = (uint16_t)(module->ram_w - 1);
     controller->y1 = (uint16_t)(module->ram_h - 1);
@@ -83,11 +83,18 @@ static void madctl(struct sheen_sim_controller *controller)
     controller->scan = controller->params[0];
 }
 
+/* The pixel format that the chip takes on SPI: 5, 16 bits, or 6, 18 bits in three bytes. */
+static unsigned right_format(const struct sheen_sim_controller *controller)
+{
+    return controller->module->chip->bits_18 ? 6 : 5;
+}
+
 static void colmod(struct sheen_sim_controller *controller)
 {
     controller->format = controller->params[0];
-    if ((controller->format & 7) != 5)
-        sheen_sim_complain(controller, "COLMOD 0x%02X: only 16 bits a pixel are simulated", controller->format);
+    if ((controller->format & 7u) != right_format(controller))
+        sheen_sim_complain(controller, "COLMOD 0x%02X: only %u bits a pixel are simulated", controller->format,
+                           right_format(controller) == 6 ? 18 : 16);
 }
 
 /* CASET and RASET: parameters are start and end, high byte first, end inclusive. */
@@ -122,7 +129,7 @@ static void brightness(struct sheen_sim_controller *controller)
 
 static void memory_continue(struct sheen_sim_controller *controller)
 {
-    if ((controller->format & 7) != 5)
+    if ((controller->format & 7u) != right_format(controller))
         sheen_sim_complain(controller, "pixels at COLMOD 0x%02X", controller->format);
     controller->streaming = 1;
 }
@@ -157,12 +164,22 @@ static void store(struct sheen_sim_controller *controller, uint16_t value)
     controller->wrapped = 1;
 }
 
+/* Of three bytes the upper six bits count; what is kept are the upper five of red and blue, so that it is RGB565. */
 static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
 {
-    if (controller->half_set)
-        store(controller, (uint16_t)(controller->half << 8 | byte));
+    unsigned last = controller->module->chip->bits_18 ? 2 : 1;
+
+    if (controller->half_set == last) {
+        controller->half_set = 0;
+        if (last == 1)
+            store(controller, (uint16_t)(controller->half << 8 | byte));
+        else
+            store(controller, (uint16_t)(controller->red >> 3 << 11 | controller->half >> 2 << 5 | byte >> 3));
+        return;
+    }
+    controller->red = controller->half_set ? controller->red : byte;
     controller->half = byte;
-    controller->half_set ^= 1;
+    controller->half_set++;
 }
 
 static void stream_end(struct sheen_sim_controller *controller)
@@ -223,6 +240,7 @@ static const struct sheen_sim_command vendor_gc9a01[] = {
 #define VENDOR(list) .vendor = list, .vendor_count = sizeof list / sizeof list[0]
 
 const struct sheen_sim_chip sheen_sim_chip_ili9341 = {DCS("ILI9341"), VENDOR(vendor_brightness)};
+const struct sheen_sim_chip sheen_sim_chip_ili9488 = {DCS("ILI9488"), VENDOR(vendor_brightness), .bits_18 = 1};
 const struct sheen_sim_chip sheen_sim_chip_st7789 = {DCS("ST7789"), VENDOR(vendor_st7789)};
 const struct sheen_sim_chip sheen_sim_chip_st7735 = {DCS("ST7735"), VENDOR(vendor_st7735)};
 const struct sheen_sim_chip sheen_sim_chip_st7796 = {DCS("ST7796"), VENDOR(vendor_brightness)};

@@ -6,6 +6,7 @@ target_sources(sheen_sim PRIVATE
   controller_ideal.c
   controller_mono.c
   controller_oled.c
+  controller_ssd1322.c
   controller_ssd1351.c
   glass.c
   sim_bus.c

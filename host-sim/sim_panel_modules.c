@@ -31,6 +31,7 @@
 
 static const struct sheen_sim_module modules[] = {
     {.name = "ili9341-240x320", CHIP(ili9341), RAM(240, 320), GLASS(240, 320, 0, 0), MIRROR(1, 0), .bgr = 1},
+    {.name = "ili9488-320x480", CHIP(ili9488), RAM(320, 480), GLASS(320, 480, 0, 0), MIRROR(1, 0), .bgr = 1},
     ST7789("st7789-240x320", GLASS(240, 320, 0, 0)),
     ST7789("st7789-240x240", GLASS(240, 240, 0, 0)),
     ST7789("st7789-240x240-round", GLASS(240, 240, 0, 40), .round = 1),
@@ -39,6 +40,7 @@ static const struct sheen_sim_module modules[] = {
     ST7789("st7789-170x320", GLASS(170, 320, 35, 0)),
     ST7789("st7789-172x320", GLASS(172, 320, 34, 0)),
     ST7789("st7789-76x284", GLASS(76, 284, 82, 18)),
+    ST7789("st7789-128x128", GLASS(128, 128, 0, 0)),
     ST7735("st7735-128x160", RAM(128, 160), GLASS(128, 160, 0, 0)),
     ST7735("st7735-128x160-red", RAM(128, 160), GLASS(128, 160, 0, 0), .bgr = 1),
     ST7735("st7735-128x160-green", RAM(132, 162), GLASS(128, 160, 2, 1), .bgr = 1),
@@ -52,6 +54,7 @@ static const struct sheen_sim_module modules[] = {
     {.name = "ssd1351-128x96", CHIP(ssd1351), RAM(128, 128), GLASS(128, 96, 0, 0), MIRROR(0, 1), .bgr = 1},
     {.name = "ssd0323-128x64", CHIP(ssd0323), RAM(128, 80), GLASS(128, 64, 0, 0), MIRROR(0, 1)},
     {.name = "ssd1325-128x64", CHIP(ssd1325), RAM(128, 80), GLASS(128, 64, 0, 12), MIRROR(0, 1)},
+    {.name = "ssd1322-256x64", CHIP(ssd1322), RAM(480, 128), GLASS(256, 64, 112, 0), MIRROR(1, 0)},
     {.name = "ssd1327-128x128", CHIP(ssd1327), RAM(128, 128), GLASS(128, 128, 0, 0), MIRROR(1, 1), I2C},
     {.name = "ssd1327-96x96", CHIP(ssd1327), RAM(128, 128), GLASS(96, 96, 16, 32), MIRROR(1, 1), I2C},
     SSD1306("ssd1306-128x64", GLASS(128, 64, 0, 0)),
@@ -59,6 +62,7 @@ static const struct sheen_sim_module modules[] = {
     SSD1306("ssd1306-72x40", GLASS(72, 40, 28, 0)),
     SSD1306("ssd1306-64x48", GLASS(64, 48, 32, 0)),
     {.name = "sh1106-128x64", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 2, 0), MIRROR(1, 1), I2C},
+    {.name = "sh1106-128x64-nogap", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 4, 0), MIRROR(1, 1), I2C},
 };
 
 const struct sheen_sim_module *sheen_sim_module_find(const char *name)

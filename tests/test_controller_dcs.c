@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "glass.h"
+#include "sheen_target.h"
 
 #define RED 0xF800
 #define GREEN 0x07E0
@@ -333,6 +334,57 @@ static void expansion(void **state)
 
 #define TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
 
+/* Three bytes a pixel, their upper six bits; nothing else is taken by SPI. */
+static void eighteen_bits(void **state)
+{
+    (void)state;
+    tear_down(state);
+    open_panel("ili9488-320x480");
+    sheen_sim_advance(&chip, 120000);
+    SEND(0x11, "");
+    sheen_sim_advance(&chip, 120000);
+    SEND(0x29, "");
+    SEND(0x2C, "");
+    complained("pixels at COLMOD 0x55");
+    SEND(0x3A, "\x55");
+    complained("only 18 bits");
+    SEND(0x3A, "\x66");
+    SEND(0x36, "\x48");
+    SEND(0x2A, "\0\0\0\1");
+    SEND(0x2B, "\0\0\0\1");
+    SEND(0x2C, "\xFF\0\0\0\xFF\0");
+    assert_glass(0, 0, RED);
+    assert_glass(1, 0, GREEN);
+    SEND(0x3C, "\3\3\xFF\x84\x82\x84"); /* on where it stopped; the low two bits do not count */
+    assert_glass(0, 1, BLUE);
+    assert_glass(1, 1, 0x8410);
+    quiet();
+    SEND(0x2C, "\xFF\xFF");
+    SEND(0x13, "");
+    complained("half a pixel");
+}
+
+/* 53 has the backlight follow 51, 35 switches the TE output on; a reset ends both. */
+static void brightness_and_tearing(void **state)
+{
+    (void)state;
+    wake();
+    SEND(0x51, "\x80");
+    assert_int_equal(chip.brightness, 0x80);
+    assert_int_equal(chip.lit_by_it, 0);
+    SEND(0x53, "\x2C");
+    assert_int_equal(chip.lit_by_it, 1);
+    assert_int_equal(sheen_sim_tearing(&chip), SHEEN_ERR_TIMEOUT);
+    SEND(0x35, "\0");
+    assert_int_equal(sheen_sim_tearing(&chip), 0);
+    assert_int_equal(chip.now_us % 16667, 0);
+    SEND(0x34, "");
+    assert_int_equal(sheen_sim_tearing(&chip), SHEEN_ERR_TIMEOUT);
+    SEND(0x01, "");
+    assert_int_equal(chip.brightness + chip.lit_by_it, 0);
+    quiet();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -347,6 +399,8 @@ int main(void)
         TEST(first_text_stays),
         TEST(power_cycle),
         TEST(expansion),
+        TEST(eighteen_bits),
+        TEST(brightness_and_tearing),
     };
 
     return cmocka_run_group_tests_name("controller_dcs", tests, NULL, NULL);

@@ -296,12 +296,75 @@ static void ssd1351(void **state)
     close_panel();
 }
 
+static void command_with(uint8_t code, const char *parameters, size_t count)
+{
+    sheen_sim_receive(&chip, SHEEN_SIM_COMMAND, &code, 1);
+    send(SHEEN_SIM_DATA, parameters, count);
+}
+
+#define WITH(code, parameters) command_with(code, parameters, sizeof(parameters) - 1)
+
+/* 256x64 of Newhaven: columns from address 1C; A0 06 11 upright, A0 14 11 upside down, both from 1C. */
+static void ssd1322(void **state)
+{
+    (void)state;
+    open_panel("ssd1322-256x64");
+    WITH(0xFD, "\x12");
+    WITH(0xCA, "\x3F");
+    WITH(0xA0, "\x06\x11");
+    WITH(0xAF, "");
+    WITH(0x15, "\x1C\x1D");
+    WITH(0x75, "\x00\x01");
+    WITH(0x5C, "\x12\x34\x56\x78\x9A\xBC");
+    for (unsigned x = 0; x < 8; x++)
+        assert_glass(x, 0, (uint16_t)(1 + x));
+    assert_glass(0, 1, 9);
+    assert_glass(3, 1, 12);
+    WITH(0x5C, "\xDE\xF0\x21\x43"); /* on where it was, then round to the start */
+    assert_glass(4, 1, 13);
+    assert_glass(6, 1, 15);
+    assert_glass(0, 0, 2);
+    assert_int_equal(chip.rectangles, 2);
+    WITH(0x15, "\x5B\x5B");
+    WITH(0x75, "\x3F\x3F");
+    WITH(0x5C, "\x98\x76");
+    assert_glass(252, 63, 9);
+    assert_glass(255, 63, 6);
+
+    WITH(0xA0, "\x14\x11");
+    WITH(0x15, "\x1C\x1C");
+    WITH(0x75, "\x00\x00");
+    WITH(0x5C, "\xAB\xCD");
+    assert_glass(255, 63, 10); /* the viewer who turned it sees A, B, C, D from the top left */
+    assert_glass(254, 63, 11);
+    assert_glass(252, 63, 13);
+    WITH(0xA7, "");
+    assert_glass(255, 63, 5);
+    WITH(0xA4, "");
+    assert_glass(255, 63, 0);
+    quiet();
+
+    WITH(0xA6, "");
+    WITH(0x5C, "\x11");
+    WITH(0x5C, "");
+    complained("half a column before command");
+    WITH(0x15, "\x1C\x78");
+    WITH(0x5C, "\x11");
+    complained("window 28..120");
+    DATA("\x11"); /* the other half */
+    chip.complaints = 0;
+    chip.first_complaint[0] = '\0';
+    WITH(0xA0, "\x06\x10");
+    complained("remap 0x06 0x10");
+    close_panel();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ssd0323), cmocka_unit_test(ssd1325), cmocka_unit_test(grey_modes_and_addresses),
-        cmocka_unit_test(ssd1327), cmocka_unit_test(ssd1306), cmocka_unit_test(ssd1306_page_mode),
-        cmocka_unit_test(sh1106),  cmocka_unit_test(ssd1351),
+        cmocka_unit_test(ssd0323),           cmocka_unit_test(ssd1325), cmocka_unit_test(grey_modes_and_addresses),
+        cmocka_unit_test(ssd1327),           cmocka_unit_test(ssd1322), cmocka_unit_test(ssd1306),
+        cmocka_unit_test(ssd1306_page_mode), cmocka_unit_test(sh1106),  cmocka_unit_test(ssd1351),
     };
 
     return cmocka_run_group_tests_name("controller_oled", tests, NULL, NULL);

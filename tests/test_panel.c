@@ -38,7 +38,7 @@ static void every_record_and_orientation(void **state)
             canvas_close(&canvas);
         }
     }
-    assert_int_equal(i, 29);
+    assert_int_equal(i, 33);
 }
 
 static void ideal_of_any_size(void **state)

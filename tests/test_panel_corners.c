@@ -24,6 +24,17 @@ static const struct {
 } dcs_wire[] = {
     {"ili9341",
      {{0x48, 0, 0}, {0x28, 0, 0}, {0x88, 0, 0}, {0xE8, 0, 0}, {0x08, 0, 0}, {0xA8, 0, 0}, {0xC8, 0, 0}, {0x68, 0, 0}}},
+    {"ili9488",
+     {{0x48, 0, 0}, {0x28, 0, 0}, {0x88, 0, 0}, {0xE8, 0, 0}, {0x08, 0, 0}, {0xA8, 0, 0}, {0xC8, 0, 0}, {0x68, 0, 0}}},
+    {"st7789-128x128",
+     {{0x00, 0, 0},
+      {0x60, 0, 112},
+      {0xC0, 112, 192},
+      {0xA0, 192, 0},
+      {0x40, 112, 0},
+      {0xE0, 192, 112},
+      {0x80, 0, 192},
+      {0x20, 0, 0}}},
     {"st7789-240x240",
      {{0x00, 0, 0},
       {0x60, 0, 0},
@@ -128,8 +139,9 @@ static void assert_corner(const struct canvas *canvas, const char *corner, uint1
 static void corners_on_the_glass(void **state)
 {
     static const char *const panels[] = {
-        "ili9341", "st7789-135x240", "st7735-128x128-green", "st7796",        "ssd1351-128x96",
-        "ssd0323", "ssd1325",        "ssd1327-96x96",        "ssd1306-72x40", "sh1106"};
+        "ili9341", "st7789-135x240", "st7735-128x128-green", "st7796", "ssd1351-128x96",      "ssd0323",
+        "ssd1325", "ssd1327-96x96",  "ssd1306-72x40",        "sh1106", "sh1106-128x64-nogap", "ili9488",
+        "ssd1322", "st7789-128x128"};
     struct canvas canvas;
 
     (void)state;
@@ -215,6 +227,22 @@ static void wrong_grey_and_mono_records_are_seen(void **state)
     wrong = *sheen_panel_find("ssd1327-96x96");
     wrong.gap_x = 14;
     assert_seen(&wrong, "the column offset");
+    for (unsigned bit = 0; bit < 5; bit++) {
+        if (bit == 3)
+            continue;
+        wrong = *sheen_panel_find("ssd1322");
+        wrong.scan[0] ^= (uint8_t)(1u << bit);
+        assert_seen(&wrong, "a remap bit");
+    }
+    wrong = *sheen_panel_find("ssd1322");
+    wrong.gap_x = 108;
+    assert_seen(&wrong, "the column offset");
+    wrong = *sheen_panel_find("sh1106-128x64-nogap");
+    wrong.gap_x = 2;
+    assert_seen(&wrong, "the column offset");
+    wrong = *sheen_panel_find("ili9488");
+    wrong.bits_18 = 0;
+    assert_seen(&wrong, "pixels of two bytes");
     wrong = *sheen_panel_find("sh1106");
     wrong.gap_x = 0;
     assert_seen(&wrong, "the column offset");

@@ -1,21 +1,25 @@
 /*
- * driver_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327.
+ * driver_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327; and SSD1322.
  *
- * On the wire, commands and their parameters with D/C low, pixels with D/C high:
+ * On the wire, a call of the bus a line:
  *
- *   15 c0 c1         columns, in bytes (2 px), ends inclusive
+ *   15 c0 c1         columns, ends inclusive, an address 2 px; on the SSD1322 4 px
  *   75 r0 r1         rows
  *   high|low ...     pixels from the window's top left, left pixel in the high nibble
+ *
+ * Parameters leave with D/C low as their commands do, and pixels have no command; on
+ * the SSD1322 parameters leave with D/C high, and pixels are those of command 5C.
  *
  * Setting either end of the window sets the address back to its start, and a
  * window that was filled leaves it there (SSD1325 data sheet, "Set Column
  * Address" and "Set Row Address"): a repeated window needs no command at all.
  *
- * The remap byte stays as the module needs it upright; the packer turns.
+ * The remap stays as the module needs it upright; the packer turns.
  */
 #include "driver.h"
 
 #define SET_COLUMN 0x15
+#define WRITE_RAM 0x5C
 #define SET_ROW 0x75
 #define SET_REMAP 0xA0
 #define DISPLAY_OFF 0xAE
@@ -23,15 +27,24 @@
 
 static int init(struct sheen_panel *panel)
 {
+    int low = panel->record->driver->low_parameters;
     int error = sheen_panel_reset(panel);
 
-    if (error == SHEEN_OK)
+    if (error == SHEEN_OK && low)
         error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
     if (error == SHEEN_OK)
         error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, SET_REMAP, panel->record->scan, 1);
+        error = sheen_panel_command(panel, SET_REMAP, panel->record->scan, low ? 1 : 2);
     return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
+}
+
+/* Pixels in the controller's order; they may fly on. */
+static int launch(struct sheen_panel *panel, const uint8_t *bytes, size_t count)
+{
+    const uint8_t *write = &panel->record->driver->write_command;
+
+    return sheen_panel_launch(panel, write, *write != 0, bytes, count);
 }
 
 /* The nibble of pixel `index` of the rectangle. */
@@ -52,8 +65,10 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
 
         for (int16_t column = 0; column < turn->w; column += 2, index += 2 * turn->right) {
             if (used == sizeof panel->pack) {
-                int error = sheen_panel_send(panel, NULL, 0, panel->pack, used);
+                int error = launch(panel, panel->pack, used);
 
+                if (error == SHEEN_OK)
+                    error = sheen_panel_landed(panel);
                 if (error < 0)
                     return error;
                 used = 0;
@@ -61,24 +76,25 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
             panel->pack[used++] = (uint8_t)(nibble(pixels, index) << 4 | nibble(pixels, index + turn->right));
         }
     }
-    return sheen_panel_launch(panel, NULL, 0, panel->pack, used);
+    return launch(panel, panel->pack, used);
 }
 
 static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
+    unsigned unit = record->driver->align_x; /* px, of a column address */
     struct sheen_turn turn;
     int error;
 
     sheen_turn_of(panel, rect, &turn);
-    unsigned column = (record->gap_x + (unsigned)turn.x) / 2, row = record->gap_y + (unsigned)turn.y;
-    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w / 2 - 1);
+    unsigned column = (record->gap_x + (unsigned)turn.x) / unit, row = record->gap_y + (unsigned)turn.y;
+    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w / unit - 1);
     if (error == SHEEN_OK)
         error = sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
     if (error < 0)
         return error;
     if (panel->orientation == 0) /* as the core packs it */
-        return sheen_panel_launch(panel, NULL, 0, pixels, (size_t)turn.w * (size_t)turn.h / 2);
+        return launch(panel, pixels, (size_t)turn.w * (size_t)turn.h / 2);
     return send_turned(panel, &turn, pixels);
 }
 
@@ -90,3 +106,12 @@ const struct sheen_panel_driver sheen_driver_grey = {.init = init,
                                                      .low_parameters = 1,
                                                      .align_x = 2,
                                                      .align_y = 2};
+
+const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = init,
+                                                        .push = push,
+                                                        .reset_command = -1,
+                                                        .off = {DISPLAY_OFF},
+                                                        .off_count = 1,
+                                                        .write_command = WRITE_RAM,
+                                                        .align_x = 4,
+                                                        .align_y = 4};

@@ -1,7 +1,7 @@
 /*
- * ili9341.c - the record of the ILI9341.
+ * ili9341.c - records of the ILI9341 and of its larger kin, the ILI9488.
  *
- * The shortest init table that brings the glass to life: supply and gamma stay as
+ * The shortest init tables that bring the glass to life: supply and gamma stay as
  * they power on, as in the driver collection mipidsi.
  */
 #include "record.h"
@@ -23,5 +23,27 @@ const struct sheen_panel_record sheen_panel_ili9341 = {
     GLASS(240, 320),
     RAM(240, 320),
     .scan = {MX, MV, MY, MX | MY | MV}, /* the source driver counts from the right */
+    .bgr = 1,
+};
+
+/* On SPI it has 18 bits a pixel, or 8 colours, but not 16 bits (ILI9488 data sheet, "4-line serial interface"). */
+static const struct sheen_panel_step init_ili9488[] = {
+    {SLPOUT, 120, NONE},
+    {COLMOD, 0, BYTES(0x66)},
+};
+
+/* Clock: write cycle 66 ns is the ILI9486's, the nearest that is published. */
+const struct sheen_panel_record sheen_panel_ili9488 = {
+    .name = "ili9488-320x480",
+    .controller = "ILI9488",
+    .note = "three bytes a pixel; 27 to 40 MHz in use",
+    DCS,
+    WRDISBV,
+    .bits_18 = 1,
+    INIT(init_ili9488),
+    .clock_hz = 15151515,
+    GLASS(320, 480),
+    RAM(320, 480),
+    .scan = {MX, MV, MY, MX | MY | MV},
     .bgr = 1,
 };

@@ -1,5 +1,5 @@
 /*
- * sh1106.c - the record of the SH1106: black and white.
+ * sh1106.c - records of the SH1106: black and white.
  *
  * A1 and C8 in the init table stand the module upright; the packer does all
  * turning. Values as in u8g2, registers of the data sheet (reset: 10 us).
@@ -23,17 +23,12 @@ static const struct sheen_panel_step init_sh1106[] = {
     {0xA6, 0, NONE},        /* not inverted */
 };
 
-/* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). 132 columns of RAM, the glass in their middle. */
+/* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). */
+#define SH1106                                                                                                         \
+    .controller = "SH1106", .driver = &sheen_driver_sh1106, .brightness_command = 0x81, .pixel = SHEEN_GREY2, OLED,    \
+    INIT(init_sh1106), .clock_hz = 4000000, GLASS(128, 64), RAM(132, 64)
+
 const struct sheen_panel_record sheen_panel_sh1106 = {
-    .name = "sh1106-128x64",
-    .controller = "SH1106",
-    .driver = &sheen_driver_sh1106,
-    .brightness_command = 0x81,
-    .pixel = SHEEN_GREY2,
-    OLED,
-    INIT(init_sh1106),
-    .clock_hz = 4000000,
-    GLASS(128, 64),
-    RAM(132, 64),
-    .gap_x = 2,
-};
+    .name = "sh1106-128x64", SH1106, .gap_x = 2, .note = "the glass in the middle of 132 columns"};
+const struct sheen_panel_record sheen_panel_sh1106_nogap = {
+    .name = "sh1106-128x64-nogap", SH1106, .note = "the glass at column 0"};

@@ -48,3 +48,6 @@ const struct sheen_panel_record sheen_panel_st7789_76x284 = {.name = "st7789-76x
                                                              .gap_x = 82,
                                                              .gap_y = 18,
                                                              .note = "quarter turns by rule, not confirmed on glass"};
+
+const struct sheen_panel_record sheen_panel_st7789_128x128 = {
+    .name = "st7789-128x128", ST7789, GLASS(128, 128), .note = "modules differ in their gap, and in inversion"};

@@ -14,6 +14,7 @@ static const struct sheen_panel_record *const table[] = {
     &sheen_panel_st7789_170x320,
     &sheen_panel_st7789_172x320,
     &sheen_panel_st7789_76x284,
+    &sheen_panel_st7789_128x128,
     &sheen_panel_st7735_128x160,
     &sheen_panel_st7735_128x160_red,
     &sheen_panel_st7735_128x160_green,
@@ -22,11 +23,13 @@ static const struct sheen_panel_record *const table[] = {
     &sheen_panel_st7735_80x160_green,
     &sheen_panel_st7735_80x160_red,
     &sheen_panel_st7796,
+    &sheen_panel_ili9488,
     &sheen_panel_gc9a01,
     &sheen_panel_ssd1351_128x128,
     &sheen_panel_ssd1351_128x96,
     &sheen_panel_ssd0323,
     &sheen_panel_ssd1325,
+    &sheen_panel_ssd1322,
     &sheen_panel_ssd1327_128x128,
     &sheen_panel_ssd1327_96x96,
     &sheen_panel_ssd1306_128x64,
@@ -34,6 +37,7 @@ static const struct sheen_panel_record *const table[] = {
     &sheen_panel_ssd1306_72x40,
     &sheen_panel_ssd1306_64x48,
     &sheen_panel_sh1106,
+    &sheen_panel_sh1106_nogap,
 };
 
 const struct sheen_panel_record *sheen_panel_at(size_t index)
