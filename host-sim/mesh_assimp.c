@@ -196,6 +196,11 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
     return SHEEN_OK;
 }
 
+int sheen_mesh_assimp_knows(const char *ending)
+{
+    return aiIsExtensionSupported(ending) == AI_TRUE;
+}
+
 /* Without the shapes that assimp makes up for bones where a file has no faces. */
 static const struct aiScene *import(const char *path)
 {
@@ -213,7 +218,7 @@ static int explain(const char *said, const char *path, struct sheen_problem *pro
     if (strstr(said, "bad_alloc") || strstr(said, "length_error"))
         return SHEEN_ERR_MEMORY; /* mesh_file.c says it */
     const char *ending = strrchr(path, '.');
-    if (strstr(said, "No suitable reader") || !ending || !aiIsExtensionSupported(ending))
+    if (strstr(said, "No suitable reader") || !ending || !sheen_mesh_assimp_knows(ending))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its format is not known, by its name nor by its content",
                              path);
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, said);

@@ -9,4 +9,7 @@
 /* As sheen_mesh_file_read, in this process: a hostile file may do to it what it likes. */
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
+/* 1 where some reader of assimp takes files of this ending, its dot included. */
+int sheen_mesh_assimp_knows(const char *ending);
+
 #endif

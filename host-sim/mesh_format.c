@@ -3,72 +3,84 @@
  */
 #include "mesh_format.h"
 
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
-#include <unistd.h>
 
 #include "mesh_assimp.h"
+#include "mesh_bytes.h"
 #include "mesh_file.h"
 #include "mesh_gltf.h"
 #include "mesh_readers.h"
 
 static const struct format {
     const char *endings; /* each followed by a blank */
-    const char *magics;  /* first bytes that tell, each followed by a newline; "" where none do */
+    const char *words;   /* with which such a file begins, after comments, between blanks */
     sheen_mesh_reader *read;
 } formats[] = {
-    {".obj ", "", sheen_mesh_obj_read},
-    {".ply ", "ply\n", sheen_mesh_ply_read},
-    {".off .coff .noff .cnoff ", "OFF\nCOFF\nNOFF\nCNOFF\nSTOFF\n", sheen_mesh_off_read},
-    {".stl .stlb .stla ", "solid \n", sheen_mesh_stl_read},
-    {".gltf .vrm ", "{\n", sheen_mesh_gltf_read},
-    {".glb ", "glTF\n", sheen_mesh_gltf_read},
+    {".obj ", " v vn vt vp mtllib usemtl o g ", sheen_mesh_obj_read},
+    {".ply ", " ply ", sheen_mesh_ply_read},
+    {".off .coff .noff .cnoff ", " off coff noff cnoff stoff stcoff stnoff stcnoff ", sheen_mesh_off_read},
+    {".stl .stlb .stla ", " solid ", sheen_mesh_stl_read},
+    {".gltf .vrm ", " { ", sheen_mesh_gltf_read},
+    {".glb ", " gltf ", sheen_mesh_gltf_read},
 };
 
-/* The ending with its dot and a blank, or "". */
-static void get_ending(const char *path, char ending[16])
+static sheen_mesh_reader *by_ending(const char *path)
 {
     const char *name = strrchr(path, '/');
     const char *dot = strrchr(name ? name : path, '.');
+    char ending[16];
 
-    ending[0] = '\0';
-    if (dot && strlen(dot) < 14)
-        snprintf(ending, 16, "%s ", dot);
-}
-
-static size_t read_magic(const char *path, char *magic, size_t room)
-{
-    int file = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK); /* confine.h allows no other way */
-    ssize_t count = file < 0 ? 0 : read(file, magic, room);
-
-    if (file >= 0)
-        close(file);
-    return count < 0 ? 0 : (size_t)count;
-}
-
-static sheen_mesh_reader *choose(const char *path)
-{
-    char ending[16], magic[8];
-
-    get_ending(path, ending);
+    if (!dot || snprintf(ending, sizeof ending, "%s ", dot) >= (int)sizeof ending)
+        return NULL;
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        if (ending[0] && strcasestr(formats[i].endings, ending))
+        if (strcasestr(formats[i].endings, ending))
             return formats[i].read;
     }
-    size_t count = read_magic(path, magic, sizeof magic);
+    return sheen_mesh_assimp_knows(dot) ? sheen_mesh_assimp_read : NULL;
+}
+
+/* A binary STL has no mark but its size. */
+static int is_binary_stl(const struct sheen_bytes *bytes)
+{
+    const unsigned char *count = bytes->bytes + 80;
+
+    return bytes->count >= 84 && bytes->count == 84 + 50 * ((size_t)count[0] | (size_t)count[1] << 8 |
+                                                            (size_t)count[2] << 16 | (size_t)count[3] << 24);
+}
+
+static sheen_mesh_reader *by_content(struct sheen_bytes *bytes)
+{
+    char word[16] = " ";
+    struct sheen_word first;
+
+    if (is_binary_stl(bytes))
+        return sheen_mesh_stl_read;
+    if (sheen_bytes_to_utf8(bytes) != 0)
+        return NULL;
+    struct sheen_text text = {
+        .at = (const char *)bytes->bytes, .end = (const char *)bytes->bytes + bytes->count, .comments = 1};
+    if (!sheen_text_any_word(&text, &first))
+        return NULL;
+    if (first.at[0] == '{')
+        first.length = 1; /* of JSON */
+    if (snprintf(word, sizeof word, " %.*s ", SHEEN_WORD(first)) >= (int)sizeof word)
+        return NULL;
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        for (const char *m = formats[i].magics; *m; m += strcspn(m, "\n") + 1) {
-            size_t length = strcspn(m, "\n");
-            if (count >= length && memcmp(magic, m, length) == 0)
-                return formats[i].read;
-        }
+        if (strcasestr(formats[i].words, word))
+            return formats[i].read;
     }
-    return sheen_mesh_assimp_read;
+    return NULL;
 }
 
 int sheen_mesh_format_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
-    return choose(path)(polygons, path, problem);
+    sheen_mesh_reader *reader = by_ending(path);
+    struct sheen_bytes bytes;
+
+    if (!reader && sheen_bytes_load(&bytes, path, problem) == 0) {
+        reader = by_content(&bytes);
+        sheen_bytes_free(&bytes);
+    }
+    return (reader ? reader : sheen_mesh_assimp_read)(polygons, path, problem);
 }

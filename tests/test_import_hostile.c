@@ -31,6 +31,12 @@ static const char ply_binary[] = "ply\nformat binary_little_endian 1.0\nelement 
                                  "\0\0\x80\x3f\0\0\0\0\0\0\0\0"
                                  "\0\0\0\0\0\0\x80\x3f\0\0\0\0"
                                  "\3\0\0\0\0\1\0\0\0\2\0\0"; /* the literal's own zero is the last byte */
+static const char strips[] = "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                             "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+                             "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+                             "7 0 1 2 -1 1 2 3\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 1 0 1 2 3\n0 0 1 1 2 3\n";
+static const char off[] = "# t\nCOFF\n4 3 0\n0 0 0 255 0 0 255\n1 0 0 255 0 0 255\n0 1 0 0 0 1 1\n0 0 1 0 0 0 0\n"
+                          "3 0 1 2 1 2 3\n4 0 1\n2 3 0.5 0.5 0.5 1\n3 1 2 3\n";
 static const char gltf[] =
     "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
     "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],"
@@ -115,8 +121,14 @@ static void every_sample(void (*each)(const struct sample *sample))
     char stl_binary[184], glb[LARGEST];
     size_t stl_count = binary_stl(stl_binary), glb_count = binary_gltf(glb);
     const struct sample samples[] = {
-        {"s.obj", obj, sizeof obj - 1}, {"s.stl", stl, sizeof stl - 1},           {"b.stl", stl_binary, stl_count},
-        {"s.ply", ply, sizeof ply - 1}, {"b.ply", ply_binary, sizeof ply_binary}, {"s.gltf", gltf, sizeof gltf - 1},
+        {"s.obj", obj, sizeof obj - 1},
+        {"s.stl", stl, sizeof stl - 1},
+        {"b.stl", stl_binary, stl_count},
+        {"strips.ply", strips, sizeof strips - 1},
+        {"s.off", off, sizeof off - 1},
+        {"s.ply", ply, sizeof ply - 1},
+        {"b.ply", ply_binary, sizeof ply_binary},
+        {"s.gltf", gltf, sizeof gltf - 1},
         {"b.glb", glb, glb_count},
     };
 

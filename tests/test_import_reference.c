@@ -87,6 +87,34 @@ static void meshes_in_every_way(void **state)
     }
 }
 
+/*
+ * A model of half a metre where surveyors put it: in doubles its points are 1e-9 apart, as floats .5. The torus
+ * lists points twice where it closes, which have to meet; by an origin that is no number of few digits.
+ */
+static void far_from_the_origin(void **state)
+{
+    static const double at[3] = {500000.1, 4649776.3, 0.7};
+    struct sheen_polygons polygons;
+    struct sheen_problem problem;
+    struct sheen_host_mesh near, far;
+
+    (void)state;
+    assert_int_equal(sheen_polygons_load(&polygons, "builtin:torus", &problem), 0);
+    assert_int_equal(sheen_host_mesh_build(&near, &polygons, &(struct sheen_host_options){0}, "near", &problem), 0);
+    for (size_t p = 0; p < polygons.point_count; p++) {
+        for (int k = 0; k < 3; k++)
+            polygons.points[p][k] = polygons.points[p][k] / 4 + at[k];
+    }
+    check(&polygons, &(struct sheen_host_options){0}, "far");
+    assert_int_equal(sheen_host_mesh_build(&far, &polygons, &(struct sheen_host_options){0}, "far", &problem), 0);
+    assert_int_equal(far.vertex_count, near.vertex_count);
+    for (size_t v = 0; v < far.vertex_count; v++)
+        assert_true(apart(far.vertices[v].position, near.vertices[v].position) < 1e-8);
+    sheen_host_mesh_free(&near);
+    sheen_host_mesh_free(&far);
+    sheen_polygons_free(&polygons);
+}
+
 /* The built-in meshes, whatever the compiler makes of a conversion there and back. */
 static void points_are_floats(void **state)
 {
@@ -203,7 +231,8 @@ static void quantised_mesh(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(meshes_in_every_way), cmocka_unit_test(points_are_floats), cmocka_unit_test(random_polygons),
+        cmocka_unit_test(meshes_in_every_way), cmocka_unit_test(points_are_floats),
+        cmocka_unit_test(far_from_the_origin), cmocka_unit_test(random_polygons),
         cmocka_unit_test(quantised_error),     cmocka_unit_test(quantised_mesh),
     };
 
