@@ -12,8 +12,10 @@ sheen_test(test_core_slivers unit SOURCES test_core_slivers.c LIBRARIES core_pic
 sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES core_picture sheen::core)
 
 # Every argument in place of every 4099th.
-add_test(NAME test_core_newton_all COMMAND test_core_newton all)
-sheen_part(test_core_newton_all long)
+if(NOT SHEEN_SANITIZED)
+  add_test(NAME test_core_newton_all COMMAND test_core_newton all)
+  sheen_part(test_core_newton_all long)
+endif()
 
 # The tables are data; the script is their definition.
 sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/math/tables.c)

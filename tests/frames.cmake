@@ -5,6 +5,13 @@ endforeach()
 sheen_test(test_frame_changed frames SOURCES test_frame_changed.c frame_show.c LIBRARIES core_picture sheen::core)
 sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
   LIBRARIES core_picture sheen::core Threads::Threads)
+# Random sequences of calls: a sample here, 10^6 of them in the long part, under the sanitizers.
+sheen_test(test_frame_calls frames SOURCES test_frame_calls.c call_player.c call_model.c call_glass.c
+  LIBRARIES core_picture sheen::core)
+if(SHEEN_SANITIZED)
+  add_test(NAME test_frame_calls_all COMMAND test_frame_calls all)
+  sheen_part(test_frame_calls_all long)
+endif()
 sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
 sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)
