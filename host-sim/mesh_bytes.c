@@ -122,5 +122,7 @@ int sheen_beside(char *out, size_t room, const char *path, const char *name, siz
     memcpy(out, path, folder);
     memcpy(out + folder, name, length);
     out[folder + length] = '\0';
+    for (char *c = out + folder; *c; c++)
+        *c = *c == '\\' ? '/' : *c; /* written on Windows */
     return 0;
 }

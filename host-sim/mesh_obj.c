@@ -283,12 +283,10 @@ int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struc
         .text = {.path = path, .comments = 1, .joins = 1, .problem = problem}, .out = polygons, .color_most = 1};
     int error = sheen_bytes_load(&obj.bytes, path, problem);
 
-    if (!error && sheen_bytes_to_utf8(&obj.bytes) != 0)
-        error = sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
-    if (!error) {
-        obj.text.end = (const char *)obj.bytes.bytes + obj.bytes.count;
+    if (!error)
+        error = sheen_text_begin(&obj.text, &obj.bytes);
+    if (!error)
         error = sheen_sink_run(polygons, pass, &obj, path, problem);
-    }
     if (!error)
         read_materials(&obj);
     free(obj.names);

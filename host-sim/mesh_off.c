@@ -186,12 +186,13 @@ static int read_kind(struct off *off)
     if (sheen_word_is(&left, "4OFF") || sheen_word_is(&left, "nOFF") || sheen_word_is(&left, "4nOFF"))
         return sheen_text_problem(&off->text, "%.*s, points of other than three dimensions, is not read",
                                   SHEEN_WORD(word));
+    struct sheen_word count = {left.at + 3, left.length - 3};
+    if (left.length > 3 && memcmp(left.at, "OFF", 3) == 0 && sheen_word_whole(&count, &number)) {
+        off->text.at = count.at; /* the counts follow without a blank: ModelNet40 has such files */
+        return SHEEN_OK;
+    }
     if (!sheen_word_is(&left, "OFF"))
         return sheen_text_problem(&off->text, "'%.*s' is not OFF", SHEEN_WORD(word));
-    before = off->text;
-    if (sheen_text_word(&off->text, &word) && sheen_word_is(&word, "BINARY"))
-        return sheen_text_problem(&off->text, "binary OFF is not read; save it as text");
-    off->text = before;
     return SHEEN_OK;
 }
 
@@ -232,13 +233,13 @@ int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struc
         .text = {.path = path, .line = 1, .comments = 1, .problem = problem}, .out = polygons, .color_most = 1};
     int error = sheen_bytes_load(&off.bytes, path, problem);
 
-    if (!error && sheen_bytes_to_utf8(&off.bytes) != 0)
-        error = sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
-    if (!error) {
-        off.text.at = (const char *)off.bytes.bytes;
-        off.text.end = off.text.at + off.bytes.count;
+    const char *first = (const char *)off.bytes.bytes;
+    if (!error && memmem(first, strcspn(first, "\r\n"), "BINARY", 6))
+        error = sheen_text_problem(&off.text, "binary OFF is not read; save it as text");
+    if (!error)
+        error = sheen_text_begin(&off.text, &off.bytes);
+    if (!error)
         error = read_kind(&off);
-    }
     if (!error)
         error = read_counts(&off);
     if (!error) {

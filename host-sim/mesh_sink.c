@@ -114,7 +114,7 @@ int sheen_sink_run(struct sheen_polygons *out, sheen_sink_pass *pass, void *cont
 {
     struct sheen_sink sink = {.out = out, .groups = 1};
 
-    memset(out, 0, sizeof *out);
+    sheen_polygons_free(out);
     int error = run_passes(&sink, pass, context, path, problem);
     free(sink.normal);
     free(sink.color);

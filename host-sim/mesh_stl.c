@@ -203,14 +203,21 @@ static int text_pass(void *context, struct sheen_sink *sink)
 
 /* ---- which of them ---- */
 
-static int begins_with_solid(struct stl *stl)
+/* In the first bytes, of UTF-16 too; a binary one has zeros there, but for its 80 bytes of anything. */
+static int begins_with_solid(const struct stl *stl)
 {
-    struct sheen_text text = stl->text;
-    struct sheen_word word;
+    const unsigned char *bytes = stl->bytes.bytes;
+    size_t count = stl->bytes.count < HEADER ? stl->bytes.count : HEADER;
+    int is_utf16 = count >= 2 && (memcmp(bytes, "\xff\xfe", 2) == 0 || memcmp(bytes, "\xfe\xff", 2) == 0);
 
-    text.at = (const char *)stl->bytes.bytes;
-    return memchr(text.at, 0, stl->bytes.count < HEADER ? stl->bytes.count : HEADER) == NULL &&
-           sheen_text_any_word(&text, &word) && sheen_word_is(&word, "solid");
+    if (is_utf16)
+        return 1;
+    if (memchr(bytes, 0, count))
+        return 0;
+    size_t mark = count >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    struct sheen_text text = {.at = (const char *)bytes + mark, .end = (const char *)bytes + stl->bytes.count};
+    struct sheen_word word;
+    return sheen_text_any_word(&text, &word) && sheen_word_is(&word, "solid");
 }
 
 static int read_bytes(struct sheen_polygons *polygons, struct stl *stl, const char *path, struct sheen_problem *problem)
@@ -221,11 +228,10 @@ static int read_bytes(struct sheen_polygons *polygons, struct stl *stl, const ch
 
     if (count >= HEADER && promised <= facets)
         return sheen_sink_run(polygons, binary_pass, stl, path, problem);
-    if (sheen_bytes_to_utf8(&stl->bytes) != 0)
-        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
-    stl->text.end = (const char *)stl->bytes.bytes + stl->bytes.count;
-    if (begins_with_solid(stl))
-        return sheen_sink_run(polygons, text_pass, stl, path, problem);
+    if (begins_with_solid(stl)) {
+        int error = sheen_text_begin(&stl->text, &stl->bytes);
+        return error ? error : sheen_sink_run(polygons, text_pass, stl, path, problem);
+    }
     if (count < HEADER)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
                              "%s: neither begins with 'solid' nor is long enough for a "

@@ -63,11 +63,28 @@ static void to_end_of_line(struct sheen_text *text)
     }
 }
 
+int sheen_text_begin(struct sheen_text *text, struct sheen_bytes *bytes)
+{
+    if (sheen_bytes_to_utf8(bytes) != 0)
+        return sheen_problem(text->problem, SHEEN_ERR_MEMORY, "%s: not enough memory", text->path);
+    const unsigned char *zero = memchr(bytes->bytes, 0, bytes->count);
+    if (zero) /* it would part digits */
+        return sheen_problem(text->problem, SHEEN_ERR_ARGUMENT,
+                             "%s: byte %td is 0, which no text has; UTF-16 without its mark?", text->path,
+                             zero - bytes->bytes);
+    text->at = (const char *)bytes->bytes;
+    text->end = text->at + bytes->count;
+    text->line = 1;
+    return SHEEN_OK;
+}
+
 int sheen_text_word(struct sheen_text *text, struct sheen_word *word)
 {
     skip_blanks(text);
-    if (text->comments && text->at < text->end && *text->at == '#')
-        to_end_of_line(text);
+    if (text->comments && text->at < text->end && *text->at == '#') {
+        while (text->at < text->end && !is_end_of_line(*text->at)) /* a backslash at its end is a path's */
+            text->at++;
+    }
     word->at = text->at;
     while (text->at < text->end && (unsigned char)*text->at > ' ' && !is_joined(text))
         text->at++;

@@ -28,6 +28,9 @@ struct sheen_word {
     size_t length;
 };
 
+/* The text of a file: its encoding made UTF-8, at its beginning. 0, or an error where it is no text. */
+int sheen_text_begin(struct sheen_text *text, struct sheen_bytes *bytes);
+
 /* The next word of this line; 0: there is none, and the next call says so too. */
 int sheen_text_word(struct sheen_text *text, struct sheen_word *word);
 
