@@ -190,14 +190,16 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
     return core_draw_scene_way(target, scene, mesh, band_rows, 0, &unused);
 }
 
+#define CLIPPED 2000 /* pieces, more than any test makes */
+
 int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                         int band_rows, unsigned way, struct core_stats *stats)
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)band_rows,
                                   .max_vertices = mesh->vertices,
-                                  .max_triangles = mesh->triangles,
-                                  .max_clipped = 2000};
+                                  .max_triangles = (uint16_t)(mesh->triangles + CLIPPED),
+                                  .max_clipped = CLIPPED};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
     struct sheen_view view;

@@ -50,7 +50,7 @@ void ref_scene_default(struct ref_scene *scene, const struct ref_mesh *mesh)
     ref_scene_orbit(scene, 30, 20, 0, 3);
 }
 
-/* A corner on its way through the planes: everything in it is linear in space. */
+/* A corner on its way through near plane and, for slerp, guard band: everything in it is linear in space. */
 struct corner {
     double eye[3], normal[3], diffuse, specular;
 };
@@ -99,7 +99,8 @@ static int cut_all(const struct ref_scene *scene, struct corner *polygon)
     double near_plane[4] = {0, 0, -1, -scene->near};
     int count = cut(polygon, 3, near_plane);
 
-    for (int side = 0; side < 4 && count >= 3; side++) {
+    /* Beyond the guard band nothing is seen, and a cut changes no shading but slerp's, whose arcs go between corners. */
+    for (int side = 0; scene->shading == REF_SLERP && side < 4 && count >= 3; side++) {
         /* guard * m +- f * coordinate >= 0, m = -z or under ortho the constant distance */
         double plane[4] = {0, 0, -REF_GUARD_PX, 0};
         if (scene->ortho) {
