@@ -34,6 +34,9 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
     case 5: /* triangles as long as the mesh and a few pixels wide */
         *name = "needles, vn";
         return coarse ? shape_barrel(shape, 1, 8) : shape_barrel(shape, 1, 90);
+    case 6:
+        *name = "icosahedron";
+        return shape_icosahedron(shape);
     default:
         *name = "ball 12x16";
         return coarse ? shape_sphere(shape, 6, 9) : shape_sphere(shape, 12, 16);

@@ -7,7 +7,7 @@
 #include "core_picture.h"
 #include "shapes.h"
 
-#define ACCURACY_SHAPES 7
+#define ACCURACY_SHAPES 8
 #define ACCURACY_VIEWS 3
 
 /* The limits of README, "How close the integers come". Shares are of the compared pixels. */
@@ -36,7 +36,7 @@ void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int ind
 void accuracy_more_lights(struct ref_scene *scene);
 void accuracy_ortho(struct ref_scene *scene);
 
-#define ACCURACY_PIXELS (320 * 240) /* of the largest picture */
+#define ACCURACY_PIXELS (320 * 320) /* of the largest picture */
 
 /* A picture of the core's, and how it does against the reference's. */
 struct accuracy_shot {

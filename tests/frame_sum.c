@@ -46,9 +46,9 @@ static uint32_t checksum(const uint8_t *bytes, size_t count)
 
 /*
  * Views: 0 a light and a highlight; 1 affine, three lights, over 1; 2 cut by the near plane, both sides, a window;
- * 3 lit from behind, a wide highlight that fades.
+ * 3 lit from behind, a wide highlight that fades; 4 affine, magnified, so that the guard band cuts.
  */
-#define VIEWS 4
+#define VIEWS 5
 
 static void set_view(int number, struct sheen_view *view, struct sheen_draw *draw)
 {
@@ -60,19 +60,21 @@ static void set_view(int number, struct sheen_view *view, struct sheen_draw *dra
     };
 
     *view = (struct sheen_view){.fov = 0x1c71c71c, .near = 1 << 24, .far = 5 << 24, .background = {8, 16, 40}};
-    view->affine = number == 1;
+    view->affine = number == 1 || number == 4;
+    if (number == 4)
+        view->fov = 0x02000000;
     if (number == 2)
         view->viewport = (struct sheen_rect){8, 5, 88, 71};
     draw->lights = number == 3 ? &behind : lights;
     draw->light_count = number == 1 ? 3 : 1;
-    draw->two_sided = number == 2;
+    draw->two_sided = number == 2 || number == 4;
     sheen_pose_orbit(&draw->pose, 0x1555a5a5u * (uint32_t)(number + 1), 0x0e3f1234u, 0x02468aceu * (uint32_t)number,
                      number == 2 ? 0x01a00000 : 0x02d00000);
 }
 
 static int set_material(struct sheen_material *material, int view)
 {
-    static const uint8_t shininess[VIEWS] = {32, 7, 128, 2};
+    static const uint8_t shininess[VIEWS] = {32, 7, 128, 2, 32};
 
     *material = (struct sheen_material){.base = {200, 160, 80},
                                         .highlight = {255, 255, 240},

@@ -145,6 +145,42 @@ int shape_octahedron(struct shape *s)
     return status;
 }
 
+static double distance(const double a[3], const double b[3])
+{
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+}
+
+/* Corners i, j, k run counter-clockwise seen from outside: their triple product is positive. */
+static bool outwards(const double a[3], const double b[3], const double c[3])
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]) >
+           0;
+}
+
+/* Three rectangles of the golden ratio at right angles; three corners that are 2 apart are a face. */
+int shape_icosahedron(struct shape *s)
+{
+    const double golden = (1 + sqrt(5)) / 2;
+    int status = 0;
+
+    memset(s, 0, sizeof *s);
+    for (int k = 0; k < 12; k++) {
+        double at[3] = {0, k & 1 ? -1 : 1, k & 2 ? -golden : golden};
+        status |= shape_point(s, at[(k / 4) % 3], at[(k / 4 + 1) % 3], at[(k / 4 + 2) % 3]);
+    }
+    for (int i = 0; i < 12 && status == 0; i++) {
+        for (int j = 0; j < i; j++) {
+            for (int k = 0; k < j; k++) {
+                const double *a = s->points[i], *b = s->points[j], *c = s->points[k];
+                if (distance(a, b) < 2.1 && distance(b, c) < 2.1 && distance(a, c) < 2.1)
+                    status |= outwards(a, b, c) ? triangle(s, i, j, k) : triangle(s, i, k, j);
+            }
+        }
+    }
+    return status;
+}
+
 int shape_cube(struct shape *s)
 {
     static const int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};

@@ -23,6 +23,7 @@ int shape_sphere(struct shape *shape, int rings, int around);
 int shape_torus(struct shape *shape, double major, double minor, int along, int around);
 /* Octahedron with corners at distance 1; cube with corners at (+-1, +-1, +-1), quads. */
 int shape_octahedron(struct shape *shape);
+int shape_icosahedron(struct shape *shape); /* with edges of length 2 */
 int shape_cube(struct shape *shape);
 /*
  * A barrel around the y axis, |y| <= 0.8, radius 0.8 - 0.4 y^2: sides of quads with their exact normals as `vn`,

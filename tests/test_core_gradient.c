@@ -4,7 +4,7 @@
  * Tolerances. A plane: 1 raw step, 1/2 a step for each pixel walked from corner 0 in x and in y, and of the largest
  * difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent for each pixel walked. What Phong
  * adds: L.N and V.N the same, of a difference below 4. D = N.N: 16 raw steps of UQ1.31, 1/2 for each of x, y, x^2/2,
- * xy and y^2/2 walked, and twice |N| times what N is off by.
+ * xy and y^2/2 walked from the pixel nearest to the picture's middle, and twice |N| times what N is off by.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -245,6 +245,7 @@ struct phong_case {
     struct core_raster *raster;
     struct core_setup setup;
     struct gradients g;
+    int middle[2];  /* px: of the box around the triangle what is nearest to the picture's middle */
     double n[3][3]; /* corner normals times weight as the core rounds them, 1.0 is 1.0 */
 };
 
@@ -266,6 +267,8 @@ static void note_phong(void *ctx, int px, int py, const double *b)
     int32_t d = (int32_t)(quadric_at(&phong->square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
     worst_note(c->dot, (ln - light) / slack, "L.N at %d %d", px, py);
     worst_note(c->dot, (nv - view) / slack, "V.N at %d %d", px, py);
+    dx = abs(px - c->middle[0]) + 1;
+    dy = abs(py - c->middle[1]) + 1;
     double walked = 16 + (dx + dy + dx * dx / 2 + dx * dy + dy * dy / 2) / 2;
     worst_note(c->square, d / (walked + 4 * sqrt(square) * slack), "D at %d %d, exponent %u", px, py, c->g.exponent);
 }
@@ -319,6 +322,14 @@ static int scale_normals(struct phong_case *c, const struct shape2 *s)
     return 1;
 }
 
+/* low..high: 1/64 px; the pixel in it that is nearest to `centre`. */
+static int nearest_pixel(const int32_t at[3], int centre)
+{
+    double low = fmin(at[0], fmin(at[1], at[2])), high = fmax(at[0], fmax(at[1], at[2]));
+
+    return (int)floor(fmax(low, fmin(high, 64. * centre)) / 64);
+}
+
 static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t *state, int i)
 {
     int16_t normals[9];
@@ -330,6 +341,8 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
         r->vertex[k].x = (int16_t)(shape.x[k] - WIDTH * 32);
         r->vertex[k].y = (int16_t)(shape.y[k] - HEIGHT * 32);
     }
+    c->middle[0] = nearest_pixel(shape.x, WIDTH / 2);
+    c->middle[1] = nearest_pixel(shape.y, HEIGHT / 2);
     random_corners(r, c, normals, state, i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.3 : 1);
     for (int k = 0; k < 9; k++) /* a back face: set-up takes them negated */
         normals[k] = (int16_t)-normals[k];

@@ -61,6 +61,8 @@ void sheen_arc_normal(const int16_t a[3], const int16_t b[3], uint32_t angle, ui
         ka = (int32_t)round_shift64(sheen_sin(angle - part) * scale, 43 - zeros);
         kb = (int32_t)round_shift64(sheen_sin(part) * scale, 43 - zeros);
     }
+    ka += (int32_t)asr64((int64_t)ka * lacking(a), 31);
+    kb += (int32_t)asr64((int64_t)kb * lacking(b), 31);
     for (int i = 0; i < 3; i++) /* Q0.15 times Q11.20; 1.0 of the normals is 32767 */
         out[i] = (int32_t)asr64(((int64_t)a[i] * ka + (int64_t)b[i] * kb) * 32769, 20);
 }

@@ -110,4 +110,25 @@ static inline int32_t dot32_q29(const int32_t n[3], const int32_t v[3])
     return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
 }
 
+/*
+ * Unit normals hold 1.0 as 32767; rounding their parts may leave the length half a
+ * step off, which a highlight of n = 128 shows. 1/|n| = (1 + lacking / 2^31) / 32767.
+ * Held to what rounding can do: +-65535.
+ */
+static inline int32_t lacking(const int16_t n[3])
+{
+    const uint32_t unit = 32767 * 32767;
+    uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]); /* <= 3 * 2^30 */
+
+    return square > unit ? -min32((int32_t)((square - unit) >> 1), 32767) * 2 : min32((int32_t)(unit - square), 65535);
+}
+
+/* Dot product of such a normal at its full length and a Q1.30 vector: Q2.29. Range: |dot| < 2^30, so 2^14 * 2^16. */
+static inline int32_t unit_dot_q29(const int16_t n[3], int32_t lacks, const int32_t v[3])
+{
+    int32_t dot = dot_q29(n, v);
+
+    return dot + asr32(dot, 15) + asr32(asr32(dot, 16) * lacks, 15);
+}
+
 #endif

@@ -66,30 +66,54 @@ static struct plane normal_plane(const struct gradients *g, const struct slope *
     return sheen_slope_plane(g, &s);
 }
 
+/* x / 2^shift, rounded; modulo 2^32, so x may have wrapped. */
+static uint32_t low_word(uint64_t x, unsigned shift)
+{
+    return (uint32_t)((x + ((uint64_t)1 << (shift - 1))) >> shift);
+}
+
 /*
  * D = N.N by second differences, UQ1.31: Q2.29 squared is Q.58. With a px as the
  * step, N(x, y) = N + x Nx + y Ny gives D_xx = 2 Nx.Nx, D_xy = 2 Nx.Ny and the
  * first difference D(1, 0) - D(0, 0) = 2 N.Nx + Nx.Nx.
- * Range: |Nx|, |Ny| < 2^30 and |N| < 2^29 + 2^30 a part: sums of three products below 2^62.8.
+ * A second difference is off by up to 2^-32, which counts x^2 / 2 times: so D is
+ * exact at `middle` and not at a corner, which may lie 1,000 px off the picture.
+ * N may be of any size there: only 59 bits of the sums are used, modulo 2^64.
  */
-static struct quadric square_quadric(const struct gradients *g, const struct slope n[3])
+static struct quadric square_quadric(const struct gradients *g, const struct slope n[3], const int32_t middle[2])
 {
-    int64_t nn = 0, nx = 0, ny = 0, xx = 0, xy = 0, yy = 0;
+    const int64_t right = middle[0] - g->origin[0], down = middle[1] - g->origin[1];
+    uint64_t nn = 0, nx = 0, ny = 0, xx = 0, xy = 0, yy = 0;
 
     for (int i = 0; i < 3; i++) {
-        nn += n[i].value * n[i].value;
-        nx += n[i].value * n[i].dx;
-        ny += n[i].value * n[i].dy;
-        xx += n[i].dx * n[i].dx;
-        xy += n[i].dx * n[i].dy;
-        yy += n[i].dy * n[i].dy;
+        uint64_t x = (uint64_t)n[i].dx, y = (uint64_t)n[i].dy;
+        uint64_t here = (uint64_t)(n[i].value + right * n[i].dx + down * n[i].dy);
+        nn += here * here;
+        nx += here * x;
+        ny += here * y;
+        xx += x * x;
+        xy += x * y;
+        yy += y * y;
     }
-    uint32_t dxx = (uint32_t)round_shift64(xx, 26), dxy = (uint32_t)round_shift64(xy, 26);
-    uint32_t dyy = (uint32_t)round_shift64(yy, 26);
-    uint32_t dx = (uint32_t)round_shift64(nx, 26) + (uint32_t)round_shift64(xx, 27);
-    uint32_t dy = (uint32_t)round_shift64(ny, 26) + (uint32_t)round_shift64(yy, 27);
+    return sheen_quadric(middle, low_word(nn, 27), low_word(nx, 26) + low_word(xx, 27),
+                         low_word(ny, 26) + low_word(yy, 27), low_word(xx, 26), low_word(xy, 26), low_word(yy, 26));
+}
 
-    return sheen_quadric(g, (uint32_t)round_shift64(nn, 27), dx, dy, dxx, dxy, dyy);
+/* The pixel nearest to the picture's middle that the triangle may reach: vertices count from there. */
+static void middle_pixel(const struct gradients *g, const struct surface_corners *c, int32_t pixel[2])
+{
+    int32_t first[2] = {c->at.v[0]->x, c->at.v[0]->y}, low[2] = {first[0], first[1]}, high[2] = {first[0], first[1]};
+
+    for (int k = 1; k < 3; k++) {
+        low[0] = min32(low[0], c->at.v[k]->x);
+        low[1] = min32(low[1], c->at.v[k]->y);
+        high[0] = max32(high[0], c->at.v[k]->x);
+        high[1] = max32(high[1], c->at.v[k]->y);
+    }
+    for (int i = 0; i < 2; i++) { /* corner 0 lies at origin + 1/2 - centre */
+        int32_t from_first = max32(low[i], min32(high[i], 0)) - first[i];
+        pixel[i] = g->origin[i] + asr32(SUBPIXEL_HALF - g->centre[i] + from_first, SUBPIXEL_BITS);
+    }
 }
 
 /* Blocks of 16 px to 1/4 degree a px, of 8 px to 1/2 (with |N| = 1/2; twice that with 1); 0: neither. Steps: Q2.29. */
@@ -109,7 +133,7 @@ static uint8_t block_shift(const struct slope slope[3])
 static APART int linear_normals(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
     const struct lighting *l = &s->draw->light;
-    int32_t n[3][3];
+    int32_t n[3][3], middle[2];
     struct slope slope[3];
 
     weighted_normals(c, n);
@@ -131,7 +155,8 @@ static APART int linear_normals(struct setup *s, const struct surface_corners *c
     s->rows = sheen_phong_rows;
     one->light = dot_plane(g, l->to[0], slope);
     one->view = dot_plane(g, l->view, slope);
-    one->square = square_quadric(g, slope);
+    middle_pixel(g, c, middle);
+    one->square = square_quadric(g, slope, middle);
     return 1;
 }
 

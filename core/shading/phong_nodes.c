@@ -13,9 +13,8 @@ SETUP_FITS(struct quadric_setup);
 
 /* 1 - cos of the largest angle between corner normals, Q1.30: 22 degrees without a highlight, */
 #define WIDEST_DIFFUSE 78186000
-/* with one 15 degrees for n <= 32, else 10: at least 98.4 % of pixels stay equal (tests/run accuracy). */
-#define WIDEST_HIGHLIGHT 36586000
-#define WIDEST_SHARP 16310000
+/* with one 15 degrees for n <= 32, else 10; 12 and 8 for one above 1/2, as what it is off by grows with both. */
+static const int32_t widest_highlight[2][2] = {{36586000, 16310000}, {23463000, 10449000}};
 #define WIDEST_SPREAD 8192 /* UQ0.16: the ratio of 1/m over the triangle at most 1 1/8 */
 
 /* Largest of 1 - Ni.Nj, Q1.30; pieces' normals are not of unit length and count as far apart. */
@@ -35,11 +34,10 @@ static int32_t widest(const struct surface_corners *c, int32_t e[3])
 }
 
 /* v.N at the corners, Q1.30, held at +-1.0. */
-static void corner_dots(const struct surface_corners *c, const sheen_q30_t v[3], int32_t dot[3])
+static void corner_dots(const struct surface_corners *c, const int32_t lacks[3], const sheen_q30_t v[3], int32_t dot[3])
 {
     for (int k = 0; k < 3; k++) {
-        int32_t d = dot_q29(c->at.normal[k], v);
-        d += asr32(d, 15); /* 32767 is 1.0 */
+        int32_t d = unit_dot_q29(c->at.normal[k], lacks[k], v);
         d = min32(max32(d, -(1 << 29)), 1 << 29) * 2;
         dot[k] = c->back ? -d : d;
     }
@@ -149,19 +147,21 @@ static APART int32_t nodes_of(const struct setup *s, const struct surface_corner
                               struct nodes *reflected)
 {
     const struct lighting *l = &s->draw->light;
-    int32_t e[3], light[6], view[6];
+    int32_t e[3], lacks[3], light[6], view[6];
     struct middles middles;
 
     int32_t apart = widest(c, e);
     if (apart > WIDEST_DIFFUSE || sheen_weight_spread(c) > WIDEST_SPREAD)
         return INT32_MAX;
     sheen_middles(c, &middles);
-    corner_dots(c, l->to[0], light);
+    for (int k = 0; k < 3; k++)
+        lacks[k] = lacking(c->at.normal[k]);
+    corner_dots(c, lacks, l->to[0], light);
     middle_dots(&middles, e, light, light + 3);
     for (int k = 0; k < 3; k++)
         diffuse->corner[k] = light[k];
     excesses(diffuse, light + 3);
-    corner_dots(c, l->view, view);
+    corner_dots(c, lacks, l->view, view);
     middle_dots(&middles, e, view, view + 3);
     reflection(l, light, view, reflected);
     return apart;
@@ -195,7 +195,7 @@ int sheen_phong_nodes(struct setup *s, const struct surface_corners *c, const st
         return 0;
     int32_t least = lower_bound(&reflected);
     int highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
-    if (highlight && apart > (m->shininess > 32 ? WIDEST_SHARP : WIDEST_HIGHLIGHT))
+    if (highlight && apart > widest_highlight[m->specular > SHEEN_Q16(0.5)][m->shininess > 32])
         return 0;
     int faded = highlight && lower_bound(&diffuse) < FADED << 15;
     s->fast = s->draw->early && !faded && !exceeds(s->draw, &diffuse, highlight ? least : INT32_MAX);

@@ -12,9 +12,9 @@
 
 SETUP_FITS(struct slerp_setup);
 
-/* Even steps of the angle are good enough where they are off by less than this, about 1e-4 rad. */
+/* Even steps of the angle are good enough over a row where they are off by less than this, about 1e-4 rad; */
 #define TOLERANCE (1u << 16)
-#define BLOCK 8
+#define BLOCK_TOLERANCES 4 /* over a part of it where by less than so much */
 #define LONGEST_BLOCK 64
 /* Recurrences hold while a step stays under 1/16 turn: then 4 sin^2(step) < 0.6. */
 #define STEEPEST_STEP (1u << 28)
@@ -107,13 +107,23 @@ static void light_row(const struct slerp_setup *s, const int32_t left[3], const 
 
 /* ---- rows and blocks ---- */
 
-/* Even where the angle's error, angle (q - 1) / 4 with q the ratio of the weights, stays under the tolerance. */
-static int nearly_even(const struct slerp_row *row)
+/*
+ * How many pixels the angle may grow evenly for. Over the whole row that is off by angle (q - 1) / 4, q the ratio of
+ * the weights: under the tolerance the row is even, as without perspective. Over a part it is off by that times the
+ * part's square. Range: excess < 2^47, tolerance < 2^34, width at most 1023 px.
+ */
+static void choose_block(struct slerp_row *row)
 {
     uint32_t low = row->weight[0] < row->weight[1] ? row->weight[0] : row->weight[1];
     uint32_t high = row->weight[0] < row->weight[1] ? row->weight[1] : row->weight[0];
+    uint64_t excess = (uint64_t)row->angle * (high - low) >> 16, tolerance = (uint64_t)low * (4 * TOLERANCE) >> 16;
+    uint32_t width = ((uint32_t)row->width >> 16) + 1;
+    uint32_t block = LONGEST_BLOCK;
 
-    return (uint64_t)row->angle * (high - low) <= (uint64_t)low * (4 * TOLERANCE);
+    row->even = excess <= tolerance;
+    while (!row->even && block > 1 && excess * (block * block) > BLOCK_TOLERANCES * tolerance * (width * width))
+        block /= 2;
+    row->block = (uint8_t)(row->opposite ? 1 : block);
 }
 
 /*
@@ -148,7 +158,7 @@ static int begin_row(const struct tile *t, const struct slerp_setup *s, int32_t 
     row->weight[1] = weight[right];
     row->angle = arc.angle;
     row->opposite = arc.angle > HALF_TURN - TINY_ANGLE;
-    row->even = (uint8_t)nearly_even(row);
+    choose_block(row);
     light_row(s, normal[left], normal[right], &arc, row);
     return 1;
 }
@@ -197,7 +207,7 @@ static void sinusoid(int32_t a, int32_t b, uint32_t w, uint32_t step, int32_t *x
 static unsigned begin_block(const struct slerp_row *row, unsigned lights, int32_t x, int32_t count,
                             struct arc_block *block)
 {
-    uint32_t length = (uint32_t)(row->opposite ? 1 : min32(count, row->even ? LONGEST_BLOCK : BLOCK));
+    uint32_t length = (uint32_t)min32(count, row->block);
     uint32_t w = angle_at(row, x), step = 0;
 
     if (length > 1) {

@@ -20,6 +20,7 @@ struct slerp_row {
     uint32_t weight[2];     /* at both, UQ0.32 */
     uint32_t angle;         /* between the normals, turns, at most 1/2 */
     uint8_t even;           /* t* is t: no perspective, or none that would be seen */
+    uint8_t block;          /* px over which the angle may grow evenly */
     uint8_t opposite;       /* the ends are opposite: the left one holds while t < 1/2 */
     struct arc_light {      /* a light along the arc, w the angle from the left end: */
         int32_t a, b;       /* L.N = a cos w + b sin w, Q1.30 */

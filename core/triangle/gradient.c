@@ -62,13 +62,13 @@ struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s)
 }
 
 /*
- * A polynomial given at the origin pixel (value, first and second differences)
- * about pixel (0, 0) of the target; exact modulo 2^32.
+ * A polynomial given at a pixel (value, first and second differences) about pixel
+ * (0, 0) of the target; exact modulo 2^32.
  */
-struct quadric sheen_quadric(const struct gradients *g, uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
+struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy)
 {
-    int32_t ox = -g->origin[0], oy = -g->origin[1];
+    int32_t ox = -pixel[0], oy = -pixel[1];
     uint32_t x = (uint32_t)ox, y = (uint32_t)oy;
     struct quadric q = {0, dx + x * dxx + y * dxy, dy + y * dyy + x * dxy, dxx, dxy, dyy};
 

@@ -72,7 +72,7 @@ void sheen_node_quadric(const struct gradients *g, const struct node_products *p
     int32_t xx = weighted(k, p->xx), xy = weighted(k, p->xy), yy = weighted(k, p->yy);
     uint32_t qxx = shifted(xx, second), qyy = shifted(yy, second);
 
-    *q = sheen_quadric(g, (uint32_t)plane.value + shifted(weighted(k, p->constant), 2),
+    *q = sheen_quadric(g->origin, (uint32_t)plane.value + shifted(weighted(k, p->constant), 2),
                        (uint32_t)plane.dx + shifted(weighted(k, p->x), first) + qxx,
                        (uint32_t)plane.dy + shifted(weighted(k, p->y), first) + qyy, shifted(xx, second + 1),
                        shifted(xy, second), shifted(yy, second + 1));

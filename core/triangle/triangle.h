@@ -153,7 +153,7 @@ int sheen_node_products(struct node_products *p, const struct gradients *g);
 void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
                         struct quadric *q);
 void sheen_middles(const struct surface_corners *c, struct middles *m);
-struct quadric sheen_quadric(const struct gradients *g, uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
+struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy);
 /* Largest of the weights over the smallest, less 1: UQ16.16, 65535 at the most. */
 uint32_t sheen_weight_spread(const struct surface_corners *c);

@@ -56,33 +56,30 @@ int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw)
     return SHEEN_OK;
 }
 
-/*
- * L.N or N.V of a unit normal that holds 1.0 as 32767: Q0.15, within +-1.0 though
- * rounding may have made the normal a little longer.
- */
-static int32_t cosine(const int16_t normal[3], const sheen_q30_t v[3])
+/* L.N or N.V of a unit normal, Q1.30, held at +-1.0. */
+static int32_t cosine(const int16_t normal[3], int32_t lacks, const sheen_q30_t v[3])
 {
-    int32_t dot = dot_q29(normal, v); /* Q2.29 of 32767/32768 */
-    int32_t value = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
+    int32_t value = unit_dot_q29(normal, lacks, v);
 
-    return min32(max32(value, -32768), 32768);
+    return 2 * min32(max32(value, -(1 << 29)), 1 << 29);
 }
 
 void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
                         struct lit *out)
 {
-    int32_t nv = cosine(normal, l->view);
+    int32_t lacks = lacking(normal), nv = cosine(normal, lacks, l->view);
     struct power power = power_of(m);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
     for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = cosine(normal, l->to[i]);
+        int32_t ln = cosine(normal, lacks, l->to[i]);
+        uint32_t rounded = ((uint32_t)ln + (1u << 14)) >> 15; /* UQ1.15 */
         if (ln <= 0)
             continue;
-        diffuse += l->diffuse_weight[i] * (uint32_t)ln;
-        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V); a product of two Q0.15 is half of it in Q2.29 */
-        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * nv));
-        specular += l->specular_weight[i] * highlight_at(power, u, (uint32_t)ln);
+        diffuse += l->diffuse_weight[i] * rounded;
+        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V), Q2.29; not of rounded cosines, for n makes much of what is lost */
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)mul_round(ln, nv, 30));
+        specular += l->specular_weight[i] * highlight_at(power, u, rounded);
     }
     out->diffuse = (diffuse + (1u << 14)) >> 15;
     out->specular = (specular + (1u << 14)) >> 15;

@@ -1,0 +1,133 @@
+/*
+ * test_accuracy_random.c - pictures of random poses, lights and colours against the picture in double precision.
+ *
+ *   test_accuracy_random PICTURES [FIRST]
+ *
+ * What test_accuracy's views do not have: light from behind, shininess from 1, strong highlights on coarse meshes,
+ * cuts by the guard band, dither, any way forced (random_scene.c). A picture depends on its number alone, so one that
+ * is outside its limits is drawn again by `test_accuracy_random 1 NUMBER`.
+ *
+ * Every picture keeps the limits of its shading, with one difference: where light is computed at corners and polygons,
+ * the 16 bits of one normal move a highlight of n = 128 by some .07 level, over as many pixels as there are around it.
+ * So in flat and Gouraud the share of equal pixels is that of all pictures of a kind together. Slerp is judged where
+ * no triangle was cut.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "random_scene.h"
+
+static const char *const kind_name[RANDOM_KINDS] = {"any", "from behind", "strong highlight", "guard band", "known"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
+
+/* Of one kind and shading. */
+static struct row {
+    long pictures, compared, equal;
+    double lowest, lowest_within_one;
+    int worst;
+    uint32_t lowest_at;
+} rows[RANDOM_KINDS][4];
+
+static double share(long part, long whole)
+{
+    return (double)part / (double)whole;
+}
+
+static void add(struct row *row, const struct ref_score *score, uint32_t number)
+{
+    double equal = share(score->equal, score->compared), within_one = share(score->within_one, score->compared);
+
+    if (row->pictures == 0 || equal < row->lowest) {
+        row->lowest = equal;
+        row->lowest_at = number;
+    }
+    if (row->pictures == 0 || within_one < row->lowest_within_one)
+        row->lowest_within_one = within_one;
+    row->pictures++;
+    row->compared += score->compared;
+    row->equal += score->equal;
+    row->worst = score->worst > row->worst ? score->worst : row->worst;
+}
+
+/* Fewer pixels than these tell nothing: a share of them is that of a handful. */
+#define FEWEST 2000
+
+static int is_outside(const struct ref_score *score, enum ref_shading shading)
+{
+    const struct accuracy_limit *limit = &accuracy_limits[shading];
+    int few_normals = shading == REF_FLAT || shading == REF_GOURAUD;
+
+    return (!few_normals && share(score->equal, score->compared) < limit->equal) ||
+           share(score->within_one, score->compared) < limit->within_one || score->worst > limit->worst;
+}
+
+/* 1 where the picture is outside its limits. */
+static int judge(const struct random_meshes *meshes, uint32_t number)
+{
+    static struct accuracy_shot shot;
+    struct random_scene random;
+    struct ref_picture picture;
+    const struct ref_score *score = &shot.score;
+
+    random_scene(&random, meshes, number);
+    enum ref_shading shading = random.scene.shading;
+    if (ref_render(&picture, &random.scene) != 0) {
+        printf("  FAILED out of memory\n");
+        return 1;
+    }
+    int status = accuracy_shoot(&shot, &random.scene, &picture, random.mesh->mesh, random.way), failed = status < 0;
+    ref_picture_free(&picture);
+    if (failed) {
+        printf("  FAILED picture %u not drawn: %s\n", number, sheen_strerror(status));
+    } else if (score->compared >= FEWEST && !(shading == REF_SLERP && shot.stats.frame.clipped > 0)) {
+        add(&rows[random.kind][shading], score, number);
+        failed = is_outside(score, shading);
+        if (failed)
+            printf("  FAILED picture %u (%s): %ld compared, %.2f %% equal, %.3f %% within 1, worst %d at (%d, %d)\n",
+                   number, kind_name[random.kind], score->compared, 100 * share(score->equal, score->compared),
+                   100 * share(score->within_one, score->compared), score->worst, score->worst_x, score->worst_y);
+    }
+    if (failed)
+        random_scene_print(&random);
+    return failed;
+}
+
+/* Rows outside their limits. */
+static int judge_rows(void)
+{
+    int failed = 0;
+
+    printf("kind             shading  pictures  equal mean   lowest  lowest within 1  worst  lowest at\n");
+    for (int i = 0; i < RANDOM_KINDS * 4; i++) {
+        const struct row *row = &rows[i / 4][i % 4];
+        if (row->pictures == 0)
+            continue;
+        printf("%-16s %-8s %8ld %9.2f %% %7.2f %% %13.3f %% %6d %9u\n", kind_name[i / 4], shading_name[i % 4],
+               row->pictures, 100 * share(row->equal, row->compared), 100 * row->lowest, 100 * row->lowest_within_one,
+               row->worst, row->lowest_at);
+        if (row->pictures >= 10 && share(row->equal, row->compared) < accuracy_limits[i % 4].equal) {
+            printf("  FAILED too few are equal\n");
+            failed++;
+        }
+    }
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    static struct random_meshes meshes;
+    uint32_t count = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 0;
+    uint32_t first = argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 0;
+    int failed = 0;
+
+    if (count == 0 || random_meshes_make(&meshes) != 0) {
+        fprintf(stderr, "usage: test_accuracy_random PICTURES [FIRST]\n");
+        return 2;
+    }
+    for (uint32_t i = 0; i < count; i++)
+        failed += judge(&meshes, first + i);
+    failed += judge_rows();
+    random_meshes_free(&meshes);
+    printf("%d of %u pictures outside their limits\n", failed, count);
+    return failed != 0;
+}
