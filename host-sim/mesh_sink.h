@@ -37,8 +37,8 @@ size_t sheen_sink_drop(struct sheen_sink *sink);
 typedef int sheen_sink_pass(void *context, struct sheen_sink *sink);
 
 /*
- * Runs both passes into *out, zeroed or filled before; that corners name points and normals that came is the reader's to see. path: for
- * messages. 0, or an error and *problem; a file without faces is one.
+ * Runs both passes into *out, zeroed or filled before; that corners name points and normals that came is the
+ * reader's to see. path: for messages. 0, or an error and *problem; a file without faces is one.
  */
 int sheen_sink_run(struct sheen_polygons *out, sheen_sink_pass *pass, void *context, const char *path,
                    struct sheen_problem *problem);
