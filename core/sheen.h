@@ -288,10 +288,12 @@ int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigne
  *
  *     static uint32_t around[SHEEN_AROUND_WORDS(POINTS, CORNERS)];
  *     static sheen_q30_t facing[3 * POLYGONS], unit[3 * POINTS];
+ *     static sheen_angle_t angles[CORNERS];
  *     int error = sheen_polygons_around(&list, around);      once: it depends on corners and sizes only
  *     ...                                                    each frame: move list.points, then
  *     sheen_polygon_normals(&list, facing);
- *     sheen_vertex_normals(&list, around, facing, unit);
+ *     sheen_corner_angles(&list, facing, angles);            unless all polygons are to count alike (NULL below)
+ *     sheen_vertex_normals(&list, around, facing, angles, unit);
  *     for (i = 0; i < 3 * POINTS; i++)
  *         mesh_normals[i] = (int16_t)((int64_t)unit[i] * 32767 / (1 << 30));
  */
@@ -307,18 +309,28 @@ struct sheen_polygon_list {
  * Checks the list as well: SHEEN_ERR_ARGUMENT where an index or a size is out of range or the sizes do not add up
  * to corner_count. The functions below MUST have a list that passed.
  */
-#define SHEEN_AROUND_WORDS(point_count, corner_count) ((point_count) + 1 + (corner_count))
+#define SHEEN_AROUND_WORDS(point_count, corner_count) ((point_count) + 1 + 2 * (corner_count))
 int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *around);
 
 /* sheen_polygon_normal of each polygon, 3 parts each; zero for one without area. */
 void sheen_polygon_normals(const struct sheen_polygon_list *list, sheen_q30_t *normals);
 
 /*
- * The normalised sum of the unit normals around each point (lecture, "Vertex Normals"), 3 parts each. Zero where
- * they cancel, all of them are zero, or no polygon lists the point.
+ * The interior angle at each corner, within SHEEN_ANGLE_ROUNDING raw steps (4e-8 rad); beyond half a turn where
+ * the polygon, seen along its normal, turns right; 0 where an edge has no length.
+ */
+#define SHEEN_ANGLE_ROUNDING 24
+void sheen_corner_angles(const struct sheen_polygon_list *list, const sheen_q30_t *polygon_normals,
+                         sheen_angle_t *angles);
+
+/*
+ * The normalised sum of the unit normals around each point, 3 parts each. Zero where they cancel, all of them are
+ * zero, or no polygon lists the point.
+ * weights: of each corner in its polygon's normal; with the corners' angles the sum does not depend on how polygons
+ * were cut into triangles. NULL: all equal (lecture, "Vertex Normals").
  */
 void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t *around,
-                          const sheen_q30_t *polygon_normals, sheen_q30_t *normals);
+                          const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t *normals);
 
 /*
  * The same for each corner, 3 parts each, over the corner's own polygon and those whose normals lie within the
@@ -326,7 +338,8 @@ void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t 
  * within). Where the sum is zero it is the polygon's normal, for a polygon without area zero.
  */
 void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t *around,
-                          const sheen_q30_t *polygon_normals, sheen_q30_t crease, sheen_q30_t *normals);
+                          const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t crease,
+                          sheen_q30_t *normals);
 
 /*
  * Cut a polygon into count - 2 triangles, 3 places in `corners` (0 .. count - 1) each, wound as the polygon.

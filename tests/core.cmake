@@ -5,6 +5,7 @@ foreach(name IN LISTS stages)
 endforeach()
 
 sheen_test(test_core_polygons unit SOURCES test_core_polygons.c simple_polygon.c LIBRARIES core_picture sheen::core)
+sheen_test(test_core_angles unit SOURCES test_core_angles.c simple_polygon.c LIBRARIES core_picture sheen::core)
 
 # Set-up of triangles that were never drawn.
 sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)

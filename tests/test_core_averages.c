@@ -95,7 +95,7 @@ static void make_soup(struct soup *s, uint32_t *state)
     s->list = (struct sheen_polygon_list){s->points, s->corners, s->sizes, POINTS, c, POLYGONS};
     assert_int_equal(sheen_polygons_around(&s->list, s->around), SHEEN_OK);
     sheen_polygon_normals(&s->list, s->facing);
-    sheen_vertex_normals(&s->list, s->around, s->facing, s->vertex);
+    sheen_vertex_normals(&s->list, s->around, s->facing, NULL, s->vertex);
     for (unsigned p = 0, first = 0; p < POLYGONS; first += s->sizes[p++]) {
         double position[6][3];
         for (unsigned i = 0; i < s->sizes[p]; i++)
@@ -112,51 +112,70 @@ static double dot(const double a[3], const double b[3])
 
 /* One average against double precision, its polygons found anew. 0 where one lies too near the crease to tell. */
 static int note_average(struct worst *worst, const struct soup *s, uint32_t v, int own, double crease,
-                        const sheen_q30_t *got)
+                        const uint32_t *weights, const sheen_q30_t *got)
 {
-    double sum[3] = {0, 0, 0};
+    double sum[3] = {0, 0, 0}, all = 0, around = 0;
     unsigned n = 0;
 
     for (unsigned p = 0, c = 0; p < POLYGONS; p++)
         for (uint32_t end = c + s->sizes[p]; c < end; c++) {
+            around += weights && s->corners[c] == v ? weights[c] : 0;
             double cosine = own < 0 ? 1 : dot(s->exact[own], s->exact[p]);
             if (s->corners[c] != v || (cosine < crease - 1e-6 && (int)p != own))
                 continue;
             if (cosine < crease + 1e-6 && (int)p != own)
                 return 0;
+            double weight = weights ? weights[c] : 1;
             for (int k = 0; k < 3; k++)
-                sum[k] += s->exact[p][k];
+                sum[k] += s->exact[p][k] * weight;
+            all += weight;
             n++;
         }
     double length = sqrt(dot(sum, sum));
-    if (n == 0 || length < 1e-6)
+    if (n == 0 || length <= 1e-6 * all)
         return 0;
+    /* Weights of a sum beyond 2^32 lose bits. */
+    double cut = 2 * n * fmax(around, 4294967296.0) / 4294967296.0 * (weights != NULL);
     for (int k = 0; k < 3; k++)
-        worst_note(worst, (got[k] - sum[k] / length * ONE) / (4 + 4 * 1.7321 * n / length), "vertex %u of %u", v, n);
+        worst_note(worst, (got[k] - sum[k] / length * ONE) / (4 + (4 * 1.7321 * all + cut * ONE) / length),
+                   "vertex %u of %u", v, n);
     return 1;
 }
 
-static void test_averages_of_random_polygons(void **unused)
+/* Weights: none, the corners' angles, and any 32 bits. */
+static void averages_of_random_polygons(int with)
 {
     static struct soup s;
+    static uint32_t numbers[CORNERS];
     struct worst vertices = {0}, corners = {0};
     uint32_t state = 6, left_out = 0, all = 0;
+    const uint32_t *weights = with ? numbers : NULL;
 
-    (void)unused;
-    for (int round = 0; round < 300; round++) {
+    for (int round = 0; round < 150; round++) {
         make_soup(&s, &state);
+        sheen_corner_angles(&s.list, s.facing, numbers);
+        for (unsigned c = 0; with > 1 && c < CORNERS; c++)
+            numbers[c] = stage_random(&state) >> stage_random(&state) % 2;
+        sheen_vertex_normals(&s.list, s.around, s.facing, weights, s.vertex);
         for (uint32_t v = 0; v < POINTS; v++)
-            note_average(&vertices, &s, v, -1, -2, s.vertex + 3 * v);
+            note_average(&vertices, &s, v, -1, -2, weights, s.vertex + 3 * v);
         sheen_q30_t crease = (int32_t)stage_random(&state) >> 1;
-        sheen_corner_normals(&s.list, s.around, s.facing, crease, s.corner);
+        sheen_corner_normals(&s.list, s.around, s.facing, weights, crease, s.corner);
         for (unsigned p = 0, c = 0; p < POLYGONS; p++)
             for (uint32_t end = c + s.sizes[p]; c < end; c++, all++)
                 left_out += dot(s.exact[p], s.exact[p]) == 0 ||
-                            !note_average(&corners, &s, s.corners[c], (int)p, crease / ONE, s.corner + 3 * c);
+                            !note_average(&corners, &s, s.corners[c], (int)p, crease / ONE, weights, s.corner + 3 * c);
     }
     worst_assert(&vertices, 1, "vertex normals, parts of what is allowed");
     worst_assert(&corners, 1, "corner normals, parts of what is allowed");
     assert_true(left_out * 10 < all); /* most of them triangles with two corners at one point */
+}
+
+static void test_averages_of_random_polygons(void **unused)
+{
+    (void)unused;
+    for (int with = 0; with < 3; with++)
+        averages_of_random_polygons(with);
 }
 
 /* A crease of 180 degrees leaves out nothing: each corner has its vertex's normal, to the bit. */
@@ -167,7 +186,7 @@ static void test_all_within_is_the_vertex_normal(void **unused)
 
     (void)unused;
     make_soup(&s, &state);
-    sheen_corner_normals(&s.list, s.around, s.facing, SHEEN_Q30(-1.0), s.corner);
+    sheen_corner_normals(&s.list, s.around, s.facing, NULL, SHEEN_Q30(-1.0), s.corner);
     for (unsigned p = 0, c = 0; p < POLYGONS; p++)
         for (uint32_t end = c + s.sizes[p]; c < end; c++)
             if (dot(s.exact[p], s.exact[p]) > 0)
@@ -187,15 +206,16 @@ static void test_a_crease_includes_its_own_angle(void **unused)
     assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
     sheen_polygon_normals(&list, facing);
     for (uint32_t turns = 0; turns < 2; turns++) { /* by the cosine, and by the angle */
-        sheen_corner_normals(&list, around, facing, turns ? sheen_cos(SHEEN_DEGREES(60)) : SHEEN_Q30(0.5), normal);
+        sheen_corner_normals(&list, around, facing, NULL, turns ? sheen_cos(SHEEN_DEGREES(60)) : SHEEN_Q30(0.5),
+                             normal);
         for (int c = 3; c < 12; c += 4)
             for (int k = 0; k < 3; k++)
                 assert_true(abs(normal[3 * c + k] - SHEEN_Q30(0.57735026919)) <= 6);
     }
-    sheen_corner_normals(&list, around, facing, sheen_cos(SHEEN_DEGREES(59.999)), normal);
+    sheen_corner_normals(&list, around, facing, NULL, sheen_cos(SHEEN_DEGREES(59.999)), normal);
     for (int c = 0; c < 12; c++)
         assert_memory_equal(normal + 3 * c, facing + 3 * (c / 4), 3 * sizeof *normal);
-    sheen_corner_normals(&list, around, facing, INT32_MAX, normal); /* beyond 1.0: its own always counts */
+    sheen_corner_normals(&list, around, facing, NULL, INT32_MAX, normal); /* beyond 1.0: its own always counts */
     assert_memory_equal(normal + 33, facing + 6, 3 * sizeof *normal);
 }
 
@@ -212,9 +232,9 @@ static void test_sums_of_zero(void **unused)
     assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
     sheen_polygon_normals(&list, facing);
     assert_memory_equal(facing + 6, zero, 3 * sizeof *zero);
-    sheen_vertex_normals(&list, around, facing, vertex);
+    sheen_vertex_normals(&list, around, facing, NULL, vertex);
     assert_memory_equal(vertex, zero, sizeof vertex);
-    sheen_corner_normals(&list, around, facing, SHEEN_Q30(-1.0), normal);
+    sheen_corner_normals(&list, around, facing, NULL, SHEEN_Q30(-1.0), normal);
     for (int c = 0; c < 9; c++)
         assert_memory_equal(normal + 3 * c, facing + 3 * (c / 3), 3 * sizeof *normal);
 }
@@ -235,7 +255,7 @@ static void test_sides_of_random_triangles_cancel(void **unused)
             points[i] = (int32_t)stage_random(&state) >> 4;
         assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
         sheen_polygon_normals(&list, facing);
-        sheen_vertex_normals(&list, around, facing, vertex);
+        sheen_vertex_normals(&list, around, facing, NULL, vertex);
         for (int k = 0; k < 3; k++)
             rounded += facing[k] + facing[3 + k] != 0;
         for (int i = 0; i < 9; i++)
@@ -256,8 +276,8 @@ static void test_lists_are_checked(void **unused)
     } expect[] = {{once, sizes, SHEEN_OK},           {beyond, sizes, SHEEN_ERR_ARGUMENT},
                   {once, small, SHEEN_ERR_ARGUMENT}, {once, few, SHEEN_ERR_ARGUMENT},
                   {once, many, SHEEN_ERR_ARGUMENT},  {once, wraps, SHEEN_ERR_ARGUMENT}};
-    /* begins of the points' lists, then the lists: point 3 is listed twice by polygon 1 */
-    static const uint32_t lists[] = {0, 1, 3, 5, 7, 0, 0, 1, 0, 1, 1, 1};
+    /* begins of the points' lists, then the lists, of polygons and of corners: point 3 is listed twice by polygon 1 */
+    static const uint32_t lists[] = {0, 1, 3, 5, 7, 0, 0, 1, 0, 1, 1, 1, 0, 1, 4, 2, 3, 5, 6};
     uint32_t around[SHEEN_AROUND_WORDS(4, 7)];
 
     (void)unused;

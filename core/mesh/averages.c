@@ -8,6 +8,7 @@
 int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *around)
 {
     uint32_t *begin = around, *polygons = around + list->point_count + 1, all = 0;
+    uint32_t *corners = polygons + list->corner_count;
 
     for (uint32_t p = 0; p < list->polygon_count; p++) {
         if (list->sizes[p] < 3 || list->sizes[p] > list->corner_count - all)
@@ -27,8 +28,11 @@ int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *aroun
     for (uint32_t v = 1; v <= list->point_count; v++)
         begin[v] += begin[v - 1];
     for (uint32_t p = list->polygon_count, c = all; p-- > 0;)
-        for (uint32_t first = c - list->sizes[p]; c > first;)
-            polygons[--begin[list->corners[--c]]] = p;
+        for (uint32_t first = c - list->sizes[p]; c > first;) {
+            uint32_t at = --begin[list->corners[--c]];
+            polygons[at] = p;
+            corners[at] = c;
+        }
     return SHEEN_OK;
 }
 
@@ -47,10 +51,22 @@ void sheen_polygon_normals(const struct sheen_polygon_list *list, sheen_q30_t *n
  */
 #define CREASE_SLACK 18
 
-/*
- * Range: unit normals, so |a.b| * 2^60 < 2^61 and its rounding to Q1.30 fits; the sum of fewer than 2^32 parts of
- * 2^30 + 4 stays below 2^63.
- */
+/* What the averages around all points have in common. */
+struct around {
+    const uint32_t *begin, *polygons, *corners;
+    const sheen_q30_t *normals; /* of the polygons */
+    const uint32_t *weights;    /* of the corners, or NULL */
+};
+
+static struct around set_around(const struct sheen_polygon_list *list, const uint32_t *around,
+                                const sheen_q30_t *normals, const uint32_t *weights)
+{
+    const uint32_t *polygons = around + list->point_count + 1;
+
+    return (struct around){around, polygons, polygons + list->corner_count, normals, weights};
+}
+
+/* Range: unit normals, so |a.b| * 2^60 < 2^61 and its rounding to Q1.30 fits. */
 static int is_within(const sheen_q30_t a[3], const sheen_q30_t b[3], int64_t least)
 {
     int64_t dot = (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
@@ -58,23 +74,35 @@ static int is_within(const sheen_q30_t a[3], const sheen_q30_t b[3], int64_t lea
     return round_shift64(dot, 30) >= least;
 }
 
+/* Weights are shifted by so much that those around point v add up to less than 2^32. */
+static unsigned shift_of(const struct around *around, uint32_t v)
+{
+    uint64_t sum = 0;
+
+    for (uint32_t i = around->begin[v]; i < around->begin[v + 1]; i++)
+        sum += around->weights[around->corners[i]];
+    return sum >> 32 ? 32 - clz32((uint32_t)(sum >> 32)) : 0;
+}
+
 /*
  * The average around point v, of those within the crease of the normal `own`, or of all where own is NULL. Zero
- * where the sum is not above its own rounding, 4 raw steps a normal.
+ * where the sum is not above its own rounding: 4 raw steps a normal, and of weights that are angles their bound.
+ * Range: weights add up to less than 2^32 (without weights: 1 each, and there are fewer), a part of a normal is
+ * at most 2^30 + 4, so the sum stays below 2^63; its rounding does with fewer than 2^28 polygons around a point.
  */
-static void average(const struct sheen_polygon_list *list, const uint32_t *around, const sheen_q30_t *normals,
-                    uint32_t v, const sheen_q30_t *own, int64_t least, sheen_q30_t out[3])
+static void average(const struct around *around, uint32_t v, const sheen_q30_t *own, int64_t least, sheen_q30_t out[3])
 {
-    const uint32_t *polygons = around + list->point_count + 1;
+    unsigned shift = around->weights ? shift_of(around, v) : 0;
     int64_t sum[3] = {0, 0, 0}, rounding = 0;
 
-    for (uint32_t i = around[v]; i < around[v + 1]; i++) {
-        const sheen_q30_t *normal = normals + 3 * (size_t)polygons[i];
+    for (uint32_t i = around->begin[v]; i < around->begin[v + 1]; i++) {
+        const sheen_q30_t *normal = around->normals + 3 * (size_t)around->polygons[i];
         if (own && !is_within(own, normal, least))
             continue;
+        int64_t weight = around->weights ? around->weights[around->corners[i]] >> shift : 1;
         for (int k = 0; k < 3; k++)
-            sum[k] += normal[k];
-        rounding += 4;
+            sum[k] += weight * normal[k];
+        rounding += 4 * weight + (around->weights ? (int64_t)SHEEN_ANGLE_ROUNDING << 30 : 0);
     }
     out[0] = out[1] = out[2] = 0;
     for (int k = 0; k < 3; k++)
@@ -85,22 +113,26 @@ static void average(const struct sheen_polygon_list *list, const uint32_t *aroun
 }
 
 void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t *around,
-                          const sheen_q30_t *polygon_normals, sheen_q30_t *normals)
+                          const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t *normals)
 {
+    struct around of = set_around(list, around, polygon_normals, weights);
+
     for (uint32_t v = 0; v < list->point_count; v++)
-        average(list, around, polygon_normals, v, NULL, 0, normals + 3 * (size_t)v);
+        average(&of, v, NULL, 0, normals + 3 * (size_t)v);
 }
 
 void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t *around,
-                          const sheen_q30_t *polygon_normals, sheen_q30_t crease, sheen_q30_t *normals)
+                          const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t crease,
+                          sheen_q30_t *normals)
 {
+    struct around of = set_around(list, around, polygon_normals, weights);
     const sheen_q30_t *own = polygon_normals;
 
     for (uint32_t p = 0, c = 0; p < list->polygon_count; p++, own += 3) {
         int degenerate = own[0] == 0 && own[1] == 0 && own[2] == 0;
         for (uint32_t end = c + list->sizes[p]; c < end; c++, normals += 3) {
             if (!degenerate)
-                average(list, around, polygon_normals, list->corners[c], own, (int64_t)crease - CREASE_SLACK, normals);
+                average(&of, list->corners[c], own, (int64_t)crease - CREASE_SLACK, normals);
             if (degenerate || (normals[0] == 0 && normals[1] == 0 && normals[2] == 0))
                 for (int k = 0; k < 3; k++)
                     normals[k] = own[k];

@@ -101,3 +101,22 @@ int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigne
     }
     return sheen_normalize_wide(sum.high, normal);
 }
+
+/*
+ * Range: |u|, |v| <= 2^29 a part, so a part of the cross product is at most 2^59. Split at bit 29 its high part
+ * times 2^30 is at most 2^60, its low part times 2^30 below 2^59, and three of either fit 62 bits.
+ */
+int sheen_turn(const int32_t u[3], const int32_t v[3], const sheen_q30_t normal[3])
+{
+    const int64_t below = ((int64_t)1 << 29) - 1;
+    int64_t high = 0, low = 0;
+
+    for (int k = 0; k < 3; k++) {
+        int m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
+        int64_t cross = (int64_t)u[m] * v[n] - (int64_t)u[n] * v[m];
+        high += asr64(cross, 29) * normal[k];
+        low += (cross & below) * normal[k];
+    }
+    high += asr64(low, 29);
+    return high < 0 ? -1 : high > 0 || (low & below) != 0;
+}

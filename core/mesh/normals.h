@@ -1,5 +1,5 @@
 /*
- * normals.h - what normals.c and averages.c share.
+ * normals.h - what the files on polygons share.
  */
 #ifndef SHEEN_NORMALS_H
 #define SHEEN_NORMALS_H
@@ -8,5 +8,15 @@
 
 /* sheen_normalize for any v, |v| < 2^63 a part: the same errors and the same precision. */
 int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3]);
+
+/* a - b, of points: |coordinate| <= 2^28, so the difference is at most 2^29. */
+static inline void sheen_subtract(const int32_t *a, const int32_t *b, int32_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] - b[k];
+}
+
+/* The sign of (u x v).normal, exact: 1 where v is to the left of u. |u|, |v| <= 2^29 a part. */
+int sheen_turn(const int32_t u[3], const int32_t v[3], const sheen_q30_t normal[3]);
 
 #endif

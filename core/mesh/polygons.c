@@ -7,6 +7,7 @@
  */
 #include "../math/fixed.h"
 #include "../sheen.h"
+#include "normals.h"
 
 /* A polygon that loses its ears: a ring in the corners' order. */
 struct ring {
@@ -23,33 +24,6 @@ struct ring {
 static const int32_t *point(const struct ring *ring, uint32_t i)
 {
     return ring->points + 3 * (size_t)ring->corners[i];
-}
-
-/* |difference| <= 2^29. */
-static void subtract(const int32_t *a, const int32_t *b, int32_t out[3])
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = a[k] - b[k];
-}
-
-/*
- * The sign of (u x v).normal: 1 where v is to the left of u.
- * Range: |u|, |v| <= 2^29 a part, so a part of the cross product is at most 2^59. Split at bit 29 its high part
- * times 2^30 is at most 2^60, its low part times 2^30 below 2^59, and three of either fit 62 bits.
- */
-static int turn(const int32_t u[3], const int32_t v[3], const sheen_q30_t normal[3])
-{
-    const int64_t below = ((int64_t)1 << 29) - 1;
-    int64_t high = 0, low = 0;
-
-    for (int k = 0; k < 3; k++) {
-        int m = k == 2 ? 0 : k + 1, n = k == 0 ? 2 : k - 1;
-        int64_t cross = (int64_t)u[m] * v[n] - (int64_t)u[n] * v[m];
-        high += asr64(cross, 29) * normal[k];
-        low += (cross & below) * normal[k];
-    }
-    high += asr64(low, 29);
-    return high < 0 ? -1 : high > 0 || (low & below) != 0;
 }
 
 /* An edge seen along the normal: exact coordinates in the plane of two axes, all times the normal's largest part. */
@@ -87,12 +61,12 @@ static int is_convex(const struct ring *ring)
     for (uint32_t i = 0; i < 2 * ring->count; i++) { /* the first time around finds the last edge */
         uint32_t a = i < ring->count ? i : i - ring->count, b = a + 1 < ring->count ? a + 1 : 0;
         int32_t edge[3];
-        subtract(point(ring, b), point(ring, a), edge);
+        sheen_subtract(point(ring, b), point(ring, a), edge);
         struct seen seen = see(edge, ring->normal);
         if (seen.x == 0 && seen.y == 0)
             continue;
         if (i >= ring->count) {
-            if (turn(last, edge, ring->normal) < 0)
+            if (sheen_turn(last, edge, ring->normal) < 0)
                 return 0;
             rounds += is_up(seen) && !was_up;
         }
@@ -108,11 +82,11 @@ static int is_inside(const int32_t *const triangle[3], const int32_t *q, const s
 {
     for (int k = 0; k < 3; k++) {
         int32_t edge[3], to[3];
-        subtract(q, triangle[k], to);
+        sheen_subtract(q, triangle[k], to);
         if (to[0] == 0 && to[1] == 0 && to[2] == 0)
             return 0;
-        subtract(triangle[k == 2 ? 0 : k + 1], triangle[k], edge);
-        if (turn(edge, to, normal) < 0)
+        sheen_subtract(triangle[k == 2 ? 0 : k + 1], triangle[k], edge);
+        if (sheen_turn(edge, to, normal) < 0)
             return 0;
     }
     return 1;
@@ -125,9 +99,9 @@ static uint32_t find_blocker(const struct ring *ring, uint32_t i)
     const int32_t *const triangle[3] = {point(ring, ring->next[i]), point(ring, ring->before[i]), point(ring, i)};
     int32_t in[3], out[3];
 
-    subtract(triangle[2], triangle[1], in);
-    subtract(triangle[0], triangle[2], out);
-    if (turn(in, out, ring->normal) <= 0)
+    sheen_subtract(triangle[2], triangle[1], in);
+    sheen_subtract(triangle[0], triangle[2], out);
+    if (sheen_turn(in, out, ring->normal) <= 0)
         return i;
     uint32_t j = ring->head;
     do {
