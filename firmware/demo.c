@@ -1,5 +1,5 @@
 /*
- * demo.c - the scene: the command's default picture, turning by 6 degrees a frame.
+ * demo.c - the scene: the command's default picture but for edges (no crease), turning by 6 degrees a frame.
  */
 #include "demo.h"
 
@@ -18,7 +18,7 @@ static const struct {
     struct sheen_light light[2];
     uint8_t count;
 } lightings[] = {
-    {{LIGHT(-0.5, 0.7, 0.5, 1.0)}, 1},                            /* from the left, above */
+    {{LIGHT(-0.4, 0.6, 0.8, 1.0)}, 1},                            /* from the left, above */
     {{LIGHT(0.8, 0.3, 0.5, 1.0)}, 1},                             /* from the right */
     {{LIGHT(-0.7, 0.3, 0.4, 0.7), LIGHT(0.8, 0.2, 0.1, 0.5)}, 2}, /* both */
 };
@@ -82,17 +82,19 @@ static void set_scene(struct demo *demo)
     const struct sheen_target *target = demo->target;
     int colour = sheen_pixel_bits((enum sheen_pixel)target->pixel) == 16;
 
-    demo->material = (struct sheen_material){.base = {0xC8, 0xA0, 0x50},
+    demo->material = (struct sheen_material){.base = {0xD8, 0xA0, 0x48},
                                              .highlight = {255, 255, 255},
-                                             .ambient = SHEEN_Q16(0.1),
-                                             .diffuse = SHEEN_Q16(0.6),
-                                             .specular = SHEEN_Q16(0.3),
+                                             .ambient = SHEEN_Q16(0.2),
+                                             .diffuse = SHEEN_Q16(0.8),
+                                             .specular = SHEEN_Q16(0.35),
                                              .shininess = 32};
+    if (!colour) /* white is as bright as a panel of greys can be */
+        memset(demo->material.base, 255, sizeof demo->material.base);
     demo->view = (struct sheen_view){.fov = SHEEN_DEGREES(40),
                                      .near = SHEEN_Q24(DISTANCE - 1.05),
                                      .far = SHEEN_Q24(DISTANCE + 1.05),
-                                     .dither = !colour,
-                                     .background = {0x00, 0x00, 0x20},
+                                     .dither = target->pixel != SHEEN_GREY256,
+                                     .background = {0x10, 0x10, 0x18},
                                      .ctx = &demo->text,
                                      .overlay = text_overlay};
     demo->text = (struct text){.x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .pixel = target->pixel};

@@ -160,8 +160,8 @@ void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientat
 unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record);
 
 /*
- * The record of that name, or the first in the table whose name goes on with a
- * dash: "ili9341" finds ili9341-240x320. NULL: no such panel.
+ * The record of that name, in small letters or large, or the first in the table whose
+ * name goes on with a dash: "ILI9341" finds ili9341-240x320. NULL: no such panel.
  */
 const struct sheen_panel_record *sheen_panel_find(const char *name);
 

@@ -99,10 +99,26 @@ static int make_torus(struct sheen_polygons *polygons)
     return error;
 }
 
+/* Corners at +-1: bit 0 of a corner's number is x, 1 is y, 2 is z. */
+static int make_cube(struct sheen_polygons *polygons)
+{
+    static const uint8_t sides[6][4] = {{4, 5, 7, 6}, {1, 0, 2, 3}, {5, 1, 3, 7},
+                                        {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}};
+    int error = sheen_polygons_alloc(polygons, 8, 6, 24, 1, 0);
+
+    for (unsigned i = 0; !error && i < 8; i++)
+        set_point(polygons->points[i], i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    for (unsigned c = 0; !error && c < 24; c++) {
+        polygons->corners[c] = sides[c / 4][c % 4];
+        polygons->first[c / 4 + 1] = 4 * (c / 4 + 1);
+    }
+    return error;
+}
+
 static const struct {
     const char *name;
     int (*make)(struct sheen_polygons *polygons);
-} builtins[] = {{"teapot", sheen_builtin_teapot}, {"sphere", make_sphere}, {"torus", make_torus}};
+} builtins[] = {{"teapot", sheen_builtin_teapot}, {"sphere", make_sphere}, {"torus", make_torus}, {"cube", make_cube}};
 
 enum {
     BUILTINS = sizeof builtins / sizeof builtins[0]
@@ -123,7 +139,8 @@ int sheen_builtin_check(const char *name, struct sheen_problem *problem)
     if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) != 0 || find(name) < BUILTINS)
         return SHEEN_OK;
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                         "%s: no such mesh; there are builtin:teapot, builtin:sphere, builtin:torus", name);
+                         "%s: no such mesh; there are builtin:teapot, builtin:sphere, builtin:torus, builtin:cube",
+                         name);
 }
 
 int sheen_builtin(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)

@@ -1,5 +1,5 @@
 /*
- * builtin.h - meshes that need no file: builtin:teapot, builtin:sphere, builtin:torus.
+ * builtin.h - meshes that need no file: builtin:teapot, builtin:sphere, builtin:torus, builtin:cube.
  */
 #ifndef SHEEN_BUILTIN_H
 #define SHEEN_BUILTIN_H

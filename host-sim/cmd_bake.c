@@ -16,6 +16,7 @@
 #include "commands.h"
 #include "out_file.h"
 #include "progress.h"
+#include "scene.h"
 
 /* Everything between the mesh file and the header. */
 struct baking {
@@ -50,15 +51,16 @@ static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
     const char *file = strrchr(options->mesh, '/');
+    const char *up = options->up < 0 ? "" : options->up ? " --up z" : " --up y";
     char crease[24] = "", reduce[24] = "";
 
-    if (options->crease >= 0)
+    if (options->crease != 60)
         snprintf(crease, sizeof crease, " --crease %g", options->crease);
     if (options->reduce)
         snprintf(reduce, sizeof reduce, " --reduce %d", options->reduce);
-    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s%s", file ? file + 1 : options->mesh,
-             options->average ? " --normals average" : "", crease, reduce, options->groups ? " --groups" : "",
-             options->no_flat ? " --no-flat" : "");
+    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s%s%s%s", file ? file + 1 : options->mesh,
+             options->average ? " --normals average" : "", options->equal ? " --weights equal" : "", crease, up, reduce,
+             options->groups ? " --groups" : "", options->no_flat ? " --no-flat" : "");
 }
 
 static int quantise(struct baking *baking)
@@ -178,11 +180,7 @@ static int write_header(const struct baking *baking, struct sheen_problem *probl
 static int bake(struct baking *baking, struct sheen_problem *problem)
 {
     const struct sheen_options *options = baking->options;
-    struct sheen_host_options how = {.average = options->average,
-                                     .by_group = options->groups,
-                                     .use_crease = options->crease >= 0,
-                                     .crease = options->crease,
-                                     .reduce = (unsigned)options->reduce};
+    struct sheen_host_options how = sheen_scene_host_options(options, options->groups);
     sheen_progress("reading the mesh", 0, 0);
     int error = sheen_host_mesh_load(&baking->host, options->mesh, &how, problem);
     sheen_progress_end();

@@ -24,6 +24,7 @@ struct sheen_host_build {
     size_t weld_count;
     uint32_t *source;         /* of each corner: its number in the file */
     sheen_q30_t (*facing)[3]; /* the normal of each polygon */
+    sheen_angle_t *angles;    /* of each corner */
     double (*normals)[3];     /* of each corner: unit */
 };
 

@@ -65,7 +65,8 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
     mesh->polygons = calloc(from->polygon_count, sizeof *mesh->polygons);
     build->source = malloc(from->corner_count * sizeof *build->source);
     build->facing = malloc(from->polygon_count * sizeof *build->facing);
-    if (!mesh->polygons || !build->source || !build->facing)
+    build->angles = malloc(from->corner_count * sizeof *build->angles);
+    if (!mesh->polygons || !build->source || !build->facing || !build->angles)
         return SHEEN_ERR_MEMORY;
     for (size_t p = 0; p < from->polygon_count; p++) {
         struct sheen_host_polygon *keep = &mesh->polygons[mesh->polygon_count];
@@ -76,6 +77,8 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
         if (sheen_polygon_normal(build->local.points, build->local.order, count, facing) != SHEEN_OK)
             continue; /* no area */
         sheen_host_unit(facing, keep->normal);
+        const struct sheen_polygon_list one = {build->local.points, build->local.order, &count, count, count, 1};
+        sheen_corner_angles(&one, facing, build->angles + mesh->corner_count);
         keep->first = (uint32_t)mesh->corner_count;
         keep->count = count;
         keep->group = from->groups[p];
@@ -237,6 +240,7 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
     free(build.weld);
     free(build.source);
     free(build.facing);
+    free(build.angles);
     free(build.normals);
     if (error)
         sheen_host_mesh_free(mesh);
@@ -268,6 +272,8 @@ int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const s
     struct sheen_polygons polygons;
     int error = sheen_polygons_load(&polygons, name, problem);
 
+    if (!error && (options->up == SHEEN_UP_Z || (options->up == SHEEN_UP_FORMAT && polygons.z_up)))
+        sheen_polygons_turn(&polygons);
     if (!error)
         error = sheen_host_mesh_build(mesh, &polygons, options, name, problem);
     sheen_polygons_free(&polygons);

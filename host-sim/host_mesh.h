@@ -13,7 +13,8 @@
  *     dropped, though its points count for the fit;
  *   - fit, in double precision: minus the centre of the bounding box, then the farthest point to distance 1;
  *   - a corner's normal is the file's, else the average over the polygons around its
- *     vertex (unit normals, once for each time a polygon lists it), else its polygon's;
+ *     vertex (unit normals times the angle at the corner, once for each time a polygon
+ *     lists it), else its polygon's;
  *   - polygons are split into triangles;
  *   - sheen_host_mesh_load alone: more triangles than are wanted are reduced (host_reduce.h).
  * Normals and triangles are the core's own (core/mesh/), as firmware gets them.
@@ -25,11 +26,19 @@
 
 #define SHEEN_HOST_MESH_MAX 65535u /* vertices, and triangles: what 16-bit indices hold */
 
+enum sheen_up {
+    SHEEN_UP_FORMAT, /* z where the file's format says so (struct sheen_polygons), else y */
+    SHEEN_UP_Y,
+    SHEEN_UP_Z /* (x, y, z) becomes (x, z, -y) */
+};
+
 struct sheen_host_options {
     int average;     /* 1: the file's normals are not used */
     int by_group;    /* 1: groups share no vertices, each becomes a mesh of its own */
     int use_crease;  /* 1: average only over polygons within `crease` of the corner's own */
     double crease;   /* degrees, 0..180 */
+    int equal;       /* 1: polygons count alike in an average, not by their angle at the corner */
+    int up;          /* enum sheen_up; of a file's polygons, before anything else */
     unsigned reduce; /* to at most so many triangles (host_reduce.h), 1..SHEEN_HOST_MESH_MAX; 0: never */
 };
 

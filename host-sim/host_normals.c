@@ -122,12 +122,13 @@ int sheen_host_normals(struct sheen_host_build *build)
     if (!error && !build->normals)
         error = SHEEN_ERR_MEMORY;
     if (!error) {
+        const uint32_t *weights = build->options->equal ? NULL : build->angles;
         double turns = build->options->crease / 360; /* 0..1/2 */
         if (build->options->use_crease)
-            sheen_corner_normals(&places.list, places.around, build->facing[0],
+            sheen_corner_normals(&places.list, places.around, build->facing[0], weights,
                                  sheen_cos((sheen_angle_t)(turns * 4294967296.0)) - CREASE_SLACK, places.vertex[0]);
         else
-            sheen_vertex_normals(&places.list, places.around, build->facing[0], places.vertex[0]);
+            sheen_vertex_normals(&places.list, places.around, build->facing[0], weights, places.vertex[0]);
         choose(build, &places);
     }
     free(places.corners);

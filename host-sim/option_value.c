@@ -4,7 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
+#include "color_names.h"
+#include "nearest.h"
 #include "options.h"
 
 static int refuse(const struct sheen_option *option, const char *text, const char *what, struct sheen_problem *problem)
@@ -61,15 +64,33 @@ static int set_choice(const struct sheen_option *option, const char *text, int *
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not one of %s", option->name, text, option->argument);
 }
 
+static void put_rgb(unsigned long rgb, uint8_t color[3])
+{
+    for (int k = 0; k < 3; k++)
+        color[k] = (uint8_t)(rgb >> (16 - 8 * k));
+}
+
 static int set_color(const struct sheen_option *option, const char *text, uint8_t color[3],
                      struct sheen_problem *problem)
 {
-    if (strlen(text) != 6 || strspn(text, "0123456789abcdefABCDEF") != 6)
-        return refuse(option, text, "not a colour of six hex digits", problem);
-    unsigned long value = strtoul(text, NULL, 16);
-    for (int k = 0; k < 3; k++)
-        color[k] = (uint8_t)(value >> (16 - 8 * k));
-    return SHEEN_OK;
+    const char *digits = text + (*text == '#');
+
+    if (strlen(digits) == 6 && strspn(digits, "0123456789abcdefABCDEF") == 6) {
+        put_rgb(strtoul(digits, NULL, 16), color);
+        return SHEEN_OK;
+    }
+    struct sheen_nearest nearest = {.word = text};
+    for (size_t i = 0; i < SHEEN_COLOR_NAMES; i++) {
+        const char *name = sheen_color_names[i].name;
+        if (strcasecmp(name, text) == 0) {
+            put_rgb(sheen_color_names[i].rgb, color);
+            return SHEEN_OK;
+        }
+        sheen_nearest_try(&nearest, name, strlen(name));
+    }
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                         "--%s '%s': neither a colour of six hex digits nor a name of CSS; the nearest is %s",
+                         option->name, text, nearest.name);
 }
 
 static int set_size(const struct sheen_option *option, const char *text, unsigned size[2],
@@ -112,7 +133,11 @@ static int set_paint(const struct sheen_option *option, const char *text, struct
                      struct sheen_problem *problem)
 {
     paint->from_file = strcmp(text, "file") == 0;
-    return paint->from_file ? SHEEN_OK : set_color(option, text, paint->color, problem);
+    if (paint->from_file)
+        return SHEEN_OK;
+    int error = set_color(option, text, paint->color, problem);
+    paint->given |= !error;
+    return error;
 }
 
 int sheen_option_set(struct sheen_options *options, const struct sheen_option *option, const char *text,

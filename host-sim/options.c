@@ -41,27 +41,32 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_DRAWS, AT(affine), 0, 0, 0},
     {"ortho", NULL, NULL, "no perspective: sizes as at the mesh's centre", SHEEN_OPTION_FLAG, SHEEN_DRAWS, AT(ortho), 0,
      0, 0},
-    {"light", "X,Y,Z", "-0.5,0.7,0.5", "direction to a light, seen from the eye; up to 4 times", SHEEN_OPTION_LIGHT,
+    {"light", "X,Y,Z", "-0.4,0.6,0.8", "direction to a light, seen from the eye; up to 4 times", SHEEN_OPTION_LIGHT,
      SHEEN_DRAWS, AT(lights), 0, 0, 0},
-    {"ambient", "K", "0.1", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(ambient), 0, 4, 0},
-    {"diffuse", "K", "0.6", "light that scatters", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(diffuse), 0, 4, 0},
-    {"specular", "K", "0.3", "light that mirrors: the highlight", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(specular), 0, 4,
+    {"ambient", "K", "0.2", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(ambient), 0, 4, 0},
+    {"diffuse", "K", "0.8", "light that scatters", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(diffuse), 0, 4, 0},
+    {"specular", "K", "0.35", "light that mirrors: the highlight", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(specular), 0, 4,
      0},
     {"shininess", "N", "32", "its sharpness, the exponent", SHEEN_OPTION_WHOLE, SHEEN_DRAWS, AT(shininess), 1, 128, 0},
-    {"color", "RRGGBB|file", "c8a050", "of the mesh, or as the file's materials say", SHEEN_OPTION_PAINT, SHEEN_DRAWS,
-     AT(color), 0, 0, 0},
-    {"background", "RRGGBB", "000020", "what is behind the mesh", SHEEN_OPTION_COLOR, SHEEN_DRAWS, AT(background), 0, 0,
+    {"color", "COLOR|file", NULL,
+     "of the mesh: rrggbb in hex or a name of CSS; or the file's materials' [d8a048, ffffff on panels of greys]",
+     SHEEN_OPTION_PAINT, SHEEN_DRAWS, AT(color), 0, 0, 0},
+    {"background", "COLOR", "101018", "what is behind the mesh", SHEEN_OPTION_COLOR, SHEEN_DRAWS, AT(background), 0, 0,
      0},
     {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
      SHEEN_DRAWS, AT(two_sided), 0, 0, 0},
     {"normals", "file|average", "file", "the file's normals where it has them, or always averages of the faces",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(average), 0, 0, 0},
-    {"crease", "DEG", NULL, "average only over faces within this angle [over all]", SHEEN_OPTION_REAL,
+    {"weights", "angle|equal", "angle", "in an average: by the face's angle at the corner, or all alike",
+     SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(equal), 0, 0, 0},
+    {"crease", "DEG", "60", "average only over faces within this angle; 180: over all", SHEEN_OPTION_REAL,
      SHEEN_DRAWS | SHEEN_BAKE, AT(crease), 0, 180, 0},
+    {"up", "y|z", NULL, "which axis of the file points up [z for STL, else y]", SHEEN_OPTION_CHOICE,
+     SHEEN_DRAWS | SHEEN_BAKE, AT(up), 0, 0, 0},
     {"reduce", "N", NULL, "simplify the mesh to at most so many triangles, and tell how far off that is",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_BAKE, AT(reduce), 4, 65535, 0},
-    {"dither", "off|on", NULL, "ordered 8x8 [on for 2 and 16 grey levels]", SHEEN_OPTION_CHOICE, SHEEN_DRAWS,
-     AT(dither), 0, 0, 0},
+    {"dither", "on|off", NULL, "ordered 8x8 [on, but for panels of 256 greys]", SHEEN_OPTION_CHOICE, SHEEN_DRAWS,
+     AT(undithered), 0, 0, 0},
     {"band", "ROWS", NULL, "rows drawn and sent at a time [16, or all of a lower picture]", SHEEN_OPTION_WHOLE,
      SHEEN_DRAWS, AT(band), 1, 480, 0},
     {"buffers", "1|2", "1", "2: draw a band while the last one is sent", SHEEN_OPTION_WHOLE, SHEEN_DRAWS, AT(buffers),
@@ -140,12 +145,15 @@ static int refuse(int answer, unsigned command, char **argv, struct sheen_proble
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "unknown or ambiguous option %s", argv[optind - 1]);
 }
 
+static const uint8_t default_color[3] = {0xd8, 0xa0, 0x48};
+
 static int set_defaults(struct sheen_options *options, struct sheen_problem *problem)
 {
     memset(options, 0, sizeof *options);
     options->orientation = -1;
-    options->crease = -1;
-    options->dither = -1;
+    options->undithered = -1;
+    options->up = -1;
+    memcpy(options->color.color, default_color, sizeof default_color);
     options->gap = -1;
     for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
         int error = option->value ? sheen_option_set(options, option, option->value, problem) : SHEEN_OK;

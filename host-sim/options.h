@@ -24,7 +24,7 @@ enum sheen_option_kind {
     SHEEN_OPTION_REAL,   /* double */
     SHEEN_OPTION_WHOLE,  /* int */
     SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, words parted by | */
-    SHEEN_OPTION_COLOR,  /* uint8_t[3] */
+    SHEEN_OPTION_COLOR,  /* uint8_t[3]: six hex digits, with # or without, or a name (color_names.h) */
     SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
     SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one */
@@ -33,7 +33,8 @@ enum sheen_option_kind {
 
 struct sheen_paint {
     uint8_t color[3];
-    int from_file;
+    int given;     /* 0: the default, which is white on panels of greys */
+    int from_file; /* 1: the file's, and the default where it has none */
 };
 
 struct sheen_light_list {
@@ -55,10 +56,12 @@ struct sheen_options {
     struct sheen_paint color;
     uint8_t background[3];
     int two_sided, average, affine, ortho;
-    double crease; /* degrees; < 0: off */
-    int reduce;    /* triangles; 0: not given */
-    int dither;    /* -1: not given */
-    int band;      /* rows; 0: not given */
+    double crease;  /* degrees; 180 averages all */
+    int equal;      /* weights of an average */
+    int up;         /* 0: y, 1: z; -1: not given */
+    int reduce;     /* triangles; 0: not given */
+    int undithered; /* -1: not given */
+    int band;       /* rows; 0: not given */
     int buffers;
     int frames;
     int stats;

@@ -124,3 +124,19 @@ int sheen_polygons_check(const struct sheen_polygons *polygons, const char *name
     }
     return SHEEN_OK;
 }
+
+static void turn(double (*vectors)[3], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        double y = vectors[i][1];
+        vectors[i][1] = vectors[i][2];
+        vectors[i][2] = -y;
+    }
+}
+
+void sheen_polygons_turn(struct sheen_polygons *polygons)
+{
+    turn(polygons->points, polygons->point_count);
+    if (polygons->normals)
+        turn(polygons->normals, polygons->corner_count);
+}

@@ -55,6 +55,9 @@ void sheen_polygons_free(struct sheen_polygons *polygons);
  */
 void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name);
 
+/* z becomes up: (x, y, z) to (x, z, -y), points and normals. */
+void sheen_polygons_turn(struct sheen_polygons *polygons);
+
 /* What the comments above promise. 0, or SHEEN_ERR_ARGUMENT and *problem, which names `name` as the file. */
 int sheen_polygons_check(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem);
 

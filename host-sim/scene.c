@@ -46,7 +46,8 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
 
     scene->meshes = calloc(groups, sizeof *scene->meshes);
     scene->materials = calloc(groups, sizeof *scene->materials);
-    if (!scene->meshes || !scene->materials)
+    scene->own_color = calloc(groups, sizeof *scene->own_color);
+    if (!scene->meshes || !scene->materials || !scene->own_color)
         return SHEEN_ERR_MEMORY;
     for (size_t g = 0; g < groups; g++) {
         const struct sheen_group *group = &host->group[g];
@@ -60,19 +61,28 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
                                      use_group ? group->color : paint->color);
         if (error)
             return error;
-        scene->count++;
+        scene->own_color[scene->count++] = (uint8_t)use_group;
     }
     return SHEEN_OK;
+}
+
+struct sheen_host_options sheen_scene_host_options(const struct sheen_options *options, int by_group)
+{
+    return (struct sheen_host_options){.average = options->average,
+                                       .by_group = by_group,
+                                       .use_crease = options->crease < 180,
+                                       .crease = options->crease,
+                                       .equal = options->equal,
+                                       .up = options->up < 0 ? SHEEN_UP_FORMAT
+                                             : options->up   ? SHEEN_UP_Z
+                                                             : SHEEN_UP_Y,
+                                       .reduce = (unsigned)options->reduce};
 }
 
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
 {
     const struct sheen_options *options = scene->options;
-    struct sheen_host_options how = {.average = options->average,
-                                     .by_group = options->color.from_file,
-                                     .use_crease = options->crease >= 0,
-                                     .crease = options->crease,
-                                     .reduce = (unsigned)options->reduce};
+    struct sheen_host_options how = sheen_scene_host_options(options, options->color.from_file);
     struct sheen_host_mesh host;
     int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
 
@@ -95,8 +105,7 @@ void sheen_scene_look(struct sheen_scene *scene)
     view->fov = to_angle(options->fov);
     view->orthographic = options->ortho ? to_q24(options->distance) : 0;
     view->affine = (uint8_t)options->affine;
-    view->dither = options->dither < 0 ? scene->target->pixel == SHEEN_GREY2 || scene->target->pixel == SHEEN_GREY16
-                                       : (uint8_t)options->dither;
+    view->dither = options->undithered < 0 ? scene->target->pixel != SHEEN_GREY256 : !options->undithered;
     memcpy(view->background, options->background, sizeof view->background);
     for (int i = 0; i < options->lights.count; i++) {
         const double *to = options->lights.to[i];
@@ -106,6 +115,23 @@ void sheen_scene_look(struct sheen_scene *scene)
         scene->lights[i].intensity = to_q16(1);
         scene->lights[i].highlight = 1;
     }
+}
+
+/* What has no colour of its own: as asked for, else what shows best on the target. */
+static int paint(struct sheen_scene *scene)
+{
+    static const uint8_t white[3] = {255, 255, 255};
+    const struct sheen_paint *paint = &scene->options->color;
+    int is_grey = scene->target->pixel > SHEEN_RGB565_LE, error = SHEEN_OK;
+
+    for (size_t i = 0; !error && i < scene->count; i++) {
+        struct sheen_material *material = &scene->materials[i];
+        if (scene->own_color[i])
+            continue;
+        memcpy(material->base, is_grey && !paint->given ? white : paint->color, sizeof material->base);
+        error = sheen_material_prepare(material);
+    }
+    return error;
 }
 
 /* ---- the frame's memory ---- */
@@ -145,7 +171,8 @@ int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *t
 {
     scene->target = target;
     sheen_scene_look(scene);
-    return make_frame(scene, scene->config.max_clipped);
+    int error = paint(scene);
+    return error ? error : make_frame(scene, scene->config.max_clipped);
 }
 
 int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *options, const struct sheen_target *target,
@@ -166,6 +193,7 @@ void sheen_scene_close(struct sheen_scene *scene)
         sheen_quantised_free(&scene->meshes[i]);
     free(scene->meshes);
     free(scene->materials);
+    free(scene->own_color);
     free(scene->arena);
     memset(scene, 0, sizeof *scene);
 }

@@ -15,6 +15,7 @@ struct sheen_scene {
     /* What is drawn: one mesh, or with --color file one for each material. */
     struct sheen_quantised *meshes;
     struct sheen_material *materials;
+    uint8_t *own_color; /* 1: the material's is of the file's */
     size_t count;
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
@@ -24,6 +25,9 @@ struct sheen_scene {
     void *arena;
     struct sheen_frame *frame;
 };
+
+/* What of the options says how a mesh is made of its file. */
+struct sheen_host_options sheen_scene_host_options(const struct sheen_options *options, int by_group);
 
 /*
  * Loads and allocates; nothing is drawn. options and target are borrowed.

@@ -14,5 +14,6 @@ target_sources(sheen_sim PRIVATE
   sim_panel_choose.c
   sim_panel_ideal.c
   sim_panel_modules.c
+  nearest.c
   pin_watcher.c
 )

@@ -3,7 +3,9 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
+#include "nearest.h"
 #include "sim_panel.h"
 
 #define IDEAL_MIN 8u
@@ -51,12 +53,16 @@ int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int ori
         snprintf(why, why_size, "orientation %d, size %ux%u: out of range", orientation, width, height);
         return SHEEN_ERR_ARGUMENT;
     }
-    if (strcmp(panel, "ideal") == 0)
+    if (strcasecmp(panel, "ideal") == 0)
         return choose_ideal(choice, orientation, width, height, why, why_size);
 
     *choice = (struct sheen_sim_choice){.record = sheen_panel_find(panel)};
     if (!choice->record) {
-        snprintf(why, why_size, "no panel is called '%s' (`sheen panels` lists them)", panel);
+        struct sheen_nearest nearest = {.word = panel};
+        sheen_nearest_panel(&nearest);
+        sheen_nearest_try(&nearest, "ideal", strlen("ideal"));
+        snprintf(why, why_size, "no panel is called '%s'; the nearest is %.*s (`sheen panels` lists them)", panel,
+                 nearest.length, nearest.name);
         return SHEEN_ERR_ARGUMENT;
     }
     choice->orientation = orientation >= 0 ? (unsigned)orientation

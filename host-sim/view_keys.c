@@ -95,7 +95,7 @@ static int scene_key(struct sheen_viewer *viewer, int key)
         turn_lights(&options->lights);
         return 1;
     case 'd':
-        options->dither = !viewer->table.scene.view.dither;
+        options->undithered = viewer->table.scene.view.dither;
         return 1;
     case 'a':
         options->affine = !options->affine;

@@ -55,13 +55,14 @@ static void headers_are_the_files(void **state)
     struct sheen_host_mesh host;
 
     (void)state;
-    load(&host, "builtin:teapot", &(struct sheen_host_options){0});
+    load(&host, "builtin:teapot", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
     equal(&baked_teapot, &host, SHEEN_ALL_GROUPS, 1);
     sheen_host_mesh_free(&host);
-    load(&host, "data/egg.obj", &(struct sheen_host_options){0});
+    load(&host, "data/egg.obj", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
     equal(&baked_egg, &host, SHEEN_ALL_GROUPS, 1);
     sheen_host_mesh_free(&host);
-    load(&host, "data/egg.obj", &(struct sheen_host_options){.average = 1, .use_crease = 1, .crease = 12.5});
+    load(&host, "data/egg.obj",
+         &(struct sheen_host_options){.average = 1, .use_crease = 1, .crease = 12.5, .equal = 1});
     equal(&smooth, &host, SHEEN_ALL_GROUPS, 0);
     sheen_host_mesh_free(&host);
 }
@@ -78,7 +79,7 @@ static void groups(void **state)
     assert_string_equal(baked_box_groups[1].material, "blue \"grey\"");
     assert_memory_equal(baked_box_groups[0].base, red, 3);
     assert_memory_equal(baked_box_groups[1].base, grey, 3);
-    load(&host, "data/box.obj", &(struct sheen_host_options){.by_group = 1});
+    load(&host, "data/box.obj", &(struct sheen_host_options){.by_group = 1, .use_crease = 1, .crease = 60});
     uint32_t found = 0;
     for (uint32_t g = 0; g < host.group_count; g++) {
         if (found < 2 && strcmp(host.group[g].name, found ? "blue \"grey\"" : "red") == 0)
@@ -139,7 +140,7 @@ static void the_same_pixels(void **state)
     struct sheen_quantised made;
 
     (void)state;
-    load(&host, "data/egg.obj", &(struct sheen_host_options){0});
+    load(&host, "data/egg.obj", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
     assert_int_equal(sheen_quantise(&made, &host, SHEEN_ALL_GROUPS), 0);
     for (int shading = SHEEN_FLAT; shading <= SHEEN_PHONG; shading++) {
         memset(baked, 0x5a, sizeof baked);

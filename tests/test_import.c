@@ -99,17 +99,45 @@ static void normals_of_the_file_and_without(void **state)
     sheen_host_mesh_free(&mesh);
 }
 
+/* Of the angles at point 1, or in equal parts. The face up lists it once, the face to +x as two triangles. */
 static void a_corner_counts_for_each_listing(void **state)
 {
+    static const char text[] = "v 0 0 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 -1 1\nf 1 3 2\nf 1 2 5\nf 1 5 4\n";
     struct sheen_host_mesh mesh;
 
     (void)state;
-    /* The face up lists point 1 once, the face to +x as two triangles: the average leans to +x, 2 to 1. */
-    import_mesh(&mesh, "twice.obj", "v 0 0 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 -1 1\nf 1 3 2\nf 1 2 5\nf 1 5 4\n",
-                &import_plain);
+    import_mesh(&mesh, "twice.obj", text, &(struct sheen_host_options){.equal = 1});
     const double *n = mesh.vertices[mesh.corners[0]].normal;
-    equal3(n, 2 / sqrt(5), fabs(n[1]), 0);
+    equal3(n, 2 / sqrt(5), fabs(n[1]), 0); /* it leans to +x, 2 to 1 */
     sheen_host_mesh_free(&mesh);
+    import_mesh(&mesh, "twice.obj", text, &import_plain);
+    n = mesh.vertices[mesh.corners[0]].normal;
+    equal3(n, 1 / sqrt(2), fabs(n[1]), 0); /* 90 degrees of either */
+    sheen_host_mesh_free(&mesh);
+}
+
+/* (x, y, z) becomes (x, z, -y) before the fit: by the format, or as asked. */
+static void up_is_turned(void **state)
+{
+    static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 0 4\nf 1 2 3\n";
+    static const char stl[] = "solid t\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 4\n"
+                              "endloop\nendfacet\nendsolid t\n";
+    struct sheen_host_mesh mesh;
+
+    (void)state;
+    for (int up = SHEEN_UP_FORMAT; up <= SHEEN_UP_Z; up++) {
+        for (int is_stl = 0; is_stl < 2; is_stl++) {
+            import_mesh(&mesh, is_stl ? "t.stl" : "t.obj", is_stl ? stl : obj, &(struct sheen_host_options){.up = up});
+            if (up == SHEEN_UP_Z || (up == SHEEN_UP_FORMAT && is_stl)) {
+                equal3(mesh.center, 0.5, 2, 0);
+                equal3(mesh.polygons[0].normal, 0, 0, 1);
+            } else {
+                equal3(mesh.center, 0.5, 0, 2);
+                equal3(mesh.polygons[0].normal, 0, -1, 0);
+            }
+            sheen_host_mesh_free(&mesh);
+        }
+    }
 }
 
 static void an_average_of_zero_is_the_faces_own(void **state)
@@ -156,7 +184,7 @@ static void other_formats(void **state)
     struct sheen_host_mesh a, b;
 
     (void)state;
-    import_mesh(&a, "t.stl", stl, &import_plain);
+    import_mesh(&a, "t.stl", stl, &(struct sheen_host_options){.up = SHEEN_UP_Y});
     import_mesh(&b, "t.ply", ply, &import_plain);
     assert_int_equal(a.vertex_count, 4);
     assert_int_equal(b.vertex_count, 4);
@@ -202,6 +230,7 @@ int main(void)
         cmocka_unit_test(points_and_lines_and_flat_faces_are_left_out),
         cmocka_unit_test(normals_of_the_file_and_without),
         cmocka_unit_test(a_corner_counts_for_each_listing),
+        cmocka_unit_test(up_is_turned),
         cmocka_unit_test(an_average_of_zero_is_the_faces_own),
         cmocka_unit_test(a_crease_parts_faces),
         cmocka_unit_test(other_formats),

@@ -55,8 +55,10 @@ static void check(const struct sheen_polygons *polygons, const struct sheen_host
                                 .polygon_count = polygons->polygon_count,
                                 .corners = polygons->corners,
                                 .normals = (const double(*)[3])polygons->normals};
-    struct ref_mesh_options how = {
-        .fit = true, .average_normals = options->average, .crease = options->use_crease ? options->crease : -1};
+    struct ref_mesh_options how = {.fit = true,
+                                   .average_normals = options->average,
+                                   .crease = options->use_crease ? options->crease : -1,
+                                   .equal_weights = options->equal};
     struct sheen_problem problem;
     struct sheen_host_mesh mesh;
     struct ref_mesh ref;
@@ -71,17 +73,22 @@ static void check(const struct sheen_polygons *polygons, const struct sheen_host
 
 static void meshes_in_every_way(void **state)
 {
-    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "data/egg.obj"};
-    static const struct sheen_host_options ways[] = {
-        {0}, {.average = 1}, {.use_crease = 1, .crease = 30}, {.average = 1, .use_crease = 1, .crease = 12}};
+    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "data/egg.obj",
+                                        "builtin:cube"};
+    static const struct sheen_host_options ways[] = {{0},
+                                                     {.average = 1},
+                                                     {.use_crease = 1, .crease = 30},
+                                                     {.average = 1, .use_crease = 1, .crease = 12},
+                                                     {.average = 1, .equal = 1},
+                                                     {.use_crease = 1, .crease = 60, .equal = 1}};
     struct sheen_polygons polygons;
     struct sheen_problem problem;
 
     (void)state;
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < 5; i++) {
         if (sheen_polygons_load(&polygons, names[i], &problem) != 0)
             fail_msg("%s", problem.text);
-        for (size_t w = 0; w < 4; w++)
+        for (size_t w = 0; w < sizeof ways / sizeof ways[0]; w++)
             check(&polygons, &ways[w], names[i]);
         sheen_polygons_free(&polygons);
     }
@@ -118,12 +125,12 @@ static void far_from_the_origin(void **state)
 /* The built-in meshes, whatever the compiler makes of a conversion there and back. */
 static void points_are_floats(void **state)
 {
-    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus"};
+    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "builtin:cube"};
     struct sheen_polygons polygons;
     struct sheen_problem problem;
 
     (void)state;
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         assert_int_equal(sheen_polygons_load(&polygons, names[i], &problem), 0);
         for (size_t p = 0; p < polygons.point_count; p++) {
             for (int k = 0; k < 3; k++) {

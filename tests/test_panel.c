@@ -217,6 +217,8 @@ static void names(void **state)
     (void)state;
     assert_ptr_equal(sheen_panel_find("ili9341"), sheen_panel_find("ili9341-240x320"));
     assert_non_null(sheen_panel_find("ili9341"));
+    assert_ptr_equal(sheen_panel_find("ILI9341"), sheen_panel_find("ili9341"));
+    assert_ptr_equal(sheen_panel_find("St7735-128X160-Red"), sheen_panel_find("st7735-128x160-red"));
     assert_null(sheen_panel_find("ili934"));
     assert_null(sheen_panel_find("ili9341-"));
     assert_null(sheen_panel_find("ili9341-240x3200"));
@@ -256,7 +258,11 @@ static void choices(void **state)
     assert_int_equal(CHOICE("ili9341", -1, 100, 100), SHEEN_ERR_ARGUMENT);
     assert_string_equal(why, "ili9341-240x320 is 240x320 or 320x240, not 100x100");
     assert_int_equal(CHOICE("ili9342", -1, 0, 0), SHEEN_ERR_ARGUMENT);
-    assert_string_equal(why, "no panel is called 'ili9342' (`sheen panels` lists them)");
+    assert_string_equal(why, "no panel is called 'ili9342'; the nearest is ili9341 (`sheen panels` lists them)");
+    assert_int_equal(CHOICE("Ideal", -1, 0, 0), SHEEN_OK);
+    assert_null(choice.record);
+    assert_int_equal(CHOICE("SSD1306-128X32", -1, 0, 0), SHEEN_OK);
+    assert_string_equal(choice.record->name, "ssd1306-128x32");
     assert_int_equal(CHOICE("ili9341", 8, 0, 0), SHEEN_ERR_ARGUMENT);
 
     assert_int_equal(CHOICE("ideal", -1, 0, 0), 0);

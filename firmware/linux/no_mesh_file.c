@@ -9,7 +9,7 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, stru
     *polygons = (struct sheen_polygons){0};
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
                          "%s: this sheen-panel was built without the libraries that read files; builtin:teapot, "
-                         "builtin:sphere and builtin:torus it has",
+                         "builtin:sphere, builtin:torus and builtin:cube it has",
                          path);
 }
 

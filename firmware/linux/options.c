@@ -3,6 +3,7 @@
  */
 #include "options.h"
 
+#include "../../host-sim/nearest.h"
 #include "options_table.h"
 #include "sheen_panel.h"
 
@@ -120,8 +121,12 @@ int options_check(const struct options *options, struct sheen_failure *why)
 
     if (!options->panel[0])
         return sheen_failed(why, 2, "--panel is missing; --panels shows which there are");
-    if (!record)
-        return sheen_failed(why, 2, "there is no panel '%s'; --panels shows which there are", options->panel);
+    if (!record) {
+        struct sheen_nearest nearest = {.word = options->panel};
+        sheen_nearest_panel(&nearest);
+        return sheen_failed(why, 2, "there is no panel '%s'; --panels shows which there are, the nearest is %.*s",
+                            options->panel, nearest.length, nearest.name);
+    }
     if (!options->dc[0])
         return sheen_failed(why, 2, "--dc is missing: the line that tells data from commands");
     if (!options->spi[0] == !(options->sclk[0] && options->mosi[0]))
@@ -164,5 +169,5 @@ void options_help(void)
     for (const struct sheen_option *option = sheen_option_table; option->name; option++)
         if (option_is_view(option))
             help_line(option->name, option->argument, option->help, option->value);
-    printf("\nMESH is a file or builtin:teapot (the default), builtin:sphere, builtin:torus.\n");
+    printf("\nMESH is a file or builtin:teapot (the default), builtin:sphere, builtin:torus, builtin:cube.\n");
 }

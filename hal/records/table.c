@@ -45,10 +45,16 @@ const struct sheen_panel_record *sheen_panel_at(size_t index)
     return index < sizeof table / sizeof table[0] ? table[index] : NULL;
 }
 
+/* Of a letter of ASCII; the table's names have small ones only. */
+static char small(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
 /* 2: name is the record's whole name; 1: the record's name goes on with a dash; 0: neither. */
 static int matches(const char *record, const char *name)
 {
-    while (*name && *record == *name)
+    while (*name && *record == small(*name))
         record++, name++;
     return *name ? 0 : *record == '\0' ? 2 : *record == '-';
 }

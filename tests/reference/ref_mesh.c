@@ -127,6 +127,7 @@ void ref_newell(const double (*position)[3], size_t count, double normal[3])
 /* Corners of the mesh ordered by weld, so that those around one vertex stand together. */
 struct around {
     uint32_t weld, corner, polygon;
+    double angle;
 };
 
 static int around_order(const void *a, const void *b)
@@ -136,8 +137,29 @@ static int around_order(const void *a, const void *b)
     return p->weld != q->weld ? (p->weld < q->weld ? -1 : 1) : p->corner < q->corner ? -1 : p->corner > q->corner;
 }
 
-static void average(struct ref_mesh *mesh, const struct around *group, size_t count, double crease)
+/* The interior angle of corner c of a polygon of corners first..end-1; 0 where an edge has no length. */
+static double interior_angle(const struct ref_mesh *mesh, const double normal[3], uint32_t first, uint32_t c,
+                             uint32_t end)
 {
+    const double *here = mesh->position[c];
+    const double *before = mesh->position[c > first ? c - 1 : end - 1];
+    const double *after = mesh->position[c + 1 < end ? c + 1 : first];
+    double u[3], v[3], cross[3];
+
+    for (int k = 0; k < 3; k++) {
+        u[k] = after[k] - here[k];
+        v[k] = before[k] - here[k];
+    }
+    ref_cross(u, v, cross); /* along the normal where the corner turns left */
+    double angle = atan2(ref_length(cross), ref_dot(u, v));
+    return ref_dot(cross, normal) < -1e-12 * ref_length(u) * ref_length(v) ? 2 * acos(-1) - angle : angle;
+}
+
+static void average(struct ref_mesh *mesh, const struct around *group, size_t count,
+                    const struct ref_mesh_options *options)
+{
+    double crease = options->crease;
+
     for (size_t i = 0; i < count; i++) {
         const double *own = mesh->polygon_normal[group[i].polygon];
         double *sum = mesh->normal[group[i].corner];
@@ -149,7 +171,7 @@ static void average(struct ref_mesh *mesh, const struct around *group, size_t co
             if (crease >= 0 && ref_dot(own, other) < cos(crease * acos(-1) / 180) - 1e-12)
                 continue;
             for (int k = 0; k < 3; k++)
-                sum[k] += other[k];
+                sum[k] += other[k] * (options->equal_weights ? 1 : group[j].angle);
         }
         if (ref_length(sum) < 1e-9) /* opposite unit normals cancel but for rounding */
             memcpy(sum, own, 3 * sizeof *sum);
@@ -165,7 +187,8 @@ static int corner_normals(struct ref_mesh *mesh, const struct ref_polygons *from
         return -1;
     for (size_t p = 0; p < from->polygon_count; p++) {
         for (uint32_t c = from->first[p]; c < from->first[p + 1]; c++) {
-            all[c] = (struct around){mesh->weld[c], c, (uint32_t)p};
+            double angle = interior_angle(mesh, mesh->polygon_normal[p], from->first[p], c, from->first[p + 1]);
+            all[c] = (struct around){mesh->weld[c], c, (uint32_t)p, angle};
             if (from->normals && !options->average_normals)
                 memcpy(mesh->normal[c], from->normals[c], sizeof mesh->normal[c]);
             ref_normalize(mesh->normal[c]);
@@ -175,7 +198,7 @@ static int corner_normals(struct ref_mesh *mesh, const struct ref_polygons *from
     for (size_t i = 0, j; i < mesh->corner_count; i = j) {
         for (j = i + 1; j < mesh->corner_count && all[j].weld == all[i].weld; j++)
             ;
-        average(mesh, all + i, j - i, options->crease);
+        average(mesh, all + i, j - i, options);
     }
     free(all);
     return 0;

@@ -40,6 +40,7 @@ struct ref_mesh_options {
     bool fit;             /* centre the bounding box, farthest used vertex at distance 1 */
     bool average_normals; /* ignore the file's normals */
     double crease;        /* degrees; < 0: off */
+    bool equal_weights;   /* an average's polygons count alike, not by their angle at the corner */
 };
 
 struct ref_triangle {

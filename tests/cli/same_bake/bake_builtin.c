@@ -41,10 +41,10 @@ static int bake(const char *name, const struct sheen_host_options *options)
 
 int main(void)
 {
-    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus"};
+    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "builtin:cube"};
     int failed = 0;
 
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 4; i++) {
         failed |= bake(names[i], &(struct sheen_host_options){0});
         failed |= bake(names[i], &(struct sheen_host_options){.use_crease = 1, .crease = 25});
     }
