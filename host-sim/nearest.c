@@ -6,7 +6,7 @@
 #include <ctype.h>
 #include <string.h>
 
-#include "panel.h"
+#include "sheen_panel.h"
 
 #define LETTERS 48 /* that are looked at: more than any name has */
 
