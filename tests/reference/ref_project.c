@@ -99,7 +99,7 @@ static int cut_all(const struct ref_scene *scene, struct corner *polygon)
     double near_plane[4] = {0, 0, -1, -scene->near};
     int count = cut(polygon, 3, near_plane);
 
-    /* Beyond the guard band nothing is seen, and a cut changes no shading but slerp's, whose arcs go between corners. */
+    /* Beyond the guard band nothing is seen; a cut changes no shading but slerp's, whose arcs go between corners. */
     for (int side = 0; scene->shading == REF_SLERP && side < 4 && count >= 3; side++) {
         /* guard * m +- f * coordinate >= 0, m = -z or under ortho the constant distance */
         double plane[4] = {0, 0, -REF_GUARD_PX, 0};
