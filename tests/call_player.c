@@ -200,7 +200,7 @@ static void draw(struct player *p)
     stage_draw(stage, &actor, &d);
     if (one_in(p, 4)) {
         d.mesh = &p->fan;
-        d.shading = SHEEN_FLAT;
+        d.shader = &sheen_flat;
     }
     d.two_sided = (uint8_t)below(p, 2);
     if (one_in(p, 12)) {
@@ -210,7 +210,7 @@ static void draw(struct player *p)
             d.mesh = NULL;
             break;
         case 1:
-            d.shading = SHEEN_SLERP + 1;
+            d.shader = NULL;
             break;
         case 2:
             d.pose.rotation[0] = d.pose.rotation[1] = d.pose.rotation[2] = 0;
