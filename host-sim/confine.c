@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <seccomp.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -55,8 +56,8 @@ static struct {
     size_t files;
 } memory;
 
-/* Beyond `most`, to which the process itself may raise its limit: files of 2^30 bytes and less have it. */
-#define MEMORY_AT_LAST ((rlim_t)SHEEN_CONFINE_TIMES << 30)
+/* To which the process itself may raise its limit, for files of up to 1 GB; where that is no number, 3 GB. */
+#define MEMORY_AT_LAST ((rlim_t)(sizeof(rlim_t) > 4 ? (uint64_t)SHEEN_CONFINE_TIMES << 30 : (uint64_t)3 << 30))
 
 /* Private writable memory, which RLIMIT_DATA counts; 0 where /proc is not there. */
 static rlim_t memory_now(void)
