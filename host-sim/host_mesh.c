@@ -45,6 +45,8 @@ static int weld_points(struct sheen_host_build *build)
     return error;
 }
 
+#define VERTICES "vertices (by position and normal)"
+
 /* A mesh that is to be reduced may have any size before. */
 static int check_size(const struct sheen_host_options *options, size_t count, const char *what, const char *name,
                       struct sheen_problem *problem)
@@ -162,7 +164,7 @@ static int make_vertices(struct sheen_host_build *build, const char *name, struc
     }
     int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
     if (!error)
-        error = check_size(build->options, mesh->vertex_count, "vertices (by position and normal)", name, problem);
+        error = check_size(build->options, mesh->vertex_count, VERTICES, name, problem);
     if (!error) {
         mesh->vertices = calloc(mesh->vertex_count, sizeof *mesh->vertices);
         error = mesh->vertices ? SHEEN_OK : SHEEN_ERR_MEMORY;
@@ -212,8 +214,9 @@ static int copy_groups(struct sheen_host_build *build)
     return SHEEN_OK;
 }
 
-int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
-                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+/* All steps but the last, which makes a mesh smaller. */
+static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                     const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
 {
     struct sheen_host_build build = {.from = polygons, .options = options, .mesh = mesh};
 
@@ -249,6 +252,22 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
     return error;
 }
 
+int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+{
+    int error = build_all(mesh, polygons, options, name, problem);
+
+    if (error || !options->reduce)
+        return error;
+    if (mesh->triangle_count > options->reduce)
+        return sheen_host_mesh_reduce(mesh, options, name, problem);
+    /* Few triangles may have many vertices, where each has its own. */
+    error = check_size(&(struct sheen_host_options){0}, mesh->vertex_count, VERTICES, name, problem);
+    if (error)
+        sheen_host_mesh_free(mesh);
+    return error;
+}
+
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh)
 {
     free(mesh->vertices);
@@ -277,7 +296,5 @@ int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const s
     if (!error)
         error = sheen_host_mesh_build(mesh, &polygons, options, name, problem);
     sheen_polygons_free(&polygons);
-    if (!error && options->reduce && mesh->triangle_count > options->reduce)
-        error = sheen_host_mesh_reduce(mesh, options, name, problem);
     return error;
 }

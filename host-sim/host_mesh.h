@@ -16,7 +16,7 @@
  *     vertex (unit normals times the angle at the corner, once for each time a polygon
  *     lists it), else its polygon's;
  *   - polygons are split into triangles;
- *   - sheen_host_mesh_load alone: more triangles than are wanted are reduced (host_reduce.h).
+ *   - where there are more triangles than are wanted, they are reduced (host_reduce.h).
  * Normals and triangles are the core's own (core/mesh/), as firmware gets them.
  */
 #ifndef SHEEN_HOST_MESH_H

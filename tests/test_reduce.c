@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "host_reduce.h"
+#include "host_mesh.h"
 
 #define PI 3.14159265358979323846
 
@@ -61,8 +61,7 @@ static void reduce(struct sheen_host_mesh *mesh, const struct sheen_polygons *fr
     const struct sheen_host_options options = {.reduce = most, .by_group = by_group, .use_crease = 1, .crease = 60};
     struct sheen_problem problem;
 
-    if (sheen_host_mesh_build(mesh, from, &options, "grid", &problem) != 0 ||
-        sheen_host_mesh_reduce(mesh, &options, "grid", &problem) != 0)
+    if (sheen_host_mesh_build(mesh, from, &options, "grid", &problem) != 0)
         fail_msg("%s", problem.text);
 }
 
@@ -211,6 +210,28 @@ static void too_many_are_refused(void **state)
     sheen_polygons_free(&sphere);
 }
 
+/* Few enough triangles, but each with vertices of its own: not drawn, and not reduced unasked. */
+static void too_many_vertices_are_refused(void **state)
+{
+    struct sheen_polygons sphere;
+    struct sheen_host_mesh mesh;
+    struct sheen_problem problem;
+
+    (void)state;
+    make_grid(&sphere, 100, 300, 1, on_sphere);
+    for (unsigned reduce = 0; reduce <= SHEEN_HOST_MESH_MAX; reduce += SHEEN_HOST_MESH_MAX) {
+        const struct sheen_host_options options = {.use_crease = 1, .crease = 0, .reduce = reduce};
+        assert_int_equal(sheen_host_mesh_build(&mesh, &sphere, &options, "grid", &problem), SHEEN_ERR_CAPACITY);
+        assert_non_null(
+            strstr(problem.text, "vertices (by position and normal), at most 65535 can be drawn; --reduce"));
+    }
+    const struct sheen_host_options options = {.use_crease = 1, .crease = 0, .reduce = 10000};
+    assert_int_equal(sheen_host_mesh_build(&mesh, &sphere, &options, "grid", &problem), 0);
+    assert_true(mesh.triangle_count <= 10000 && mesh.vertex_count <= 30000);
+    sheen_host_mesh_free(&mesh);
+    sheen_polygons_free(&sphere);
+}
+
 /* A mesh that is small enough is left as it is, to the bit. */
 static void small_ones_stay(void **state)
 {
@@ -235,8 +256,11 @@ static void small_ones_stay(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_sphere_stays_round), cmocka_unit_test(groups_stay_joined),
-        cmocka_unit_test(edges_stay_edges),     cmocka_unit_test(too_many_are_refused),
+        cmocka_unit_test(a_sphere_stays_round),
+        cmocka_unit_test(groups_stay_joined),
+        cmocka_unit_test(edges_stay_edges),
+        cmocka_unit_test(too_many_are_refused),
+        cmocka_unit_test(too_many_vertices_are_refused),
         cmocka_unit_test(small_ones_stay),
     };
 
