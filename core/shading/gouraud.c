@@ -84,8 +84,8 @@ static void linear(struct setup *s, const struct gradients *g, const struct lit 
 }
 
 /* Channels and 1 times weight. */
-static APART void quotient(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                           const struct lit lit[3])
+static APART void quotient_planes(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                                  const struct lit lit[3])
 {
     struct quotient_setup *q = (struct quotient_setup *)s;
     int32_t value[3]; /* < 2^31 */
@@ -156,7 +156,7 @@ static void gouraud_setup(struct setup *s, const struct surface_corners *c, cons
     if (s->way == SHEEN_WAY_GOURAUD_LINEAR)
         linear(s, g, lit);
     else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT || !quadratic(s, c, g, lit))
-        quotient(s, c, g, lit);
+        quotient_planes(s, c, g, lit);
 }
 
 /* A vertex keeps its intensities. */
