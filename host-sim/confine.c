@@ -117,8 +117,8 @@ static int allow_with_arguments(scmp_filter_ctx filter, int output)
         {SCMP_SYS(write), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)output, 0)},
         {SCMP_SYS(writev), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)output, 0)},
         {SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid(), 0)}, /* abort() */
-        {SCMP_SYS(setrlimit), SCMP_A0(SCMP_CMP_EQ, RLIMIT_DATA)},
-        {SCMP_SYS(prlimit64), SCMP_A1(SCMP_CMP_EQ, RLIMIT_DATA)}, /* how glibc makes setrlimit */
+        {SCMP_SYS(setrlimit), SCMP_A0(SCMP_CMP_EQ, RLIMIT_DATA, 0)},
+        {SCMP_SYS(prlimit64), SCMP_A1(SCMP_CMP_EQ, RLIMIT_DATA, 0)}, /* how glibc makes setrlimit */
     };
     int error = 0;
 
