@@ -74,6 +74,7 @@ struct sheen_panel_record {
     uint16_t reset_low_us, reset_ms;     /* reset pulse; rest after it (and after a reset by command) */
     uint8_t steps;                       /* entries of init */
     uint8_t spi_mode;                    /* 0 or 3 */
+    uint8_t i2c_address;                 /* 7 bits, as modules leave the factory; 0: no I2C */
     uint8_t pixel;                       /* enum sheen_pixel that the target asks for */
     uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
     uint8_t brightness_command;          /* takes a byte; 0: it has none */

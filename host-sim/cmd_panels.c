@@ -14,7 +14,7 @@ static const char *colours_of(const struct sheen_panel_record *record)
     case SHEEN_GREY16:
         return "16 greys";
     default:
-        return "RGB565";
+        return record->bits_18 ? "RGB666" : "RGB565";
     }
 }
 
@@ -22,6 +22,7 @@ static const char *colours_of(const struct sheen_panel_record *record)
 static void print_row(const struct sheen_panel_record *record)
 {
     unsigned bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
+    bytes = record->bits_18 ? bytes / 2 * 3 : bytes; /* on the wire */
     double mhz = record->clock_hz / 1e6, frames = record->clock_hz / (8.0 * bytes);
     char glass[16];
 

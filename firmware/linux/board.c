@@ -14,19 +14,20 @@ static const char *given(const char *text)
     return text[0] ? text : NULL;
 }
 
-static int open_bus(struct board *board, const struct options *options, const struct sheen_panel_record *record,
-                    struct sheen_failure *why)
+static int open_bus(struct board *board, const struct options *options, struct sheen_failure *why)
 {
     const struct sheen_wiring wiring = {
         .spi = given(options->spi),
+        .i2c = given(options->i2c),
         .sclk = given(options->sclk),
         .mosi = given(options->mosi),
         .cs = given(options->cs),
         .dc = given(options->dc),
         .reset = given(options->reset),
         .te = given(options->te),
-        .clock_hz = options->clock ? (uint32_t)options->clock : record->clock_hz,
-        .spi_mode = options->spi_mode >= 0 ? (uint8_t)options->spi_mode : record->spi_mode,
+        .clock_hz = board->record.clock_hz,
+        .spi_mode = board->record.spi_mode,
+        .address = board->record.i2c_address,
     };
     int error = sheen_linux_bus_open(&board->bus, &wiring, &board->sending);
 
@@ -37,24 +38,33 @@ static int open_bus(struct board *board, const struct options *options, const st
     return error < 0 ? sheen_failed(why, error, "no thread to send with") : 0;
 }
 
+static int open_panel(struct board *board, const struct options *options, struct sheen_failure *why)
+{
+    int error = sheen_panel_open(&board->panel, &board->record, &board->sender.layer.bus, options_orientation(options));
+
+    if (error == 0 && options->te[0])
+        error = sheen_panel_sync(&board->panel);
+    if (error == 0 && options->brightness >= 0)
+        error = sheen_panel_brightness(&board->panel, (unsigned)options->brightness);
+    if (error == 0)
+        error = sheen_panel_target(&board->panel, &board->target);
+    return error < 0 ? sheen_failed(why, error, "panel %s: %s", board->record.name, sheen_strerror(error)) : 0;
+}
+
 int board_open(struct board *board, const struct options *options, struct sheen_failure *why)
 {
-    const struct sheen_panel_record *record = sheen_panel_find(options->panel);
     int error;
 
     *board = (struct board){.bus.fd = -1};
-    error = open_bus(board, options, record, why);
+    error = options_record(options, &board->record, why);
+    if (error > 0)
+        error = SHEEN_ERR_ARGUMENT;
+    if (error == 0)
+        error = open_bus(board, options, why);
     if (error == 0 && options->backlight[0])
         error = sheen_pin_output(&board->backlight, options->backlight, 1, why);
-    if (error == 0) {
-        error = sheen_panel_open(&board->panel, record, &board->sender.layer.bus, options_orientation(options));
-        if (error == 0 && options->te[0])
-            error = sheen_panel_sync(&board->panel);
-        if (error == 0)
-            error = sheen_panel_target(&board->panel, &board->target);
-        if (error < 0)
-            sheen_failed(why, error, "panel %s: %s", record->name, sheen_strerror(error));
-    }
+    if (error == 0)
+        error = open_panel(board, options, why);
     if (error < 0)
         board_close(board, 1, NULL);
     return error;

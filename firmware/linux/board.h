@@ -10,7 +10,8 @@
 #include "sheen_sender.h"
 
 struct board {
-    struct sheen_failure sending; /* of the bus: the sending thread's while a write is under way */
+    struct sheen_failure sending;     /* of the bus: the sending thread's while a write is under way */
+    struct sheen_panel_record record; /* of the module, which the panel borrows */
     struct sheen_linux_bus bus;
     struct sheen_sender sender;
     struct sheen_panel panel;

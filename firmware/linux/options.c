@@ -3,7 +3,6 @@
  */
 #include "options.h"
 
-#include "../../host-sim/nearest.h"
 #include "options_table.h"
 #include "sheen_panel.h"
 
@@ -81,7 +80,8 @@ static int set_defaults(struct options *options, struct sheen_failure *why)
     char *arguments[] = {name, mesh, NULL};
     struct sheen_problem problem;
 
-    *options = (struct options){.spi_mode = -1, .orientation = -1, .buffers = 2};
+    *options = (struct options){
+        .spi_mode = -1, .orientation = -1, .gap = {-1, -1}, .invert = -1, .order = -1, .brightness = -1, .buffers = 2};
     strcpy(options->mesh, mesh);
     if (sheen_options_parse(&options->view, &render, 2, arguments, &problem) < 0)
         return sheen_failed(why, 1, "%s", problem.text);
@@ -114,24 +114,34 @@ int options_read(struct options *options, int argc, char **argv, struct sheen_fa
     return error;
 }
 
-int options_check(const struct options *options, struct sheen_failure *why)
+/* One bus, and what it needs. */
+static int check_bus(const struct options *options, struct sheen_failure *why)
 {
-    const struct sheen_panel_record *record = sheen_panel_find(options->panel);
-    uint16_t width, height;
-
-    if (!options->panel[0])
-        return sheen_failed(why, 2, "--panel is missing; --panels shows which there are");
-    if (!record) {
-        struct sheen_nearest nearest = {.word = options->panel};
-        sheen_nearest_panel(&nearest);
-        return sheen_failed(why, 2, "there is no panel '%s'; --panels shows which there are, the nearest is %.*s",
-                            options->panel, nearest.length, nearest.name);
+    if (options->i2c[0]) {
+        if (options->spi[0] || options->sclk[0] || options->mosi[0] || options->cs[0] || options->dc[0])
+            return sheen_failed(why, 2, "--i2c takes the place of --spi, --sclk, --mosi, --cs and --dc");
+        return 0;
     }
+    if (options->address)
+        return sheen_failed(why, 2, "--address is for --i2c");
     if (!options->dc[0])
         return sheen_failed(why, 2, "--dc is missing: the line that tells data from commands");
     if (!options->spi[0] == !(options->sclk[0] && options->mosi[0]))
-        return sheen_failed(why, 2, "either --spi, or --sclk and --mosi");
-    sheen_panel_size(record, options_orientation(options), &width, &height);
+        return sheen_failed(why, 2, "either --spi, or --sclk and --mosi, or --i2c");
+    return 0;
+}
+
+int options_check(const struct options *options, struct sheen_failure *why)
+{
+    struct sheen_panel_record record;
+    uint16_t width, height;
+    int error = options_record(options, &record, why);
+
+    if (error == 0)
+        error = check_bus(options, why);
+    if (error)
+        return error;
+    sheen_panel_size(&record, options_orientation(options), &width, &height);
     if (options->view.band > height)
         return sheen_failed(why, 2, "--band %d: the panel has %u rows", options->view.band, height);
     return 0;

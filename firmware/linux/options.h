@@ -5,6 +5,7 @@
 #define OPTIONS_H
 
 #include "sheen_failure.h"
+#include "sheen_panel.h"
 
 /* The view: the same words as `sheen render`, from the same table. */
 #include "../../host-sim/options.h"
@@ -14,11 +15,14 @@
 /* "" where an option was not given, unless a default is noted in options.c. */
 struct options {
     /* wiring */
-    char panel[OPTIONS_TEXT], spi[OPTIONS_TEXT], sclk[OPTIONS_TEXT], mosi[OPTIONS_TEXT], cs[OPTIONS_TEXT],
-        dc[OPTIONS_TEXT], reset[OPTIONS_TEXT], backlight[OPTIONS_TEXT], te[OPTIONS_TEXT];
+    char panel[OPTIONS_TEXT], spi[OPTIONS_TEXT], i2c[OPTIONS_TEXT], sclk[OPTIONS_TEXT], mosi[OPTIONS_TEXT],
+        cs[OPTIONS_TEXT], dc[OPTIONS_TEXT], reset[OPTIONS_TEXT], backlight[OPTIONS_TEXT], te[OPTIONS_TEXT];
     long clock;       /* Hz; 0: the panel's rated clock */
     long spi_mode;    /* 0..3; -1: the panel's */
+    long address;     /* of I2C; 0: the panel's */
     long orientation; /* 0..7; -1: the panel's default */
+    /* the module; -1: as the panel's record has it */
+    long gap[2], invert, order, brightness;
     /* what is shown */
     char mesh[4096];
     struct sheen_options view;
@@ -38,6 +42,9 @@ int options_read(struct options *options, int argc, char **argv, struct sheen_fa
 
 /* Whether all is there that a panel needs: 0, or 2 and *why. */
 int options_check(const struct options *options, struct sheen_failure *why);
+
+/* The panel's record with what was said of the module: 0, or 2 and *why. */
+int options_record(const struct options *options, struct sheen_panel_record *record, struct sheen_failure *why);
 
 /* Of a checked panel: as given, or the panel's default. */
 unsigned options_orientation(const struct options *options);

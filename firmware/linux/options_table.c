@@ -18,6 +18,8 @@ const struct option_row option_rows[] = {
     {"spi", TEXT, FIELD(spi), 0, 0, "PATH", "SPI device, /dev/spidev0.0"},
     {"clock", WHOLE, FIELD(clock), 1000, 200e6, "HZ", "its clock [the panel's rated one]"},
     {"spi-mode", WHOLE, FIELD(spi_mode), 0, 3, "0..3", "its mode [the panel's; 3 for ST7789 modules without CS]"},
+    {"i2c", TEXT, FIELD(i2c), 0, 0, "PATH", "I2C bus, /dev/i2c-1, in place of --spi and --dc: OLEDs"},
+    {"address", WHOLE, FIELD(address), 1, 255, "N", "its address, 0x3c or 0x3d [the panel's: 0x3c]"},
     {"sclk", TEXT, FIELD(sclk), 0, 0, "LINE", "in place of --spi: SPI by hand, its clock (SCL)"},
     {"mosi", TEXT, FIELD(mosi), 0, 0, "LINE", "and its data (SDA)"},
     {"cs", TEXT, FIELD(cs), 0, 0, "LINE", "chip select [the SPI device's; none by hand]"},
@@ -25,6 +27,11 @@ const struct option_row option_rows[] = {
     {"reset", TEXT, FIELD(reset), 0, 0, "LINE", "reset (RST) [reset by command]"},
     {"backlight", TEXT, FIELD(backlight), 0, 0, "LINE", "backlight (BL), on while the program runs"},
     {"te", TEXT, FIELD(te), 0, 0, "LINE", "tearing effect (TE), an input: frames begin at its rising edge"},
+    {NULL, TEXT, 0, 0, 0, NULL, "What sets the module apart from --panel's; each [as --panel has it]."},
+    {"gap", PAIR, FIELD(gap), 0, 1000, "X,Y", "columns and rows of the controller's memory before the upright glass"},
+    {"invert", WORD, FIELD(invert), 0, 0, "off|on", "on: colours are those of a negative without it"},
+    {"order", WORD, FIELD(order), 0, 0, "rgb|bgr", "the other one where red and blue are exchanged"},
+    {"brightness", WHOLE, FIELD(brightness), 0, 255, "0..255", "where the controller has it"},
     {NULL, TEXT, 0, 0, 0, NULL, "Running."},
     {"first-light", SWITCH, FIELD(first_light), 0, 0, NULL, "a test picture: border, corner marks, colour bars"},
     {"frames", WHOLE, FIELD(frames), 1, 1000000000, "N", "end after N frames [never]"},
@@ -93,6 +100,37 @@ static int set_number(struct options *options, const struct option_row *row, con
     return 0;
 }
 
+static int set_pair(struct options *options, const struct option_row *row, const char *value, struct sheen_failure *why)
+{
+    long *pair = (long *)(void *)((char *)options + row->field);
+    char *end, *last;
+
+    pair[0] = strtol(value, &end, 10);
+    pair[1] = *end == ',' ? strtol(end + 1, &last, 10) : 0;
+    if (end == value || *end != ',' || last == end + 1 || *last != '\0')
+        return sheen_failed(why, -1, "%s: '%s' is not of the form %s", row->name, value, row->value);
+    for (int i = 0; i < 2; i++)
+        if (pair[i] < row->min || pair[i] > row->max)
+            return sheen_failed(why, -1, "%s: %s is not in %.12g..%.12g", row->name, value, row->min, row->max);
+    return 0;
+}
+
+static int set_word(struct options *options, const struct option_row *row, const char *value, struct sheen_failure *why)
+{
+    size_t length = strlen(value);
+    const char *word = row->value;
+
+    for (long number = 0; word; number++) {
+        if (length && strncmp(word, value, length) == 0 && (word[length] == '|' || word[length] == '\0')) {
+            *(long *)(void *)((char *)options + row->field) = number;
+            return 0;
+        }
+        word = strchr(word, '|');
+        word = word ? word + 1 : NULL;
+    }
+    return sheen_failed(why, -1, "%s '%s': not one of %s", row->name, value, row->value);
+}
+
 int option_set_row(struct options *options, const struct option_row *row, const char *value, struct sheen_failure *why)
 {
     switch (row->kind) {
@@ -101,6 +139,10 @@ int option_set_row(struct options *options, const struct option_row *row, const 
     case WHOLE:
     case NUMBER:
         return set_number(options, row, value, why);
+    case PAIR:
+        return set_pair(options, row, value, why);
+    case WORD:
+        return set_word(options, row, value, why);
     case SWITCH:
         if (value && strcmp(value, "yes") != 0 && strcmp(value, "no") != 0)
             return sheen_failed(why, -1, "%s: '%s' is neither yes nor no", row->name, value);

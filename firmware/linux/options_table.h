@@ -11,8 +11,10 @@
 
 enum option_kind {
     TEXT,
-    WHOLE,
-    NUMBER,
+    WHOLE,  /* long; 0x before it: hexadecimal */
+    NUMBER, /* double */
+    PAIR,   /* long[2], both in min..max: "X,Y" */
+    WORD,   /* long: the number of the word in `value`, words parted by | */
     SWITCH,
     ONLY_HERE
 };

@@ -35,6 +35,7 @@
  * OLED. Reset: the data sheets ask for 2 to 100 us low ("Power ON and OFF sequence",
  * t1), u8g2 rests 100 ms after it, since some modules' supplies need it.
  */
+#define I2C .i2c_address = 0x3C
 #define OLED .reset_low_us = 100, .reset_ms = 100
 
 #endif

@@ -36,7 +36,7 @@ static const struct sheen_panel_step init_ssd1327_96[] = INIT_SSD1327(0x5F, 0x20
  */
 #define SSD1327                                                                                                        \
     .controller = "SSD1327", .driver = &sheen_driver_grey, .brightness_command = 0x81, .pixel = SHEEN_GREY16,          \
-    .clock_hz = 4000000, RAM(128, 128), OLED, .scan = {0x51}
+    .clock_hz = 4000000, RAM(128, 128), OLED, I2C, .scan = {0x51}
 
 const struct sheen_panel_record sheen_panel_ssd1327_128x128 = {
     .name = "ssd1327-128x128", SSD1327, INIT(init_ssd1327), GLASS(128, 128)};
