@@ -1,6 +1,13 @@
 # The Linux board: the pin watcher, and what of hal/linux and sheen-panel needs no GPIO.
 sheen_test(test_pin_watcher sim SOURCES test_pin_watcher.c LIBRARIES sheen::sim)
 sheen_test(test_panel_off panel SOURCES test_panel_off.c LIBRARIES sheen::sim)
+# The buses of hal/linux without libgpiod and without a kernel: the test is both (its head says how).
+set(linux ${PROJECT_SOURCE_DIR}/hal/linux)
+sheen_test(test_linux_bus panel SOURCES test_linux_bus.c test_panel_canvas.c ${linux}/failure.c ${linux}/linux_bus.c
+  ${linux}/bus_bitbang.c ${linux}/bus_i2cdev.c ${linux}/bus_spidev.c ${linux}/sender.c LIBRARIES sheen::sim Threads::Threads)
+target_include_directories(test_linux_bus PRIVATE ${linux})
+target_compile_definitions(test_linux_bus PRIVATE _GNU_SOURCE)
+target_link_options(test_linux_bus PRIVATE -Wl,--wrap=open,--wrap=close,--wrap=write,--wrap=ioctl,--wrap=clock_nanosleep)
 if(TARGET sheen_linux)
   # In a part that the thread sanitizer sees.
   sheen_test(test_sender frames SOURCES test_sender.c LIBRARIES sheen::linux)

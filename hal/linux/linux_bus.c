@@ -22,12 +22,23 @@ static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t co
     return error < 0 ? error : bus->put(bus, bytes, count, more);
 }
 
+/*
+ * A clock that we drive and that stands wrong after an error. It comes to rest while
+ * the panel is not selected, or before it is reset: else it would count a bit.
+ */
+static int rest_clock(struct sheen_linux_bus *bus)
+{
+    return sheen_pin_is_open(&bus->sclk) ? sheen_pin_set(&bus->sclk, bus->spi_mode >> 1, bus->why) : 0;
+}
+
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_linux_bus *bus = ctx;
     int own_cs = sheen_pin_is_open(&bus->cs);
-    int error = own_cs ? sheen_pin_set(&bus->cs, 0, bus->why) : 0;
+    int error = rest_clock(bus);
 
+    if (error == 0 && own_cs)
+        error = sheen_pin_set(&bus->cs, 0, bus->why);
     if (error == 0 && commands)
         error = put(bus, 0, command, commands, count != 0);
     if (error == 0 && count)
@@ -44,8 +55,9 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
 static int reset(void *ctx, int level)
 {
     struct sheen_linux_bus *bus = ctx;
+    int error = rest_clock(bus);
 
-    return sheen_pin_set(&bus->reset, level, bus->why);
+    return error < 0 ? error : sheen_pin_set(&bus->reset, level, bus->why);
 }
 
 /* A signal shortens no delay: the end is an absolute time. */

@@ -1,0 +1,493 @@
+/*
+ * test_linux_bus.c - every kind of bus of hal/linux x every panel, down to simulated controllers.
+ *
+ * The system calls and lines below hal/linux are this test's own (the linker's
+ * --wrap, and pins as edges): spidev's transfers with the level of D/C, bit-banged
+ * edges through the pin watcher, I2C messages through the simulated bus. Each picture
+ * must be the one that was pushed; then each call fails in turn.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include <errno.h>
+#include <linux/i2c-dev.h>
+#include <linux/i2c.h>
+#include <linux/spi/spidev.h>
+#include <sys/ioctl.h>
+#include <sys/types.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "pin_watcher.h"
+#include "sheen_linux_bus.h"
+#include "sheen_sender.h"
+#include "test_panel_canvas.h"
+
+#define SPI_FD 9001
+#define I2C_FD 9002
+#define ADAPTER_LONGEST 65u /* B, of an I2C message */
+
+/* ---- the machine: lines by name, two devices, and at their far end a panel ---- */
+
+static struct {
+    struct sheen_sim_controller *controller;
+    struct sheen_sim_bus i2c; /* to the same controller */
+    struct sheen_pin_watcher watcher;
+    struct sheen_bus far_end; /* of the pin watcher */
+    int level[SHEEN_WIRE_COUNT];
+    unsigned mode, own_cs;
+    unsigned selected, selections; /* spidev's own chip select */
+    unsigned long calls, fail_at;  /* system calls and pin changes; 0: none fails */
+    int error;                     /* errno of the failing one */
+    unsigned address, functions;
+    size_t longest; /* transfer of spidev */
+} machine;
+
+static const char *const wire_names[SHEEN_WIRE_COUNT] = {"sclk", "mosi", "cs", "dc", "reset"};
+
+/* 1: this call is the one that fails; errno is set. */
+static int fails(void)
+{
+    if (++machine.calls != machine.fail_at)
+        return 0;
+    errno = machine.error;
+    return 1;
+}
+
+/* A change of a line, likewise; what EINTR does to one is libgpiod's, and pins.c's. */
+static int line_fails(void)
+{
+    return fails() && machine.error != EINTR;
+}
+
+static int far_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+{
+    sheen_sim_receive(ctx, SHEEN_SIM_COMMAND, command, commands);
+    sheen_sim_receive(ctx, SHEEN_SIM_DATA, data, count);
+    return 0;
+}
+
+static int far_reset(void *ctx, int level)
+{
+    sheen_sim_reset_line(ctx, level);
+    return 0;
+}
+
+/* ---- in place of libgpiod: hal/linux/sheen_pins.h ---- */
+
+static unsigned wire_of(const struct sheen_pin *pin)
+{
+    for (unsigned wire = 0; wire < SHEEN_WIRE_COUNT; wire++)
+        if (strcmp(pin->name, wire_names[wire]) == 0)
+            return wire;
+    fail_msg("a line that is not there: %s", pin->name);
+    return 0;
+}
+
+static int drive(struct sheen_pin *pin, int level)
+{
+    unsigned wire = wire_of(pin);
+
+    machine.level[wire] = pin->level = level;
+    /* Where a change is made to fail, a byte may be cut off. */
+    if (sheen_pin_watcher_edge(&machine.watcher, (enum sheen_wire)wire, level) < 0 && !machine.error)
+        fail_msg("%s", machine.watcher.complaint ? machine.watcher.complaint : "an edge is refused");
+    return 0;
+}
+
+int sheen_pin_output(struct sheen_pin *pin, const char *line, int level, struct sheen_failure *why)
+{
+    *pin = (struct sheen_pin){0};
+    if (line_fails())
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", line, strerror(errno));
+    pin->chip = (struct gpiod_chip *)(void *)&machine; /* any but NULL: it is open */
+    snprintf(pin->name, sizeof pin->name, "%s", line);
+    return drive(pin, level);
+}
+
+int sheen_pin_set(struct sheen_pin *pin, int level, struct sheen_failure *why)
+{
+    if (pin->level == level)
+        return 0;
+    if (line_fails())
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
+    return drive(pin, level);
+}
+
+int sheen_pin_rising(struct sheen_pin *pin, const char *line, struct sheen_failure *why)
+{
+    (void)why;
+    *pin = (struct sheen_pin){.chip = (struct gpiod_chip *)(void *)&machine};
+    snprintf(pin->name, sizeof pin->name, "%s", line);
+    return 0;
+}
+
+int sheen_pin_await(struct sheen_pin *pin, uint32_t timeout_us, struct sheen_failure *why)
+{
+    (void)timeout_us;
+    if (line_fails())
+        return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
+    return sheen_sim_tearing(machine.controller);
+}
+
+void sheen_pin_close(struct sheen_pin *pin)
+{
+    *pin = (struct sheen_pin){0};
+}
+
+/* ---- in place of the kernel ---- */
+
+int __real_open(const char *path, int flags, ...);
+int __real_close(int fd);
+ssize_t __real_write(int fd, const void *bytes, size_t count);
+int __wrap_open(const char *path, int flags, ...);
+int __wrap_close(int fd);
+ssize_t __wrap_write(int fd, const void *bytes, size_t count);
+int __wrap_ioctl(int fd, unsigned long request, ...);
+int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *until, struct timespec *rest);
+
+int __wrap_open(const char *path, int flags, ...)
+{
+    int fd = strcmp(path, "/dev/spidev0.0") == 0 ? SPI_FD : strcmp(path, "/dev/i2c-1") == 0 ? I2C_FD : -1;
+
+    if (fd < 0)
+        return __real_open(path, flags);
+    return fails() ? -1 : fd;
+}
+
+int __wrap_close(int fd)
+{
+    return fd == SPI_FD || fd == I2C_FD ? 0 : __real_close(fd);
+}
+
+/* Time is the controller's. */
+int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *until, struct timespec *rest)
+{
+    struct timespec now;
+
+    (void)flags;
+    (void)rest;
+    clock_gettime(clock, &now);
+    int64_t us = (until->tv_sec - now.tv_sec) * 1000000ll + (until->tv_nsec - now.tv_nsec) / 1000;
+    sheen_sim_advance(machine.controller, us > 0 ? (uint32_t)us + 1000u : 1000u);
+    return 0;
+}
+
+/* A message of one transfer, D/C as its line stands; the controller's chip select falls, and rises unless cs_change. */
+static int transfer(const struct spi_ioc_transfer *one)
+{
+    int own = machine.mode & SPI_NO_CS;
+
+    if (machine.own_cs && machine.level[SHEEN_WIRE_CS])
+        fail_msg("bytes leave while the panel is not selected");
+    machine.selections += !own && !machine.selected;
+    machine.selected = !own && one->cs_change;
+    if (one->len > 4096) {
+        errno = EMSGSIZE;
+        return -1;
+    }
+    machine.longest = one->len > machine.longest ? one->len : machine.longest;
+    sheen_sim_receive(machine.controller, machine.level[SHEEN_WIRE_DC] ? SHEEN_SIM_DATA : SHEEN_SIM_COMMAND,
+                      (const uint8_t *)(uintptr_t)one->tx_buf, one->len);
+    return (int)one->len;
+}
+
+int __wrap_ioctl(int fd, unsigned long request, ...)
+{
+    va_list values;
+    void *value;
+
+    va_start(values, request);
+    value = va_arg(values, void *);
+    va_end(values);
+    if (fails())
+        return -1;
+    if (fd == SPI_FD && request == SPI_IOC_MESSAGE(1))
+        return transfer(value);
+    if (fd == SPI_FD && request == SPI_IOC_WR_MODE)
+        machine.mode = *(uint8_t *)value;
+    else if (fd == I2C_FD && request == I2C_FUNCS)
+        *(unsigned long *)value = machine.functions;
+    else if (fd == I2C_FD && request == I2C_SLAVE)
+        machine.address = (unsigned)(uintptr_t)value;
+    else if (fd != SPI_FD) {
+        errno = ENOTTY;
+        return -1;
+    }
+    return 0;
+}
+
+ssize_t __wrap_write(int fd, const void *bytes, size_t count)
+{
+    if (fd != I2C_FD)
+        return __real_write(fd, bytes, count);
+    if (fails())
+        return -1;
+    sheen_sim_bus_i2c(&machine.i2c, (uint8_t)machine.address);
+    if (count > ADAPTER_LONGEST) {
+        errno = EOPNOTSUPP;
+        return -1;
+    }
+    if (machine.i2c.bus.send(&machine.i2c, NULL, 0, bytes, count) < 0) {
+        errno = EREMOTEIO;
+        return -1;
+    }
+    machine.i2c.bus.wait(&machine.i2c);
+    return (ssize_t)count;
+}
+
+/* ---- a panel at the far end of a wiring ---- */
+
+struct rig {
+    struct canvas canvas; /* its own bus is not used: its controller is */
+    struct sheen_failure why;
+    struct sheen_linux_bus bus;
+    struct sheen_sender sender;
+    struct sheen_panel panel;
+    struct sheen_target target;
+};
+
+static const struct {
+    const char *name;
+    struct sheen_wiring wiring;
+    int thread;
+} kinds[] = {
+    {"spidev", {.spi = "/dev/spidev0.0", .dc = "dc", .reset = "reset"}, 0},
+    {"spidev, own chip select", {.spi = "/dev/spidev0.0", .cs = "cs", .dc = "dc", .reset = "reset"}, 0},
+    {"spidev, no reset line", {.spi = "/dev/spidev0.0", .dc = "dc"}, 0},
+    {"spidev, thread", {.spi = "/dev/spidev0.0", .dc = "dc", .reset = "reset"}, 1},
+    {"bit-bang", {.sclk = "sclk", .mosi = "mosi", .cs = "cs", .dc = "dc", .reset = "reset"}, 0},
+    {"bit-bang, mode 3", {.sclk = "sclk", .mosi = "mosi", .cs = "cs", .dc = "dc", .reset = "reset", .spi_mode = 3}, 0},
+    {"bit-bang, no chip select, thread", {.sclk = "sclk", .mosi = "mosi", .dc = "dc", .reset = "reset"}, 1},
+    {"i2c", {.i2c = "/dev/i2c-1", .reset = "reset"}, 0},
+    {"i2c, no reset line, thread", {.i2c = "/dev/i2c-1"}, 1},
+};
+#define KINDS (sizeof kinds / sizeof kinds[0])
+
+/* A machine with the panel at its wires, and no fault. */
+static void power_up(struct rig *rig, const struct sheen_panel_record *record, unsigned orientation,
+                     const struct sheen_wiring *wiring)
+{
+    const uint8_t idle[SHEEN_WIRE_COUNT] = {(uint8_t)(wiring->spi_mode >> 1), 0, wiring->cs != NULL, 0, 1};
+
+    canvas_open(&rig->canvas, record->name, (int)orientation, 0, 0);
+    memset(&machine, 0, sizeof machine);
+    machine.controller = sheen_sim_panel_bus(rig->canvas.panel)->controller;
+    machine.functions = I2C_FUNC_I2C;
+    machine.own_cs = wiring->cs != NULL;
+    machine.far_end = (struct sheen_bus){.ctx = machine.controller, .send = far_send, .reset = far_reset};
+    sheen_sim_bus_open(&machine.i2c, machine.controller, 1);
+    sheen_pin_watcher_init(&machine.watcher, &machine.far_end, wiring->spi_mode, idle);
+    for (unsigned wire = 0; wire < SHEEN_WIRE_COUNT; wire++)
+        machine.level[wire] = idle[wire];
+    rig->bus = (struct sheen_linux_bus){.fd = -1};
+}
+
+static int rig_open(struct rig *rig, const struct sheen_panel_record *record, unsigned orientation,
+                    const struct sheen_wiring *wiring, int thread)
+{
+    int error = sheen_linux_bus_open(&rig->bus, wiring, &rig->why);
+
+    if (error < 0)
+        return error;
+    assert_int_equal(sheen_sender_open(&rig->sender, &rig->bus.bus), 0);
+    assert_int_equal(
+        sheen_panel_open(&rig->panel, record, thread ? &rig->sender.layer.bus : &rig->bus.bus, orientation), 0);
+    assert_int_equal(sheen_panel_target(&rig->panel, &rig->target), 0);
+    rig->canvas.target = &rig->target;
+    return 0;
+}
+
+static void rig_close(struct rig *rig)
+{
+    if (rig->bus.wire.send) {
+        sheen_sender_close(&rig->sender);
+        sheen_linux_bus_close(&rig->bus);
+    }
+    canvas_close(&rig->canvas);
+}
+
+/* 1: the panel can be reached by this kind. */
+static int reachable(const struct sheen_panel_record *record, const struct sheen_wiring *wiring)
+{
+    return !wiring->i2c || record->i2c_address;
+}
+
+static void every_kind_and_panel(void **state)
+{
+    const struct sheen_panel_record *record;
+    unsigned pairs = 0;
+
+    (void)state;
+    for (size_t i = 0; (record = sheen_panel_at(i)); i++) {
+        for (size_t kind = 0; kind < KINDS; kind++) {
+            static struct rig rig;
+            unsigned orientation = (unsigned)(i + kind) % 8;
+
+            if (!reachable(record, &kinds[kind].wiring))
+                continue;
+            power_up(&rig, record, orientation, &kinds[kind].wiring);
+            assert_int_equal(rig_open(&rig, record, orientation, &kinds[kind].wiring, kinds[kind].thread), 0);
+            assert_int_equal(canvas_push_all(&rig.canvas, 64), 0);
+            for (unsigned n = 0; n < 5; n++)
+                assert_int_equal(canvas_push(&rig.canvas, canvas_rect(&rig.canvas)), 0);
+            if (canvas_differences(&rig.canvas))
+                fail_msg("%s by %s: %u pixels differ", record->name, kinds[kind].name, canvas_differences(&rig.canvas));
+            canvas_quiet(&rig.canvas);
+            assert_true(machine.longest <= 4096);
+            rig_close(&rig);
+            pairs++;
+        }
+    }
+    print_message("%u pairs of a bus and a panel\n", pairs);
+    assert_true(pairs >= 33 * 7 + 8 * 2);
+}
+
+/* Chip select, the kernel's or a line, stays low from a command to the end of its data, and rises after it. */
+static void one_selection_a_call(void **state)
+{
+    const struct sheen_panel_record *record = sheen_panel_find("ili9341");
+
+    (void)state;
+    for (size_t kind = 0; kind < KINDS; kind++) {
+        const struct sheen_wiring *wiring = &kinds[kind].wiring;
+        static struct rig rig;
+        unsigned before;
+
+        if (wiring->i2c || (!wiring->spi && !wiring->cs))
+            continue;
+        power_up(&rig, record, 0, wiring);
+        assert_int_equal(rig_open(&rig, record, 0, wiring, kinds[kind].thread), 0);
+        assert_int_equal(sheen_panel_init(&rig.panel), 0);
+        before = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
+        assert_int_equal(canvas_push(&rig.canvas, (struct sheen_rect){0, 0, 240, 20}), 0); /* 9,600 B: 3 transfers */
+        unsigned after = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
+        assert_int_equal(after - before, 3); /* CASET, RASET, RAMWR */
+        assert_int_equal(machine.selected, 0);
+        assert_int_equal(machine.level[SHEEN_WIRE_CS], wiring->cs != NULL);
+        rig_close(&rig);
+    }
+}
+
+/* Opening and a picture with call n failing; then all goes well again. 0 once there is no call n. */
+static int fail_at(const struct sheen_panel_record *record, size_t kind, unsigned long n, int code)
+{
+    static struct rig rig;
+    const struct sheen_wiring *wiring = &kinds[kind].wiring;
+    int error;
+
+    power_up(&rig, record, 0, wiring);
+    machine.fail_at = n;
+    machine.error = code;
+    rig.why.text[0] = '\0';
+    error = rig_open(&rig, record, 0, wiring, kinds[kind].thread);
+    if (error == 0)
+        error = canvas_push_all(&rig.canvas, 64);
+    if (code == EINTR && error < 0)
+        fail_msg("%s, call %lu: EINTR is not made again: %s", kinds[kind].name, n, rig.why.text);
+    if (error < 0 && !strstr(rig.why.text, strerror(code)) && code != ETIMEDOUT)
+        fail_msg("%s, call %lu: '%s' does not say why", kinds[kind].name, n, rig.why.text);
+    if (error < 0 && error != (code == ETIMEDOUT && !strstr(rig.why.text, "line ") ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS))
+        fail_msg("%s, call %lu: code %d", kinds[kind].name, n, error);
+    machine.fail_at = 0;
+    if (rig.bus.wire.send == NULL)
+        assert_int_equal(rig_open(&rig, record, 0, wiring, kinds[kind].thread), 0);
+    assert_int_equal(canvas_push_all(&rig.canvas, 64), 0);
+    if (canvas_differences(&rig.canvas))
+        fail_msg("%s by %s, call %lu: the next picture is wrong", record->name, kinds[kind].name, n);
+    rig_close(&rig);
+    return machine.calls < n ? 0 : error;
+}
+
+static void every_call_fails_once(void **state)
+{
+    static const char *const panels[] = {"ssd1306-72x40", "ssd1327-96x96"};
+
+    (void)state;
+    for (size_t p = 0; p < 2; p++) {
+        for (size_t kind = 0; kind < KINDS; kind++) {
+            unsigned long n = 1, last = 0, step = kinds[kind].wiring.sclk ? 97 : 1;
+
+            /* Bit-banged, a picture is some 10,000 changes of a line: every one of the first 100, then some. */
+            for (; last == 0; n += n < 100 ? 1 : step)
+                if (fail_at(sheen_panel_find(panels[p]), kind, n, EIO) == 0)
+                    last = n;
+            assert_true(last > 30);
+        }
+        fail_at(sheen_panel_find(panels[p]), 7, 20, ETIMEDOUT);
+        fail_at(sheen_panel_find(panels[p]), 0, 20, EINTR);
+        fail_at(sheen_panel_find(panels[p]), 7, 20, EINTR);
+    }
+}
+
+static void i2c_words(void **state)
+{
+    static struct rig rig;
+    const struct sheen_panel_record *record = sheen_panel_find("sh1106");
+    struct sheen_wiring wiring = {.i2c = "/dev/i2c-1", .address = 0x3D};
+
+    (void)state;
+    power_up(&rig, record, 0, &wiring);
+    assert_int_equal(rig_open(&rig, record, 0, &wiring, 0), 0);
+    assert_int_equal(machine.address, 0x3D);
+    assert_int_equal(canvas_push_all(&rig.canvas, 64), SHEEN_ERR_BUS);
+    assert_non_null(strstr(rig.why.text, "/dev/i2c-1: "));
+    assert_non_null(strstr(rig.why.text, "nobody answers at address 0x3d"));
+    rig_close(&rig);
+
+    power_up(&rig, record, 0, &wiring);
+    machine.functions = 0;
+    assert_int_equal(rig_open(&rig, record, 0, &wiring, 0), SHEEN_ERR_UNSUPPORTED);
+    assert_non_null(strstr(rig.why.text, "SMBus only"));
+    machine.functions = I2C_FUNC_I2C;
+    machine.calls = 0;
+    machine.fail_at = 3; /* open, I2C_FUNCS, I2C_SLAVE */
+    machine.error = EBUSY;
+    assert_int_equal(rig_open(&rig, record, 0, &wiring, 0), SHEEN_ERR_BUS);
+    assert_non_null(strstr(rig.why.text, "a driver of the kernel has address 0x3d"));
+    wiring.address = 0x78;
+    machine.fail_at = 0;
+    assert_int_equal(rig_open(&rig, record, 0, &wiring, 0), SHEEN_ERR_ARGUMENT);
+    assert_non_null(strstr(rig.why.text, "0x78 is not in 0x08..0x77"));
+    rig_close(&rig);
+}
+
+/* TE: waited for once a frame, and an error of it is the frame's. */
+static void te_line(void **state)
+{
+    static struct rig rig;
+    const struct sheen_panel_record *record = sheen_panel_find("st7789-240x240");
+    const struct sheen_wiring wiring = {.spi = "/dev/spidev0.0", .dc = "dc", .reset = "reset", .te = "te"};
+
+    (void)state;
+    power_up(&rig, record, 0, &wiring);
+    assert_int_equal(rig_open(&rig, record, 0, &wiring, 1), 0);
+    assert_int_equal(sheen_panel_sync(&rig.panel), 0);
+    assert_int_equal(canvas_push_all(&rig.canvas, 64), 0);
+    assert_int_equal(canvas_differences(&rig.canvas), 0);
+    machine.controller->tearing = 0; /* TE falls silent */
+    assert_int_equal(sheen_panel_sync(&rig.panel), 0);
+    assert_int_equal(canvas_push_all(&rig.canvas, 64), SHEEN_ERR_TIMEOUT);
+    assert_non_null(strstr(rig.why.text, "line te: no pulse in 1000 ms"));
+    rig_close(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_kind_and_panel),
+        cmocka_unit_test(one_selection_a_call),
+        cmocka_unit_test(every_call_fails_once),
+        cmocka_unit_test(i2c_words),
+        cmocka_unit_test(te_line),
+    };
+
+    return cmocka_run_group_tests_name("linux bus", tests, NULL, NULL);
+}
