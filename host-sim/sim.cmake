@@ -9,6 +9,7 @@ target_sources(sheen_sim PRIVATE
   controller_ssd1322.c
   controller_ssd1351.c
   glass.c
+  i2c_watcher.c
   sim_bus.c
   sim_panel.c
   sim_panel_choose.c

@@ -1,5 +1,6 @@
 # The Linux board: the pin watcher, and what of hal/linux and sheen-panel needs no GPIO.
 sheen_test(test_pin_watcher sim SOURCES test_pin_watcher.c LIBRARIES sheen::sim)
+sheen_test(test_i2c_watcher sim SOURCES test_i2c_watcher.c LIBRARIES sheen::sim)
 sheen_test(test_panel_off panel SOURCES test_panel_off.c LIBRARIES sheen::sim)
 # The buses of hal/linux without libgpiod and without a kernel: the test is both (its head says how).
 set(linux ${PROJECT_SOURCE_DIR}/hal/linux)

@@ -1,6 +1,8 @@
 # common.sh - a Linux board in an emulator: a stock Debian kernel for arm64 on QEMU's
 # machine `virt`, whose PL061 is /dev/gpiochip0 and whose SPI is spi-gpio on lines of
-# that chip, so that every edge of the panel's wires passes through one chip.
+# that chip, so that every edge of the panel's wires passes through one chip; in its
+# place i2c-gpio on the same two lines (SCL is driven, SDA an open drain, which the
+# model leaves low once it was low: everything is acknowledged).
 #
 # Sourced by kernel/run and kernel/faults, which first set `work` to a folder of
 # theirs to build in. No root, no KVM (the guest is emulated even where KVM is),
@@ -65,6 +67,15 @@ make_device_tree() {
         num-chipselects = <1>;
         panel@0 { compatible = "rohm,dh2228fv"; reg = <0>; spi-max-frequency = <10000000>; };
     };
+    i2c {
+        compatible = "i2c-gpio";
+        #address-cells = <1>;
+        #size-cells = <0>;
+        sda-gpios = <&{/pl061@9030000} 1 6>;
+        scl-gpios = <&{/pl061@9030000} 0 0>;
+        i2c-gpio,scl-output-only;
+        i2c-gpio,delay-us = <2>;
+    };
 };
 EOF
     } >"$work/board.dts"
@@ -81,7 +92,8 @@ make_initrd() {
     cp "$work/v1/bin/busybox" "$root/bin/"
     modules=$(echo "$work"/v1/lib/modules/*/kernel)
     for module in drivers/virtio/virtio_mmio fs/netfs/netfs fs/fscache/fscache net/9p/9pnet net/9p/9pnet_virtio \
-        fs/9p/9p drivers/spi/spi-bitbang drivers/spi/spi-gpio; do
+        fs/9p/9p drivers/spi/spi-bitbang drivers/spi/spi-gpio drivers/i2c/algos/i2c-algo-bit \
+        drivers/i2c/busses/i2c-gpio drivers/i2c/i2c-dev; do
         cp "$modules/$module.ko" "$root/modules/"
     done
     cp -L /usr/aarch64-linux-gnu/lib/{ld-linux-aarch64.so.1,libc.so.6,libm.so.6} "$root/lib/"

@@ -1,16 +1,18 @@
 /*
  * replay.c - a trace of real GPIO lines, through the pin watcher and a simulated controller, to pictures.
  *
- *   replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE ...
+ *   replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE|i2c ...
  *
  * TRACE holds what the lines of the emulated board did during several runs of a
- * program, each begun by a rise of the marker line; a run becomes DIR/NAME.png,
+ * program, each while the marker line is high; a run becomes DIR/NAME.png,
  * the picture on the panel's glass as its viewer sees it, and a line of counts.
  * Fails where a line breaks the rules of SPI, a controller complains, a run sent
  * nothing, or the number of runs differs from the names.
  *
  * kernel: tracefs, event gpio_value ("1.412651: gpio_value: 511 set 1"); lines are
- * numbered from the chip's base, BASE. qemu: its own log ("1@1.5:pl061_set_output ... setting output 7 to 1").
+ * numbered from the chip's base, BASE. SCL and SDA are open drains, whose levels are in
+ * gpio_direction: "505 out" pulls it low, "505  in" lets it go high; in QEMU's log they are
+ * writes of the register of directions ("pl061_write ... offset 0x400 value 0x82"). qemu: its own log ("1@1.5:pl061_set_output ... setting output 7 to 1").
  * Both have times, to which the controller's clock is set.
  */
 #include <stdio.h>
@@ -18,6 +20,7 @@
 #include <string.h>
 
 #include "glass.h"
+#include "i2c_watcher.h"
 #include "pin_watcher.h"
 #include "png_file.h"
 #include "sim_panel.h"
@@ -39,17 +42,20 @@ struct event {
     double seconds;
     unsigned line; /* 0..LINES - 1 */
     int level;
+    int open_drain; /* the level is what the line's direction makes it */
 };
 
 /* A run: its panel and what is at the far end of its wires. */
 struct run {
     char name[64], panel_name[64];
-    unsigned orientation, mode;
+    char mode[8]; /* of SPI, or i2c */
+    unsigned orientation;
     struct sheen_sim_choice choice;
     struct sheen_sim_panel *panel;
     struct sheen_sim_controller *controller;
     struct sheen_bus far_end;
     struct sheen_pin_watcher watcher;
+    struct sheen_i2c_watcher i2c;
     double seconds; /* of the last event */
     double start;
 };
@@ -75,6 +81,27 @@ static int reset_line(void *ctx, int level)
     return 0;
 }
 
+static int is_i2c(const struct run *run)
+{
+    return strcmp(run->mode, "i2c") == 0;
+}
+
+/* A message is complete when it is handed over: nothing stays under way. */
+static int receive_message(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+{
+    struct sheen_sim_bus *bus = ctx;
+    int error = bus->bus.send(bus, command, commands, data, count);
+
+    return error < 0 ? error : bus->bus.wait(bus);
+}
+
+static int message_reset(void *ctx, int level)
+{
+    struct sheen_sim_bus *bus = ctx;
+
+    return bus->bus.reset(bus, level);
+}
+
 /* The panel is powered when the run begins; its lines are as the run before left them. */
 static void begin(struct run *run, const uint8_t level[LINES], double seconds)
 {
@@ -87,8 +114,25 @@ static void begin(struct run *run, const uint8_t level[LINES], double seconds)
         die(run->name, "no simulated panel");
     run->controller = sheen_sim_panel_bus(run->panel)->controller;
     run->far_end = (struct sheen_bus){.ctx = run->controller, .send = receive, .reset = reset_line};
-    sheen_pin_watcher_init(&run->watcher, &run->far_end, run->mode, wires);
+    if (is_i2c(run)) {
+        struct sheen_sim_bus *bus = sheen_sim_panel_bus(run->panel);
+
+        run->far_end = (struct sheen_bus){.ctx = bus, .send = receive_message, .reset = message_reset};
+        sheen_sim_bus_i2c(bus, run->controller->module->i2c_address);
+        sheen_i2c_watcher_init(&run->i2c, &run->far_end, run->controller->module->i2c_address);
+    }
+    sheen_pin_watcher_init(&run->watcher, &run->far_end, (unsigned)strtoul(run->mode, NULL, 10), wires);
     run->seconds = run->start = seconds;
+}
+
+/* SCL and SDA; the reset line goes to the pin watcher all the same. */
+static void play_i2c(struct run *run, const struct event *event)
+{
+    int scl = event->line == CLOCK ? event->level : run->i2c.scl,
+        sda = event->line == DATA ? event->level : run->i2c.sda;
+
+    if (sheen_i2c_watcher_levels(&run->i2c, scl, sda) < 0)
+        die(run->name, run->i2c.complaint ? run->i2c.complaint : "the controller refused");
 }
 
 static void play(struct run *run, const struct event *event)
@@ -100,6 +144,12 @@ static void play(struct run *run, const struct event *event)
         return;
     sheen_sim_advance(run->controller, (uint32_t)((event->seconds - run->seconds) * 1e6 + 0.5));
     run->seconds = event->seconds;
+    if (is_i2c(run) && (event->line == CLOCK || event->line == DATA)) {
+        play_i2c(run, event);
+        return;
+    }
+    if (event->open_drain)
+        return;
     if (sheen_pin_watcher_edge(&run->watcher, (enum sheen_wire)wire_of[event->line], event->level) < 0)
         die(run->name, run->watcher.complaint ? run->watcher.complaint : "the controller refused");
 }
@@ -125,14 +175,20 @@ static void write_picture(struct run *run, const char *dir)
 
 static void end(struct run *run, const char *dir)
 {
-    if (sheen_pin_watcher_finish(&run->watcher) < 0)
+    if (is_i2c(run) && sheen_i2c_watcher_finish(&run->i2c) < 0)
+        die(run->name, run->i2c.complaint);
+    if (!is_i2c(run) && sheen_pin_watcher_finish(&run->watcher) < 0)
         die(run->name, run->watcher.complaint);
     if (sheen_sim_panel_complaints(run->panel))
         die(run->name, sheen_sim_panel_complaint(run->panel));
     write_picture(run, dir);
-    printf("%-14s %6zu commands %8zu data bytes %5zu selections %2zu resets in %6.3f s\n", run->name,
-           run->watcher.bytes[SHEEN_SIM_COMMAND], run->watcher.bytes[SHEEN_SIM_DATA], run->watcher.selections,
-           run->watcher.resets, run->seconds - run->start);
+    if (is_i2c(run))
+        printf("%-14s %6zu messages %8zu bytes %2zu resets in %6.3f s\n", run->name, run->i2c.messages, run->i2c.bytes,
+               run->watcher.resets, run->seconds - run->start);
+    else
+        printf("%-14s %6zu commands %8zu data bytes %5zu selections %2zu resets in %6.3f s\n", run->name,
+               run->watcher.bytes[SHEEN_SIM_COMMAND], run->watcher.bytes[SHEEN_SIM_DATA], run->watcher.selections,
+               run->watcher.resets, run->seconds - run->start);
     sheen_sim_panel_close(run->panel);
 }
 
@@ -146,21 +202,47 @@ static void check_complete(const char *line)
         die("events lost", line);
 }
 
+/* A write of the register of directions that changes SCL's or SDA's. */
+static int parse_direction(const char *line, struct event *event)
+{
+    static unsigned before;
+    const char *text = strstr(line, "offset 0x400 value 0x");
+    unsigned now, changed;
+
+    if (!text || sscanf(text, "offset 0x400 value 0x%x", &now) != 1 || sscanf(line, "%*d@%lf:", &event->seconds) != 1)
+        return 0;
+    changed = (before ^ now) & (1u << CLOCK | 1u << DATA);
+    before = now;
+    if (!changed)
+        return 0;
+    event->line = changed >> CLOCK & 1 ? CLOCK : DATA;
+    event->level = !(now >> event->line & 1);
+    event->open_drain = 1;
+    return 1;
+}
+
 /* 1: the line of text is an event. base: of the chip's numbers. */
 static int parse(const char *line, int is_kernel, unsigned base, struct event *event)
 {
     const char *text = strstr(line, is_kernel ? ": gpio_value: " : "pl061_set_output ");
     unsigned number;
+    char direction[4];
 
+    if (!text && is_kernel) {
+        text = strstr(line, ": gpio_direction: ");
+        event->open_drain = 1;
+    }
     if (!text)
-        return 0;
+        return !is_kernel && strstr(line, "pl061_write ") ? parse_direction(line, event) : 0;
     if (is_kernel) {
         const char *time = text;
 
         while (time > line && time[-1] != ' ')
             time--;
         event->seconds = strtod(time, NULL);
-        if (sscanf(text, ": gpio_value: %u set %d", &number, &event->level) != 2)
+        if (event->open_drain && sscanf(text, ": gpio_direction: %u %3s", &number, direction) == 2)
+            event->level = strcmp(direction, "in") == 0;
+        else if (sscanf(text, ": gpio_value: %u set %d", &number, &event->level) != 2)
             return 0;
     } else {
         text = strstr(text, "setting output ");
@@ -176,8 +258,8 @@ static int parse(const char *line, int is_kernel, unsigned base, struct event *e
 
 static void parse_run(struct run *run, const char *text)
 {
-    if (sscanf(text, "%63[^=]=%63[^:]:%u:%u", run->name, run->panel_name, &run->orientation, &run->mode) != 4)
-        die(text, "is not NAME=PANEL:ORIENTATION:MODE");
+    if (sscanf(text, "%63[^=]=%63[^:]:%u:%7s", run->name, run->panel_name, &run->orientation, run->mode) != 4)
+        die(text, "is not NAME=PANEL:ORIENTATION:MODE|i2c");
 }
 
 int main(int argc, char **argv)
@@ -188,7 +270,7 @@ int main(int argc, char **argv)
     int is_kernel, next = 5, running = 0;
 
     if (argc < 6) {
-        fputs("usage: replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE ...\n", stderr);
+        fputs("usage: replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE|i2c ...\n", stderr);
         return 2;
     }
     trace_name = argv[2];
@@ -202,9 +284,10 @@ int main(int argc, char **argv)
         check_complete(line);
         if (!parse(line, is_kernel, (unsigned)strtoul(argv[3], NULL, 10), &event))
             continue;
-        if (event.line == MARKER && event.level && !level[MARKER]) {
-            if (running)
-                end(&run, argv[4]);
+        if (event.line == MARKER && !event.level && running) {
+            end(&run, argv[4]);
+            running = 0;
+        } else if (event.line == MARKER && event.level && !level[MARKER]) {
             if (next == argc)
                 die("more runs than names", argv[argc - 1]);
             memset(&run, 0, sizeof run);
@@ -214,10 +297,11 @@ int main(int argc, char **argv)
         } else if (running) {
             play(&run, &event);
         }
-        level[event.line] = event.level != 0;
+        if (!event.open_drain)
+            level[event.line] = event.level != 0;
     }
     if (running)
-        end(&run, argv[4]);
+        die(run.name, "the trace ends inside the run");
     if (ferror(file) || next != argc)
         die("fewer runs than names", argv[next < argc ? next : argc - 1]);
     fclose(file);
