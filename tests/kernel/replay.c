@@ -10,10 +10,13 @@
  * nothing, or the number of runs differs from the names.
  *
  * kernel: tracefs, event gpio_value ("1.412651: gpio_value: 511 set 1"); lines are
- * numbered from the chip's base, BASE. SCL and SDA are open drains, whose levels are in
- * gpio_direction: "505 out" pulls it low, "505  in" lets it go high; in QEMU's log they are
- * writes of the register of directions ("pl061_write ... offset 0x400 value 0x82"). qemu: its own log ("1@1.5:pl061_set_output ... setting output 7 to 1").
- * Both have times, to which the controller's clock is set.
+ * numbered from the chip's base, BASE. qemu: its own log
+ * ("1@1.5:pl061_set_output ... setting output 7 to 1"). Both have times, to which the
+ * controller's clock is set.
+ *
+ * SCL and SDA are open drains, whose levels are their directions: an output is low, an
+ * input high. kernel: event gpio_direction ("505 out", "505  in"); qemu: writes of the
+ * register of directions ("pl061_write ... offset 0x400 value 0x82").
  */
 #include <stdio.h>
 #include <stdlib.h>
