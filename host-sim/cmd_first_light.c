@@ -2,8 +2,10 @@
  * cmd_first_light.c - `sheen first-light`: the test picture, through a panel's driver, as its glass shows it.
  */
 #include <stdlib.h>
+#include <strings.h>
 
 #include "commands.h"
+#include "frame_name.h"
 #include "glass.h"
 #include "png_file.h"
 #include "sheen_first_light.h"
@@ -55,6 +57,12 @@ enum sheen_exit sheen_cmd_first_light(struct sheen_options *options)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     if (!options->out) {
         sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no output given (-o OUT.png)");
+        return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    }
+    const char *ending = sheen_ending(options->out);
+    if (*ending && strcasecmp(ending, ".png") != 0) {
+        sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "%s: no pictures in %s are written, only .png", options->out,
+                      ending);
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     }
     int error = sheen_sim_panel_open(&panel, &choice);

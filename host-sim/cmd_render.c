@@ -18,9 +18,7 @@
 
 static int is_gif(const char *path)
 {
-    size_t length = strlen(path);
-
-    return length >= 4 && strcasecmp(path + length - 4, ".gif") == 0;
+    return strcasecmp(sheen_ending(path), ".gif") == 0;
 }
 
 /* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
@@ -35,6 +33,10 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
                              choice->height);
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o OUT.png)");
+    const char *ending = sheen_ending(options->out);
+    if (*ending && !is_gif(options->out) && strcasecmp(ending, ".png") != 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no pictures in %s are written, only .png and .gif",
+                             options->out, ending);
     if (options->frames > 1 && !is_gif(options->out) && !sheen_frame_name_varies(options->out))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %d frames need one %%d or %%0Nd in the name, or a .gif",
                              options->out, options->frames);

@@ -2,9 +2,11 @@
  * cmd_view.c - `sheen view`: a mesh that turns on the simulated glass, in a window, as text or in a GIF.
  */
 #include <stdio.h>
+#include <strings.h>
 
 #include "builtin.h"
 #include "commands.h"
+#include "frame_name.h"
 #include "progress.h"
 #include "view.h"
 
@@ -25,6 +27,10 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
                              options->scale - 1);
     if (options->out && options->terminal)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gif and --terminal are two different things");
+    const char *ending = sheen_ending(options->out ? options->out : "");
+    if (*ending && strcasecmp(ending, ".gif") != 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no animations in %s are written, only .gif",
+                             options->out, ending);
     return sheen_builtin_check(options->mesh, problem);
 }
 

@@ -43,3 +43,10 @@ int sheen_frame_name(char *name, size_t size, const char *pattern, int number)
         made = snprintf(name, size, "%s", pattern);
     return made >= 0 && (size_t)made < size ? 0 : -1;
 }
+
+const char *sheen_ending(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *file = slash ? slash + 1 : path, *dot = strrchr(file, '.');
+
+    return dot && dot != file ? dot : "";
+}

@@ -12,4 +12,7 @@ int sheen_frame_name_varies(const char *pattern);
 /* The name of frame `number`; a pattern that does not vary is copied. 0, or -1 where it does not fit. */
 int sheen_frame_name(char *name, size_t size, const char *pattern, int number);
 
+/* The ending of a file's name, with its dot; "" where it has none. */
+const char *sheen_ending(const char *path);
+
 #endif

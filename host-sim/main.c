@@ -85,17 +85,24 @@ int main(int argc, char **argv)
     /* A closed pipe and a file grown too large are errors of a write, not the end of the program. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
-    if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+    int asks = strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0;
+    if (asks && argc == 2) {
         print_help();
         return finish(SHEEN_EXIT_OK);
     }
+    if (asks)
+        name = argv[2];
     if (strcmp(name, "--version") == 0) {
         sheen_options_version();
         return finish(SHEEN_EXIT_OK);
     }
     for (const struct sheen_command *command = sheen_command_table; command->name; command++) {
-        if (strcmp(name, command->name) == 0)
+        if (strcmp(name, command->name) != 0)
+            continue;
+        if (!asks)
             return finish(run(command, argc - 1, argv + 1));
+        sheen_options_help(command);
+        return finish(SHEEN_EXIT_OK);
     }
     if (argc > 1)
         sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "unknown command '%s'", name);

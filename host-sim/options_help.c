@@ -13,7 +13,7 @@ enum {
 
 const char sheen_version[] = SHEEN_VERSION;
 const char sheen_text_what[] = "Shaded 3D with integers only, as a small display would show it.";
-const char sheen_text_help[] = "sheen COMMAND --help tells its options, sheen --version the version.";
+const char sheen_text_help[] = "sheen help COMMAND tells its options, sheen --version the version.";
 const char sheen_text_mesh[] =
     "MESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, "
     "builtin:torus, builtin:cube. Angles are degrees, counter-clockwise; default values in brackets.";

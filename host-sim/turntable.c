@@ -3,6 +3,7 @@
  */
 #include "turntable.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -98,6 +99,34 @@ int sheen_turntable_read(struct sheen_turntable *table, struct sheen_problem *pr
     return SHEEN_OK;
 }
 
+/* Why a frame has no pixel of the mesh; NULL: it has some. */
+static const char *why_empty(const struct sheen_turntable *table)
+{
+    struct sheen_stats stats;
+
+    sheen_frame_stats(table->scene.frame, &stats);
+    if (stats.covered > 0)
+        return NULL;
+    if (stats.drawn > 0)
+        return "what faces the eye is smaller than a pixel";
+    if (table->options->two_sided)
+        return "the mesh is outside the view";
+    return stats.front > 0 ? "what faces the eye is outside the view, the rest is turned away (--cull none draws it)"
+                           : "all faces that are in view are turned away (--cull none draws them)";
+}
+
+static void warn_if_empty(struct sheen_turntable *table)
+{
+    const char *why = table->warned ? NULL : why_empty(table);
+    struct sheen_problem line;
+
+    if (!why)
+        return;
+    table->warned = 1;
+    sheen_problem(&line, 0, "%s: nothing to be seen: %s", table->options->mesh, why);
+    fprintf(stderr, "sheen: warning: %s\n", line.text);
+}
+
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem)
 {
     sheen_sim_bus_counters_reset(sheen_sim_panel_bus(table->panel));
@@ -106,5 +135,6 @@ int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen
         error = sheen_wait(table->scene.frame);
     if (error)
         return sheen_problem(problem, error, "%s: %s", table->options->mesh, sheen_strerror(error));
+    warn_if_empty(table);
     return sheen_turntable_read(table, problem);
 }

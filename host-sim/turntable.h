@@ -16,6 +16,7 @@ struct sheen_turntable {
     struct sheen_sim_panel *panel;
     uint16_t *values; /* the picture as the viewer sees it: 565 values or grey levels */
     uint8_t *rgb;     /* the same, 3 bytes a pixel */
+    int warned;       /* that nothing is to be seen */
 };
 
 /* The panel that the options ask for. 0, or SHEEN_ERR_ARGUMENT and *problem. */
@@ -30,7 +31,10 @@ int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_optio
                          const struct sheen_sim_choice *choice, struct sheen_problem *problem);
 void sheen_turntable_close(struct sheen_turntable *table);
 
-/* Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. */
+/*
+ * Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. The first
+ * time that nothing is to be seen a warning on standard error says why.
+ */
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem);
 
 /* The same meshes on another panel, which is just switched on. As open; on error only close may follow. */
