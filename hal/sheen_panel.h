@@ -55,7 +55,7 @@ extern const struct sheen_panel_driver sheen_driver_dcs, /* MIPI-DCS colour: ILI
  * What sets one module apart from another. Colour order, inversion, byte order
  * and gap are four different things; each has its own field. Initialise by name:
  * what is left out is 0 and means "none" or "no". glass, ram, name, driver, init and
- * reset_ms have no default. A module of one's own: firmware/examples/own_module.c.
+ * reset_ms have no default. A module of one's own: firmware/examples/own_module.
  *
  * RAM and gap are as the module is strapped: columns x rows of controller memory
  * and the lowest column and row that lie behind the glass. The offset of every

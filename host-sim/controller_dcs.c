@@ -215,8 +215,11 @@ static const struct sheen_sim_command commands[] = {
 static const struct sheen_sim_command vendor_brightness[] = {{0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}};
 
 /* Registers of their own that drivers set; tabled in the data sheets under "System function command list 2". */
-static const struct sheen_sim_command vendor_st7789[] = {
-    {0xB0, 0xB0, 2, NULL}, {0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}};
+static const struct sheen_sim_command vendor_st7789[] = {{0xB0, 0xB0, 2, NULL},
+                                                         {0xB2, 0xB2, 5, NULL},
+                                                         {0xC6, 0xC6, 1, NULL},
+                                                         {0x51, 0x51, 1, brightness},
+                                                         {0x53, 0x53, 1, brightness}};
 static const struct sheen_sim_command vendor_st7735[] = {
     {0xB1, 0xB2, 3, NULL}, {0xB3, 0xB3, 6, NULL}, {0xB4, 0xB4, 1, NULL}, {0xC0, 0xC0, 3, NULL},
     {0xC1, 0xC1, 1, NULL}, {0xC2, 0xC4, 2, NULL}, {0xC5, 0xC5, 1, NULL}, {0xE0, 0xE1, 16, NULL},

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "sheen_i2c.h"
+#include "../firmware/examples/own_module/record.h"
 #include "test_panel_canvas.h"
 
 #define BAND 16 /* rows of a push */
@@ -209,6 +209,26 @@ static void held_while_pixels_fly(void **state)
     canvas_close(&canvas);
 }
 
+/* The example of a module of one's own, on the simulated hardware that it describes. */
+static void the_example_is_right(void **state)
+{
+    struct sheen_panel_record record = own_module;
+
+    (void)state;
+    record.name = "st7789-240x280";
+    for (unsigned k = 0; k < 8; k++) {
+        struct sheen_sim_choice choice = {.record = &record, .orientation = k};
+        struct canvas canvas;
+
+        sheen_panel_size(&record, k, &choice.width, &choice.height);
+        canvas_open_choice(&canvas, &choice);
+        assert_int_equal(canvas_push_all(&canvas, BAND), 0);
+        assert_int_equal(canvas_differences(&canvas), 0);
+        canvas_quiet(&canvas);
+        canvas_close(&canvas);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -219,6 +239,7 @@ int main(void)
         cmocka_unit_test(a_frame_begins_with_the_pulse),
         cmocka_unit_test(a_shared_bus_is_given_back),
         cmocka_unit_test(held_while_pixels_fly),
+        cmocka_unit_test(the_example_is_right),
     };
 
     return cmocka_run_group_tests_name("panel settings", tests, NULL, NULL);

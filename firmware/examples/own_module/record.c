@@ -1,0 +1,36 @@
+/*
+ * record.c - a module that sheen has no record of, from its data sheet and a look at first light.
+ *
+ * Here 1.69 inch of IPS glass, 240x280, on an ST7789, whose maker hands out an init
+ * table. What you see in first light says which field to change: hal/README.md.
+ */
+#include "record.h"
+
+/* Command, ms of rest after it, parameters; sent after the reset, before orientation, inversion and display on. */
+static const struct sheen_panel_step init[] = {
+    {.command = 0x11, .wait_ms = 120},                    /* sleep out */
+    {0x3A, 0, SHEEN_BYTES(0x55)},                         /* 16 bits a pixel */
+    {0xB0, 0, SHEEN_BYTES(0x00, 0xC0)},                   /* the low bit of red and blue as the high one */
+    {0xB2, 0, SHEEN_BYTES(0x0C, 0x0C, 0x00, 0x33, 0x33)}, /* porches, */
+    {0xC6, 0, SHEEN_BYTES(0x0F)},                         /* 60 pictures a second: the maker's */
+};
+
+const struct sheen_panel_record own_module = {
+    .name = "own-240x280",
+    .controller = "ST7789",
+    .driver = &sheen_driver_dcs,
+    .init = init,
+    .steps = sizeof init / sizeof init[0],
+    .clock_hz = 40000000, /* the wires' limit here; the controller's is 62.5 MHz */
+    .reset_low_us = 10,
+    .reset_ms = 120,
+    .pixel = SHEEN_RGB565_BE,
+    .glass_w = 240,
+    .glass_h = 280,
+    .ram_w = 240,
+    .ram_h = 320,
+    .gap_y = 20, /* the glass begins at row 20 */
+    .inverted = 1,
+    .brightness_command = 0x51,
+    .scan = {0, SHEEN_SCAN_MX | SHEEN_SCAN_MV, SHEEN_SCAN_MX | SHEEN_SCAN_MY, SHEEN_SCAN_MV | SHEEN_SCAN_MY},
+};

@@ -1,0 +1,11 @@
+/*
+ * record.h - the module that record.c describes.
+ */
+#ifndef RECORD_H
+#define RECORD_H
+
+#include "sheen_panel.h"
+
+extern const struct sheen_panel_record own_module;
+
+#endif
