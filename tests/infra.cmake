@@ -8,6 +8,17 @@ sheen_script(names format COMMAND tests/checks/names
   $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
 sheen_script(same_bits cross COMMAND tests/checks/cross TIMEOUT 300)
 
+# The house: who may include and call whom, and the map of it.
+sheen_script(core_floors format COMMAND tests/checks/floors)
+sheen_script(core_house format COMMAND tests/checks/house)
+foreach(text "flat.c includes frame/frame.h" "pixel.c calls sheen_seed_frame" "phong.c calls sheen_seed_flat")
+  string(MAKE_C_IDENTIFIER ${text} name)
+  sheen_script(seeded_floors_${name} format COMMAND tests/checks/refuses ${text}
+    tests/checks/floors tests/checks/seeded/floors)
+endforeach()
+sheen_script(seeded_house format COMMAND tests/checks/refuses "no row for floors/"
+  tests/checks/house core/README.md tests/checks/seeded)
+
 # What each check must refuse, named in the first line of the file.
 file(GLOB seeds CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/checks/seeded/*.c)
 foreach(seed IN LISTS seeds)

@@ -2,8 +2,8 @@
  * averages.c - the normals of vertices: averages over the polygons around them (at load or when a mesh moves).
  */
 #include "../math/fixed.h"
+#include "../math/vector.h"
 #include "../sheen.h"
-#include "normals.h"
 
 int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *around)
 {

@@ -4,10 +4,7 @@
 #ifndef SHEEN_NORMALS_H
 #define SHEEN_NORMALS_H
 
-#include "../sheen.h"
-
-/* sheen_normalize for any v, |v| < 2^63 a part: the same errors and the same precision. */
-int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3]);
+#include "../math/vector.h"
 
 /* a - b, of points: |coordinate| <= 2^28, so the difference is at most 2^29. */
 static inline void sheen_subtract(const int32_t *a, const int32_t *b, int32_t out[3])

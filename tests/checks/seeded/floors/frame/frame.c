@@ -1,0 +1,6 @@
+#include "frame.h"
+
+int sheen_seed_frame(int x)
+{
+    return x + 1;
+}
