@@ -44,7 +44,15 @@
 #ifndef SHEEN_H
 #define SHEEN_H
 
+#include <limits.h>
+
+#include "sheen_arena.h"
 #include "sheen_target.h"
+#include "sheen_version.h"
+
+#if INT_MAX < 2147483647
+#error "sheen computes in int: a compiler whose int has fewer than 32 bits cannot build it"
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -55,10 +63,25 @@ typedef int32_t sheen_q24_t;    /* Q7.24: lengths, +-128 units in steps of 6e-8 
 typedef int32_t sheen_q30_t;    /* Q1.30: unit vectors, rotation matrices, sines */
 typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
 
-#define SHEEN_Q16(x) ((sheen_q16_t)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))      /* for constants: */
-#define SHEEN_Q24(x) ((sheen_q24_t)((x)*16777216.0 + ((x) < 0 ? -0.5 : 0.5)))   /* the compiler   */
-#define SHEEN_Q30(x) ((sheen_q30_t)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5))) /* folds them     */
-#define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0))
+/*
+ * Constants in these formats; the compiler folds them. With a variable they would link soft floats: where a processor
+ * has no FPU, GCC and clang refuse that. sheen_degrees() takes variables.
+ */
+#if defined(__GNUC__) && !defined(__cplusplus) && (defined(__SOFTFP__) || defined(__riscv_float_abi_soft))
+#define SHEEN_CONSTANT(x) (0 * (int)sizeof(struct { int is_no_constant : __builtin_constant_p(x) ? 1 : -1; }))
+#else
+#define SHEEN_CONSTANT(x) 0
+#endif
+#define SHEEN_Q16(x) ((sheen_q16_t)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+#define SHEEN_Q24(x) ((sheen_q24_t)((x)*16777216.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+#define SHEEN_Q30(x) ((sheen_q30_t)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+#define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0) + (sheen_angle_t)SHEEN_CONSTANT(x))
+
+/* Any whole number of degrees, within 1e-7 of one: 2^32 / 360 = 11930464.711, in Q24.8. */
+static inline sheen_angle_t sheen_degrees(int32_t degrees)
+{
+    return (sheen_angle_t)(((int64_t)degrees * 3054198966 + 128) / 256);
+}
 
 /* ---- what is drawn ---- */
 
@@ -80,36 +103,48 @@ struct sheen_mesh {
     sheen_q24_t offset[3];          /* units */
 };
 
-#define SHEEN_POWER_ENTRIES 256 /* of the table of s^n */
+#define SHEEN_POWER_ENTRIES 256
 
 /*
- * A surface. Set the first six fields, then call sheen_material_prepare once;
- * after any change call it again.
+ * The table of s^n that highlights look up, of one shininess n: const data, shared by materials. Those below are
+ * linked where they are named; sheen_shine_make() makes any other.
  */
-struct sheen_material {
-    uint8_t base[3];                         /* r, g, b, 255 = 1.0 */
-    uint8_t highlight[3];                    /* r, g, b of the specular part, usually white */
-    sheen_q16_t ambient;                     /* Ia ka, 0..4 */
-    sheen_q16_t diffuse;                     /* Ip kd, 0..4 */
-    sheen_q16_t specular;                    /* Ip ks, 0..4 */
-    uint8_t shininess;                       /* n, 1..128 */
-    uint8_t power_shift;                     /* made by sheen_material_prepare: */
+struct sheen_shine {
     uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ1.15 s^n over u = 1 - s in [0, 2^-shift] */
+    uint8_t shininess;                       /* n, 1..128 */
+    uint8_t shift;                           /* 0..3 */
 };
 
-/* A light at infinity. `to` points to it, in eye space, any length but zero. */
+extern const struct sheen_shine sheen_shine_4, sheen_shine_8, sheen_shine_16, sheen_shine_32, sheen_shine_64,
+    sheen_shine_128;
+
+/* SHEEN_ERR_ARGUMENT where n is not 1..128; *shine is untouched then. */
+int sheen_shine_make(struct sheen_shine *shine, unsigned shininess);
+
+/* A surface, usually const data. All zero is black. */
+struct sheen_material {
+    uint8_t base[3];                 /* r, g, b, 255 = 1.0 */
+    uint8_t highlight[3];            /* r, g, b of the specular part; all 0: white */
+    sheen_q16_t ambient;             /* Ia ka, 0..4 */
+    sheen_q16_t diffuse;             /* Ip kd, 0..4 */
+    sheen_q16_t specular;            /* Ip ks, 0..4 */
+    const struct sheen_shine *shine; /* MUST be there where specular is not 0 */
+};
+
+/* A light at infinity. `to` points to it, any length but zero. */
 struct sheen_light {
-    sheen_q30_t to[3];
-    sheen_q16_t intensity; /* white, 0..1; multiplies the material's diffuse and specular */
-    uint8_t highlight;     /* 0: no specular part from this light */
+    sheen_q30_t to[3];     /* in the world; with_eye: in eye space */
+    sheen_q16_t intensity; /* white, 0..1, times the material's diffuse and specular; 0: 1.0 */
+    uint8_t no_highlight;  /* 1: no specular part from this light */
+    uint8_t with_eye;      /* 1: it stays where it is before the eye when the view turns */
 };
 
 #define SHEEN_MAX_LIGHTS 4
 
-/* Model to eye: eye = scale * rotation * model + translation. */
+/* p -> scale * rotation * p + translation. All zero, and sheen_pose_identity's: nothing moves. */
 struct sheen_pose {
-    sheen_q30_t rotation[9];    /* row by row; unit rows at right angles, within 1/1024 */
-    sheen_q16_t scale;          /* > 0 */
+    sheen_q30_t rotation[9];    /* row by row; unit rows at right angles, within 1/1024; all 0: none */
+    sheen_q16_t scale;          /* > 0; 0: 1.0 */
     sheen_q24_t translation[3]; /* units */
 };
 
@@ -120,21 +155,38 @@ struct sheen_pose {
 struct sheen_shader;
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
 
-struct sheen_draw {
+/* What is drawn. Mesh, material and shader MUST be there. */
+struct sheen_object {
     const struct sheen_mesh *mesh;
     const struct sheen_material *material;
-    const struct sheen_light *lights; /* copied by sheen_draw */
-    uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS */
     const struct sheen_shader *shader;
-    uint8_t two_sided; /* 1: back faces are drawn too, with their normals negated */
-    struct sheen_pose pose;
+    const struct sheen_light *lights; /* copied by sheen_draw */
+    uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS; 0: ambient light alone */
+    uint8_t two_sided;                /* 1: back faces are drawn too, with their normals negated */
+    struct sheen_pose pose;           /* model to world */
+};
+
+/*
+ * A rectangle of the target before it is sent. [0] is its top left; a row is pitch entries. Pixels: uint16_t in the
+ * target's order, or for grey targets one byte a pixel, its level (packed afterwards). Depth: what the triangles left,
+ * 257 + 65020 (1/m - 1/z_far) / (1/z_near - 1/z_far) rounded (orthographic: 257 + 65020 (z_far - m) / (z_far -
+ * z_near)), 257 where there is none, so a user can pick, fog and test depth; before them the triangles are tested
+ * against what an underlay leaves.
+ */
+struct sheen_canvas {
+    struct sheen_rect rect; /* px on the target */
+    unsigned pitch;
+    void *pixels;
+    uint16_t *depth;
 };
 
 /* What the eye sees, a frame long. */
 struct sheen_view {
     struct sheen_rect viewport; /* px on the target, edges on its alignment; empty: all of it */
-    sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken) */
-    sheen_q24_t near, far;      /* units, 0 < near < far, far - near >= far / 2^15: m outside is not drawn */
+    struct sheen_pose pose;     /* world to eye (sheen_pose_look_at, sheen_pose_orbit) */
+    sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken); 0: 40 */
+    sheen_q24_t z_near, z_far;  /* units, 0 < z_near < z_far, z_far - z_near >= z_far / 2^15: m outside is not drawn;
+                                   z_far 0: 16, z_near 0: z_far / 16 */
     sheen_q24_t orthographic;   /* 0: perspective; else the depth at which fov measures: x, y do not depend on m */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
     uint8_t dither;             /* 1: ordered 8x8 dithering, for panels of few levels */
@@ -145,13 +197,11 @@ struct sheen_view {
      * background, overlay after drawing; by several workers at once where their
      * bands are. All three are part of the background: where one of them, the
      * colour or the viewport differs from the last frame's, everything is sent;
-     * of what they draw otherwise, sheen_mark tells. pixels[0] is the rectangle's top left;
-     * a row is pitch pixels: uint16_t in the target's order, or for grey targets
-     * one byte a pixel, its level (packed afterwards).
+     * of what they draw otherwise, sheen_mark tells.
      */
     void *ctx;
-    void (*underlay)(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
-    void (*overlay)(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+    void (*underlay)(void *ctx, const struct sheen_canvas *canvas);
+    void (*overlay)(void *ctx, const struct sheen_canvas *canvas);
 };
 
 /* ---- a frame ---- */
@@ -180,7 +230,7 @@ struct sheen_config {
 
 struct sheen_frame; /* lives in the arena */
 
-/* Bytes of the arena that sheen_init needs; 0 where the configuration is invalid. */
+/* Bytes of the arena that sheen_init needs, as SHEEN_ARENA_BYTES says; 0 where the configuration is invalid. */
 size_t sheen_arena_size(const struct sheen_config *config);
 
 /*
@@ -196,13 +246,57 @@ int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const stru
 int sheen_begin(struct sheen_frame *frame, const struct sheen_view *view);
 
 /* Transform, cull, clip and list a mesh, while the frame is open. On any error the frame is as it was before. */
-int sheen_draw(struct sheen_frame *frame, const struct sheen_draw *draw);
+int sheen_draw(struct sheen_frame *frame, const struct sheen_object *object);
 
 /* Add a rectangle (px on the target) to what this frame clears, draws and sends; while the frame is open. */
 int sheen_mark(struct sheen_frame *frame, struct sheen_rect rect);
 
 /* Draw and send every band that is not done yet: sheen_band by worker 0 until an error, then sheen_finish. */
 int sheen_end(struct sheen_frame *frame);
+
+/*
+ * A whole frame: sheen_begin, sheen_draw for each object, sheen_end. Where a draw fails nothing is sent, its error is
+ * returned, and the next frame sends everything.
+ */
+int sheen_render(struct sheen_frame *frame, const struct sheen_view *view, const struct sheen_object *objects,
+                 unsigned count);
+
+/* What an error was about: fields, or capacities with how much would have done. */
+enum sheen_subject {
+    SHEEN_ABOUT_NOTHING = 0,
+    SHEEN_ABOUT_TARGET, /* of the configuration: target, band_rows, buffers, workers, lock and unlock */
+    SHEEN_ABOUT_BUFFERS,
+    SHEEN_ABOUT_WORKERS,
+    SHEEN_ABOUT_LOCK,
+    SHEEN_ABOUT_MAX_VERTICES, /* capacities: of the configuration, or exceeded by a draw */
+    SHEEN_ABOUT_MAX_TRIANGLES,
+    SHEEN_ABOUT_MAX_DRAWS,
+    SHEEN_ABOUT_MAX_CLIPPED,
+    SHEEN_ABOUT_MAX_CARRIED,
+    SHEEN_ABOUT_VIEWPORT, /* of the view */
+    SHEEN_ABOUT_FOV,
+    SHEEN_ABOUT_DEPTHS, /* z_near, z_far, orthographic */
+    SHEEN_ABOUT_POSE,   /* of the view or an object: no rotation, or something moves out of range */
+    SHEEN_ABOUT_MESH,   /* of an object */
+    SHEEN_ABOUT_NORMALS,
+    SHEEN_ABOUT_MATERIAL,
+    SHEEN_ABOUT_SHINE,
+    SHEEN_ABOUT_SHADER,
+    SHEEN_ABOUT_LIGHTS
+};
+
+/*
+ * Of the last sheen_begin, sheen_draw or sheen_render that ended with SHEEN_ERR_ARGUMENT, SHEEN_ERR_DEGENERATE or
+ * SHEEN_ERR_CAPACITY. *needed: for a capacity, the least with which what was drawn so far and that object would have
+ * passed (for triangles and pieces: exactly, though the other may be short then); else 0. It may be NULL.
+ */
+enum sheen_subject sheen_frame_about(const struct sheen_frame *frame, uint32_t *needed);
+
+/* What sheen_init finds wrong with a configuration. */
+enum sheen_subject sheen_config_about(const struct sheen_config *config);
+
+/* A word for it: the field's name. Never NULL. */
+const char *sheen_subject_name(enum sheen_subject subject);
 
 /*
  * In place of sheen_end, by hand: each band once, in any order, by any worker, and sheen_finish when all are done.
@@ -233,9 +327,6 @@ void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stat
 
 /* ---- making what is drawn ---- */
 
-/* Check fields and build the power table. SHEEN_ERR_ARGUMENT for a value out of range. */
-int sheen_material_prepare(struct sheen_material *material);
-
 /* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index or polygon id is out of range. */
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
 
@@ -248,6 +339,12 @@ void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t 
 
 /* An identity rotation, scale 1, no translation. */
 void sheen_pose_identity(struct sheen_pose *pose);
+
+/* What is posed is moved once more: turned about the world's axis 0, 1, 2 (x, y, z) counter-clockwise seen from its */
+/* positive end, scaled about the origin, shifted. As sheen_pose_compose; on an error the pose is untouched. */
+int sheen_pose_rotate(struct sheen_pose *pose, unsigned axis, sheen_angle_t angle);
+int sheen_pose_scale(struct sheen_pose *pose, sheen_q16_t factor);
+int sheen_pose_translate(struct sheen_pose *pose, sheen_q24_t x, sheen_q24_t y, sheen_q24_t z);
 
 /*
  * out = outer * inner: the model is first moved by inner, then by outer. out may be either. Scale and translation are

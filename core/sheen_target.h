@@ -91,6 +91,20 @@ struct sheen_target {
     uint8_t align_x, align_y; /* px, powers of two 1..16; 0 counts as 1; GREY16 needs x >= 2, GREY2 x >= 8 */
 };
 
+/* Pixels in memory, a row every `stride` bytes: a canvas of another library, a texture, a framebuffer. */
+struct sheen_memory {
+    void *pixels;
+    size_t stride; /* bytes, at least sheen_row_bytes of the width; a multiple of 2 on 565 */
+    uint8_t pixel; /* enum sheen_pixel, set by sheen_memory_target */
+};
+
+/*
+ * A target whose push copies into *memory, which it borrows. On packed greys rectangles begin and end on whole bytes.
+ * SHEEN_ERR_ARGUMENT where the stride is too small.
+ */
+int sheen_memory_target(struct sheen_target *target, struct sheen_memory *memory, uint16_t width, uint16_t height,
+                        enum sheen_pixel pixel);
+
 #ifdef __cplusplus
 }
 #endif

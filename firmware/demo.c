@@ -9,10 +9,10 @@
 
 #define DISTANCE 3.0 /* units; the teapot's farthest vertex lies at 1 */
 
-/* Lights point to where they stand, in eye space, any length. */
+/* Lights point to where they stand, any length. */
 #define LIGHT(x, y, z, i)                                                                                              \
     {                                                                                                                  \
-        .to = {SHEEN_Q30(x), SHEEN_Q30(y), SHEEN_Q30(z)}, .intensity = SHEEN_Q16(i), .highlight = 1                    \
+        .to = {SHEEN_Q30(x), SHEEN_Q30(y), SHEEN_Q30(z)}, .intensity = SHEEN_Q16(i)                                    \
     }
 static const struct {
     struct sheen_light light[2];
@@ -87,18 +87,18 @@ static void set_scene(struct demo *demo)
                                              .ambient = SHEEN_Q16(0.2),
                                              .diffuse = SHEEN_Q16(0.8),
                                              .specular = SHEEN_Q16(0.35),
-                                             .shininess = 32};
+                                             .shine = &sheen_shine_32};
     if (!colour) /* white is as bright as a panel of greys can be */
         memset(demo->material.base, 255, sizeof demo->material.base);
     demo->view = (struct sheen_view){.fov = SHEEN_DEGREES(40),
-                                     .near = SHEEN_Q24(DISTANCE - 1.05),
-                                     .far = SHEEN_Q24(DISTANCE + 1.05),
+                                     .z_near = SHEEN_Q24(DISTANCE - 1.05),
+                                     .z_far = SHEEN_Q24(DISTANCE + 1.05),
                                      .dither = target->pixel != SHEEN_GREY256,
                                      .background = {0x10, 0x10, 0x18},
                                      .ctx = &demo->text,
                                      .overlay = text_overlay};
     demo->text = (struct text){.x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .pixel = target->pixel};
-    demo->draw = (struct sheen_draw){.mesh = &teapot, .material = &demo->material, .shader = shadings[0].shader};
+    demo->draw = (struct sheen_object){.mesh = &teapot, .material = &demo->material, .shader = shadings[0].shader};
 }
 
 int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers)
@@ -112,9 +112,7 @@ int demo_open(struct demo *demo, const struct sheen_target *target, void *arena,
     memset(demo, 0, sizeof *demo);
     demo->target = target;
     set_scene(demo);
-    int error = sheen_material_prepare(&demo->material);
-    if (error == SHEEN_OK)
-        error = sheen_init(&demo->frame, arena, size, &config);
+    int error = sheen_init(&demo->frame, arena, size, &config);
     if (error == SHEEN_OK)
         *size = sheen_arena_size(&config);
     return error;
@@ -151,7 +149,7 @@ int demo_due(const struct demo *demo)
 
 int demo_frame(struct demo *demo, unsigned tenths)
 {
-    struct sheen_draw *draw = &demo->draw;
+    struct sheen_object *draw = &demo->draw;
     struct sheen_rect rect = text_rect(&demo->text, demo->target->width, demo->target->height);
 
     draw->lights = lightings[demo->light].light;

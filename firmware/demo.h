@@ -17,7 +17,7 @@ struct demo {
     struct sheen_frame *frame;
     struct sheen_view view;
     struct sheen_material material;
-    struct sheen_draw draw;
+    struct sheen_object draw;
     struct text text;
     uint16_t number; /* of the next frame, 0..59 */
     uint8_t shading; /* which of the shadings */

@@ -61,9 +61,10 @@ static void put_white(void *pixels, unsigned at, enum sheen_pixel pixel)
         ((uint8_t *)pixels)[at] = (uint8_t)((1u << sheen_pixel_bits(pixel)) - 1u);
 }
 
-void text_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+void text_overlay(void *ctx, const struct sheen_canvas *canvas)
 {
     const struct text *text = ctx;
+    const struct sheen_rect rect = canvas->rect;
     int scale = text->scale;
 
     for (int y = rect.y0 > text->y ? rect.y0 : text->y; y < rect.y1 && (y - text->y) / scale < GLYPH_H; y++) {
@@ -74,7 +75,7 @@ void text_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitc
 
             for (int i = 0; glyph && i < GLYPH_W * scale; i++)
                 if (glyph[row] >> (GLYPH_W - 1 - i / scale) & 1 && x + i >= rect.x0 && x + i < rect.x1)
-                    put_white(pixels, (unsigned)(y - rect.y0) * pitch + (unsigned)(x + i - rect.x0),
+                    put_white(canvas->pixels, (unsigned)(y - rect.y0) * canvas->pitch + (unsigned)(x + i - rect.x0),
                               (enum sheen_pixel)text->pixel);
         }
     }

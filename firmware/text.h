@@ -4,7 +4,7 @@
 #ifndef TEXT_H
 #define TEXT_H
 
-#include "sheen_target.h"
+#include "sheen.h"
 
 #define TEXT_MAX 15
 
@@ -20,6 +20,6 @@ struct text {
 struct sheen_rect text_rect(const struct text *text, unsigned width, unsigned height);
 
 /* An overlay (sheen.h, struct sheen_view) whose ctx is a struct text: white glyphs, the rest left alone. */
-void text_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+void text_overlay(void *ctx, const struct sheen_canvas *canvas);
 
 #endif

@@ -74,15 +74,15 @@ static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view 
     sheen_q24_t distance = (sheen_q24_t)lround(scene->distance * 16777216);
 
     *view = (struct sheen_view){.fov = to_angle(2 * atan(scene->reach / scene->distance) * 180 / PI),
-                                .near = SHEEN_Q24(0.5),
-                                .far = SHEEN_Q24(20),
+                                .z_near = SHEEN_Q24(0.5),
+                                .z_far = SHEEN_Q24(20),
                                 .orthographic = scene->ortho ? distance : 0,
                                 .affine = (uint8_t)scene->affine};
 }
 
 /* Light along its largest part to 1.0, as the core takes any length. */
-static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_material *material, struct sheen_light *light,
-                    struct sheen_draw *draw)
+static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_material *material, struct sheen_shine *shine,
+                    struct sheen_light *light, struct sheen_object *draw)
 {
     double largest = fmax(fabs(scene->light[0]), fmax(fabs(scene->light[1]), fabs(scene->light[2])));
 
@@ -90,27 +90,28 @@ static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_materi
                                         .ambient = (sheen_q16_t)lround(scene->ambient * 65536),
                                         .diffuse = (sheen_q16_t)lround(scene->diffuse * 65536),
                                         .specular = (sheen_q16_t)lround(scene->specular * 65536),
-                                        .shininess = (uint8_t)scene->shininess};
+                                        .shine = shine};
     memcpy(material->base, scene->base, sizeof material->base);
-    *light = (struct sheen_light){.intensity = SHEEN_Q16(1), .highlight = 1};
+    *light = (struct sheen_light){.intensity = SHEEN_Q16(1), .with_eye = 1};
     for (int k = 0; k < 3; k++)
         light->to[k] = (sheen_q30_t)lround(scene->light[k] / largest * (1 << 30));
-    *draw = (struct sheen_draw){.mesh = &scene->mesh->mesh,
-                                .material = material,
-                                .lights = light,
-                                .light_count = 1,
-                                .shader = sheen_shader_of((unsigned)scene->shading)};
+    *draw = (struct sheen_object){.mesh = &scene->mesh->mesh,
+                                  .material = material,
+                                  .lights = light,
+                                  .light_count = 1,
+                                  .shader = sheen_shader_of((unsigned)scene->shading)};
     sheen_pose_orbit(&draw->pose, to_angle(scene->yaw), 0, to_angle(scene->roll),
                      (sheen_q24_t)lround(scene->distance * 16777216));
-    return sheen_material_prepare(material);
+    return sheen_shine_make(shine, (unsigned)scene->shininess);
 }
 
 /* A scene's frame and all that it borrows. */
 struct stage {
     struct memory memory;
     struct sheen_material material;
+    struct sheen_shine shine;
     struct sheen_light light;
-    struct sheen_draw draw;
+    struct sheen_object draw;
     struct sheen_view view;
     struct sheen_frame *frame;
     void *arena;
@@ -126,7 +127,7 @@ static int stage_open(struct stage *stage, const struct sheen_lecture_scene *sce
 
     memset(stage, 0, sizeof *stage);
     set_view(scene, &stage->view);
-    int error = set_draw(scene, &stage->material, &stage->light, &stage->draw);
+    int error = set_draw(scene, &stage->material, &stage->shine, &stage->light, &stage->draw);
     if (!error)
         error = memory_init(&stage->memory, scene->width + margin, scene->height + margin, pixel);
     if (error)

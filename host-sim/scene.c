@@ -25,8 +25,8 @@ static sheen_angle_t to_angle(double degrees)
 
 /* ---- what is drawn ---- */
 
-static int prepare_material(struct sheen_material *material, const struct sheen_options *options,
-                            const uint8_t color[3])
+static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
+                         const struct sheen_options *options, const uint8_t color[3])
 {
     memset(material, 0, sizeof *material);
     memcpy(material->base, color, sizeof material->base);
@@ -34,8 +34,7 @@ static int prepare_material(struct sheen_material *material, const struct sheen_
     material->ambient = to_q16(options->ambient);
     material->diffuse = to_q16(options->diffuse);
     material->specular = to_q16(options->specular);
-    material->shininess = (uint8_t)options->shininess;
-    return sheen_material_prepare(material);
+    material->shine = shine;
 }
 
 /* One mesh of everything, or one a material that has faces. */
@@ -49,18 +48,19 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     scene->own_color = calloc(groups, sizeof *scene->own_color);
     if (!scene->meshes || !scene->materials || !scene->own_color)
         return SHEEN_ERR_MEMORY;
+    int error = sheen_shine_make(&scene->shine, (unsigned)scene->options->shininess);
+    if (error)
+        return error;
     for (size_t g = 0; g < groups; g++) {
         const struct sheen_group *group = &host->group[g];
         int use_group = paint->from_file && group->has_color;
-        int error =
-            sheen_quantise(&scene->meshes[scene->count], host, paint->from_file ? (uint32_t)g : SHEEN_ALL_GROUPS);
+        error = sheen_quantise(&scene->meshes[scene->count], host, paint->from_file ? (uint32_t)g : SHEEN_ALL_GROUPS);
         if (error == SHEEN_ERR_ARGUMENT)
             continue; /* a material without faces */
-        if (!error)
-            error = prepare_material(&scene->materials[scene->count], scene->options,
-                                     use_group ? group->color : paint->color);
         if (error)
             return error;
+        set_material(&scene->materials[scene->count], &scene->shine, scene->options,
+                     use_group ? group->color : paint->color);
         scene->own_color[scene->count++] = (uint8_t)use_group;
     }
     return SHEEN_OK;
@@ -100,8 +100,8 @@ void sheen_scene_look(struct sheen_scene *scene)
     struct sheen_view *view = &scene->view;
 
     /* The fitted mesh lies within 1 of its centre; 0.05 more for rounding. */
-    view->near = to_q24(fmax(options->distance - 1.05, 0.05));
-    view->far = to_q24(options->distance + 1.05);
+    view->z_near = to_q24(fmax(options->distance - 1.05, 0.05));
+    view->z_far = to_q24(options->distance + 1.05);
     view->fov = to_angle(options->fov);
     view->orthographic = options->ortho ? to_q24(options->distance) : 0;
     view->affine = (uint8_t)options->affine;
@@ -113,25 +113,22 @@ void sheen_scene_look(struct sheen_scene *scene)
         for (int k = 0; k < 3; k++)
             scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
         scene->lights[i].intensity = to_q16(1);
-        scene->lights[i].highlight = 1;
     }
 }
 
 /* What has no colour of its own: as asked for, else what shows best on the target. */
-static int paint(struct sheen_scene *scene)
+static void paint(struct sheen_scene *scene)
 {
     static const uint8_t white[3] = {255, 255, 255};
     const struct sheen_paint *paint = &scene->options->color;
-    int is_grey = scene->target->pixel > SHEEN_RGB565_LE, error = SHEEN_OK;
+    int is_grey = scene->target->pixel > SHEEN_RGB565_LE;
 
-    for (size_t i = 0; !error && i < scene->count; i++) {
+    for (size_t i = 0; i < scene->count; i++) {
         struct sheen_material *material = &scene->materials[i];
         if (scene->own_color[i])
             continue;
         memcpy(material->base, is_grey && !paint->given ? white : paint->color, sizeof material->base);
-        error = sheen_material_prepare(material);
     }
-    return error;
 }
 
 /* ---- the frame's memory ---- */
@@ -171,8 +168,8 @@ int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *t
 {
     scene->target = target;
     sheen_scene_look(scene);
-    int error = paint(scene);
-    return error ? error : make_frame(scene, scene->config.max_clipped);
+    paint(scene);
+    return make_frame(scene, scene->config.max_clipped);
 }
 
 int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *options, const struct sheen_target *target,
@@ -203,10 +200,10 @@ void sheen_scene_close(struct sheen_scene *scene)
 static int draw_all(struct sheen_scene *scene, int number)
 {
     const struct sheen_options *options = scene->options;
-    struct sheen_draw draw = {.lights = scene->lights,
-                              .light_count = (uint8_t)options->lights.count,
-                              .shader = sheen_shader_of((unsigned)options->shade),
-                              .two_sided = (uint8_t)options->two_sided};
+    struct sheen_object draw = {.lights = scene->lights,
+                                .light_count = (uint8_t)options->lights.count,
+                                .shader = sheen_shader_of((unsigned)options->shade),
+                                .two_sided = (uint8_t)options->two_sided};
 
     sheen_pose_orbit(&draw.pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),
                      to_angle(options->roll), to_q24(options->distance));

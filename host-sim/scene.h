@@ -15,7 +15,8 @@ struct sheen_scene {
     /* What is drawn: one mesh, or with --color file one for each material. */
     struct sheen_quantised *meshes;
     struct sheen_material *materials;
-    uint8_t *own_color; /* 1: the material's is of the file's */
+    uint8_t *own_color;       /* 1: the material's is of the file's */
+    struct sheen_shine shine; /* of all of them */
     size_t count;
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;

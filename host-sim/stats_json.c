@@ -49,7 +49,6 @@ int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int numb
     fprintf(stream,
             ", \"ram\": {\"arena\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"lists\": %" PRIu32 ", \"bands\": %" PRIu32
             ", \"tables\": %zu}}\n",
-            stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands,
-            table->scene.count * sizeof *table->scene.materials);
+            stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands, sizeof table->scene.shine);
     return fflush(stream) == 0 && !ferror(stream) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
 }

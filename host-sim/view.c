@@ -6,12 +6,11 @@
 #include <string.h>
 
 /* The core calls it for each rectangle that it sends. */
-static void note_sent(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+static void note_sent(void *ctx, const struct sheen_canvas *canvas)
 {
     struct sheen_viewer *viewer = ctx;
 
-    (void)pixels, (void)pitch;
-    viewer->sent = rect;
+    viewer->sent = canvas->rect;
 }
 
 static int core_problem(const struct sheen_viewer *viewer, int error, struct sheen_problem *problem)

@@ -45,7 +45,7 @@ struct accuracy_shot {
     uint16_t values[ACCURACY_PIXELS]; /* 565, row by row */
 };
 
-/* Draw the scene, of which `picture` is the reference's, by the core; way as in struct sheen_draw. 0 or negative. */
+/* Draw the scene, of which `picture` is the reference's, by the core; way as in struct sheen_object. 0 or negative. */
 int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
                    const struct sheen_mesh *mesh, unsigned way);
 

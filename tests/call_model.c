@@ -24,7 +24,7 @@ static void plain_begin(struct model *m)
 }
 
 /* What a draw would add to the lists. */
-static void count(struct model *m, const struct sheen_draw *draw, unsigned *listed, unsigned *pieces)
+static void count(struct model *m, const struct sheen_object *draw, unsigned *listed, unsigned *pieces)
 {
     plain_begin(m);
     assert_int_equal(sheen_draw(m->full.frame, draw), SHEEN_OK);
@@ -132,7 +132,7 @@ void model_begin(struct model *m, const struct sheen_view *view, int valid)
         frame_opens(m, view);
 }
 
-void model_draw(struct model *m, const struct sheen_draw *draw, int valid)
+void model_draw(struct model *m, const struct sheen_object *draw, int valid)
 {
     unsigned listed = 0, pieces = 0, events = m->glass.events;
     int expected = m->state != MODEL_OPEN ? SHEEN_ERR_STATE : valid;

@@ -36,7 +36,7 @@ struct model {
     struct sheen_rect viewport;               /* px */
     bool marked[GLASS_PIXELS];                /* pixels that a mark of this frame asked to be sent */
     unsigned vertices, listed, pieces, draws; /* accepted of this frame */
-    struct sheen_draw draw[MODEL_DRAWS];
+    struct sheen_object draw[MODEL_DRAWS];
 
     struct glass plain; /* for a fresh full frame, and for counting */
     struct core_frame full;
@@ -49,7 +49,7 @@ void model_free(struct model *m);
 
 /* valid: 0, or what is owed to an argument out of range. */
 void model_begin(struct model *m, const struct sheen_view *view, int valid);
-void model_draw(struct model *m, const struct sheen_draw *draw, int valid);
+void model_draw(struct model *m, const struct sheen_object *draw, int valid);
 void model_mark(struct model *m, struct sheen_rect rect);
 void model_band(struct model *m, unsigned worker, unsigned band);
 void model_finish(struct model *m);

@@ -43,8 +43,9 @@ static void put(const struct player *p, void *pixels, size_t at, unsigned value)
         ((uint8_t *)pixels)[at] = (uint8_t)(value & ((1u << bits) - 1));
 }
 
-static void underlay(void *ctx, struct sheen_rect r, void *pixels, unsigned pitch)
+static void underlay(void *ctx, const struct sheen_canvas *canvas)
 {
+    const struct sheen_rect r = canvas->rect;
     const struct painter *own = ctx;
     struct player *p = own->player;
 
@@ -54,7 +55,7 @@ static void underlay(void *ctx, struct sheen_rect r, void *pixels, unsigned pitc
     }
     for (int y = r.y0; y < r.y1; y++)
         for (int x = r.x0; x < r.x1; x++)
-            put(p, pixels, (size_t)(y - r.y0) * pitch + (size_t)(x - r.x0),
+            put(p, canvas->pixels, (size_t)(y - r.y0) * canvas->pitch + (size_t)(x - r.x0),
                 ((unsigned)x * 7u + (unsigned)y * 13u + own->which * 5u) * 0x1357u);
 }
 
@@ -69,8 +70,9 @@ static void another_worker(struct player *p)
     model_band(&p->model, worker, below(p, p->model.bands + 1));
 }
 
-static void overlay(void *ctx, struct sheen_rect r, void *pixels, unsigned pitch)
+static void overlay(void *ctx, const struct sheen_canvas *canvas)
 {
+    const struct sheen_rect r = canvas->rect;
     const struct painter *own = ctx;
     struct player *p = own->player;
 
@@ -82,7 +84,8 @@ static void overlay(void *ctx, struct sheen_rect r, void *pixels, unsigned pitch
     for (int y = r.y0; y < r.y1; y++)
         for (int x = r.x0; x < r.x1; x++)
             if (((unsigned)x + 3u * (unsigned)y + own->which) % 5u == 0)
-                put(p, pixels, (size_t)(y - r.y0) * pitch + (size_t)(x - r.x0), 0x2481u * (own->which + 1));
+                put(p, canvas->pixels, (size_t)(y - r.y0) * canvas->pitch + (size_t)(x - r.x0),
+                    0x2481u * (own->which + 1));
 }
 
 /* ---- what is asked for ---- */
@@ -155,7 +158,7 @@ static void begin(struct player *p)
         return;
     }
     if (one_in(p, 2))
-        bad.near = 0;
+        bad.z_near = -1;
     else
         bad.viewport = (struct sheen_rect){0, 0, (int16_t)(p->model.config.target->width + 1), 8};
     model_begin(&p->model, &bad, SHEEN_ERR_ARGUMENT);
@@ -194,7 +197,7 @@ static void draw(struct player *p)
                           .size = one_in(p, 4) ? 1.5 : 0.6,
                           .yaw = below(p, 8) * 45.0,
                           .pitch = below(p, 3) * 30.0};
-    struct sheen_draw d;
+    struct sheen_object d;
     int valid = SHEEN_OK;
 
     stage_draw(stage, &actor, &d);
@@ -216,7 +219,7 @@ static void draw(struct player *p)
             d.pose.rotation[0] = d.pose.rotation[1] = d.pose.rotation[2] = 0;
             break;
         default:
-            d.pose.scale = 0;
+            d.pose.scale = -1;
         }
     }
     model_draw(&p->model, &d, valid);

@@ -120,8 +120,8 @@ void core_mesh_free(struct core_mesh *mesh)
 void core_view(struct sheen_view *view, const struct ref_scene *scene)
 {
     *view = (struct sheen_view){.fov = (sheen_angle_t)llround(scene->fov / TURN * 4294967296.0),
-                                .near = (sheen_q24_t)lround(scene->near * 16777216),
-                                .far = (sheen_q24_t)lround(scene->far * 16777216),
+                                .z_near = (sheen_q24_t)lround(scene->near * 16777216),
+                                .z_far = (sheen_q24_t)lround(scene->far * 16777216),
                                 .orthographic = scene->ortho ? (sheen_q24_t)lround(scene->distance * 16777216) : 0,
                                 .affine = scene->affine,
                                 .dither = scene->dither};
@@ -144,23 +144,23 @@ void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_s
         double reach = 0;
         for (int k = 0; k < 3; k++)
             reach = fmax(reach, fabs(scene->light[i][k]));
-        lights[i] = (struct sheen_light){.intensity = 65536, .highlight = 1};
+        lights[i] = (struct sheen_light){.intensity = 65536};
         for (int k = 0; k < 3; k++)
             lights[i].to[k] = (sheen_q30_t)lround(scene->light[i][k] / reach * 1073741824);
     }
 }
 
-int core_material(struct sheen_material *material, const struct ref_scene *scene)
+int core_material(struct sheen_material *material, struct sheen_shine *shine, const struct ref_scene *scene)
 {
     *material = (struct sheen_material){.ambient = (sheen_q16_t)lround(scene->ambient * 65536),
                                         .diffuse = (sheen_q16_t)lround(scene->diffuse * 65536),
                                         .specular = (sheen_q16_t)lround(scene->specular * 65536),
-                                        .shininess = (uint8_t)lround(scene->shininess)};
+                                        .shine = shine};
     for (int k = 0; k < 3; k++) {
         material->base[k] = (uint8_t)lround(255 * scene->base[k]);
         material->highlight[k] = (uint8_t)lround(255 * scene->highlight[k]);
     }
-    return sheen_material_prepare(material);
+    return sheen_shine_make(shine, (unsigned)lround(scene->shininess));
 }
 
 int core_frame_make(struct core_frame *f, const struct sheen_config *config)
@@ -202,13 +202,14 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                   .max_clipped = CLIPPED};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
+    struct sheen_shine shine;
     struct sheen_view view;
-    struct sheen_draw draw = {.mesh = mesh,
-                              .material = &material,
-                              .lights = lights,
-                              .light_count = (uint8_t)scene->light_count,
-                              .shader = sheen_shader_of((unsigned)scene->shading),
-                              .two_sided = scene->two_sided};
+    struct sheen_object draw = {.mesh = mesh,
+                                .material = &material,
+                                .lights = lights,
+                                .light_count = (uint8_t)scene->light_count,
+                                .shader = sheen_shader_of((unsigned)scene->shading),
+                                .two_sided = scene->two_sided};
     struct core_frame f;
     int status = core_frame_make(&f, &config);
 
@@ -218,8 +219,9 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
     core_view(&view, scene);
     core_pose(&draw.pose, scene);
     core_lights(lights, scene);
-    if ((status = core_material(&material, scene)) == SHEEN_OK && (status = sheen_begin(f.frame, &view)) == SHEEN_OK &&
-        (status = sheen_draw(f.frame, &draw)) == SHEEN_OK && (status = sheen_end(f.frame)) == SHEEN_OK)
+    if ((status = core_material(&material, &shine, scene)) == SHEEN_OK &&
+        (status = sheen_begin(f.frame, &view)) == SHEEN_OK && (status = sheen_draw(f.frame, &draw)) == SHEEN_OK &&
+        (status = sheen_end(f.frame)) == SHEEN_OK)
         status = sheen_wait(f.frame);
     sheen_frame_stats(f.frame, &stats->frame);
     sheen_frame_ways(f.frame, stats->by_way);

@@ -20,13 +20,12 @@ void core_raster_begin(struct core_raster *r, int width, int height)
                                   .vertices = 3,
                                   .triangles = 1,
                                   .scale = 1};
-    r->material = (struct sheen_material){.ambient = SHEEN_Q16(1), .shininess = 1};
-    (void)sheen_material_prepare(&r->material);
+    r->material = (struct sheen_material){.ambient = SHEEN_Q16(1)};
     r->screen = (struct screen){.viewport = {0, 0, (int16_t)width, (int16_t)height},
                                 .centre_x = SUBPIXEL_HALF * width,
                                 .centre_y = SUBPIXEL_HALF * height,
                                 .flat_weight = 1};
-    r->draw = (struct draw){.mesh = &r->mesh, .material = &r->material, .shader = &sheen_flat, .two_sided = 1};
+    r->draw = (struct draw){.mesh = &r->mesh, .power = power_of(NULL), .shader = &sheen_flat, .two_sided = 1};
     sheen_format_begin(&r->format, &target);
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, 0, 0);
 }

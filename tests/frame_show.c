@@ -13,25 +13,27 @@ static void put(const struct show_painter *p, void *pixels, size_t at, unsigned 
     byte[p->pixel == SHEEN_RGB565_BE ? 1 : 0] = (uint8_t)value;
 }
 
-void show_underlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+void show_underlay(void *ctx, const struct sheen_canvas *canvas)
 {
+    const struct sheen_rect rect = canvas->rect;
     struct show_painter *p = ctx;
 
     for (int y = rect.y0; y < rect.y1; y++) {
         for (int x = rect.x0; x < rect.x1; x++)
-            put(p, pixels, (size_t)(y - rect.y0) * pitch + (size_t)(x - rect.x0),
+            put(p, canvas->pixels, (size_t)(y - rect.y0) * canvas->pitch + (size_t)(x - rect.x0),
                 (unsigned)(x * 77 + y * 1021) & 0x39e7);
     }
 }
 
-void show_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+void show_overlay(void *ctx, const struct sheen_canvas *canvas)
 {
+    const struct sheen_rect rect = canvas->rect;
     struct show_painter *p = ctx;
 
     for (int y = rect.y0; y < rect.y1; y++) {
         for (int x = rect.x0; x < rect.x1; x++) {
             if (x >= p->marker_x && x < p->marker_x + 9 && y >= p->marker_y && y < p->marker_y + 9)
-                put(p, pixels, (size_t)(y - rect.y0) * pitch + (size_t)(x - rect.x0), 0xffff);
+                put(p, canvas->pixels, (size_t)(y - rect.y0) * canvas->pitch + (size_t)(x - rect.x0), 0xffff);
         }
     }
 }
@@ -97,7 +99,7 @@ int show_play(struct sheen_frame *frame, const struct stage *stage, const struct
     int status = sheen_begin(frame, &s->view);
 
     for (int i = 0; i < SHOW_ACTORS && status == SHEEN_OK; i++) {
-        struct sheen_draw draw;
+        struct sheen_object draw;
         if (!s->on[i])
             continue;
         stage_draw(stage, &s->actors[i], &draw);

@@ -42,7 +42,7 @@ void show_change(struct show *show, const struct show_way *way, uint32_t *seed);
 int show_play(struct sheen_frame *frame, const struct stage *stage, const struct show *show);
 
 /* Callbacks of the view; ctx is a struct show_painter. */
-void show_underlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
-void show_overlay(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch);
+void show_underlay(void *ctx, const struct sheen_canvas *canvas);
+void show_overlay(void *ctx, const struct sheen_canvas *canvas);
 
 #endif

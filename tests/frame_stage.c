@@ -32,16 +32,15 @@ int stage_make(struct stage *stage)
     static const uint8_t shininess[3] = {8, 32, 128};
 
     memset(stage, 0, sizeof *stage);
-    stage->light[0] = (struct sheen_light){
-        .to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)}, .intensity = 65536, .highlight = 1};
+    stage->light[0] = (struct sheen_light){.to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)}, .intensity = 65536};
     for (int i = 0; i < 3; i++) {
         stage->material[i] = (struct sheen_material){.highlight = {255, 255, 255},
                                                      .ambient = SHEEN_Q16(0.1),
                                                      .diffuse = SHEEN_Q16(0.6),
                                                      .specular = SHEEN_Q16(0.3),
-                                                     .shininess = shininess[i]};
+                                                     .shine = &stage->shine[i]};
         memcpy(stage->material[i].base, base[i], sizeof base[i]);
-        int status = sheen_material_prepare(&stage->material[i]);
+        int status = sheen_shine_make(&stage->shine[i], shininess[i]);
         if (status < 0)
             return status;
     }
@@ -61,13 +60,13 @@ void stage_free(struct stage *stage)
         core_mesh_free(&stage->mesh[i]);
 }
 
-void stage_draw(const struct stage *stage, const struct actor *actor, struct sheen_draw *draw)
+void stage_draw(const struct stage *stage, const struct actor *actor, struct sheen_object *draw)
 {
-    *draw = (struct sheen_draw){.mesh = &stage->mesh[actor->mesh].mesh,
-                                .material = &stage->material[actor->material],
-                                .lights = stage->light,
-                                .light_count = 1,
-                                .shader = sheen_shader_of((unsigned)actor->shading)};
+    *draw = (struct sheen_object){.mesh = &stage->mesh[actor->mesh].mesh,
+                                  .material = &stage->material[actor->material],
+                                  .lights = stage->light,
+                                  .light_count = 1,
+                                  .shader = sheen_shader_of((unsigned)actor->shading)};
     sheen_pose_orbit(&draw->pose, SHEEN_DEGREES(actor->yaw), SHEEN_DEGREES(actor->pitch), 0, 0);
     draw->pose.scale = SHEEN_Q16(actor->size);
     draw->pose.translation[0] = SHEEN_Q24(actor->x);
@@ -78,7 +77,7 @@ void stage_draw(const struct stage *stage, const struct actor *actor, struct she
 void stage_view(struct sheen_view *view)
 {
     *view = (struct sheen_view){
-        .fov = SHEEN_DEGREES(50), .near = SHEEN_Q24(1), .far = SHEEN_Q24(12), .background = {0, 0, 0x20}};
+        .fov = SHEEN_DEGREES(50), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(12), .background = {0, 0, 0x20}};
 }
 
 int stage_frame(struct sheen_frame *frame, const struct sheen_view *view, const struct stage *stage,
@@ -87,7 +86,7 @@ int stage_frame(struct sheen_frame *frame, const struct sheen_view *view, const 
     int status = sheen_begin(frame, view);
 
     for (int i = 0; i < count && status == SHEEN_OK; i++) {
-        struct sheen_draw draw;
+        struct sheen_object draw;
         stage_draw(stage, &actors[i], &draw);
         status = sheen_draw(frame, &draw);
     }

@@ -18,6 +18,7 @@ enum stage_mesh {
 struct stage {
     struct core_mesh mesh[STAGE_MESHES]; /* of radius 1 */
     struct sheen_material material[3];
+    struct sheen_shine shine[3];
     struct sheen_light light[1];
 };
 
@@ -34,7 +35,7 @@ struct actor {
     double yaw, pitch;        /* degrees */
 };
 
-void stage_draw(const struct stage *stage, const struct actor *actor, struct sheen_draw *draw);
+void stage_draw(const struct stage *stage, const struct actor *actor, struct sheen_object *draw);
 
 /* near 1, far 12, fov 50 degrees, all of the target, a dark blue background. */
 void stage_view(struct sheen_view *view);

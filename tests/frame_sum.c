@@ -50,16 +50,16 @@ static uint32_t checksum(const uint8_t *bytes, size_t count)
  */
 #define VIEWS 5
 
-static void set_view(int number, struct sheen_view *view, struct sheen_draw *draw)
+static void set_view(int number, struct sheen_view *view, struct sheen_object *draw)
 {
-    static const struct sheen_light behind = {{-0x20000000, 0x18000000, -0x2ccccccd}, 65536, 1};
+    static const struct sheen_light behind = {.to = {-0x20000000, 0x18000000, -0x2ccccccd}, .intensity = 65536};
     static const struct sheen_light lights[3] = {
-        {{-0x20000000, 0x2ccccccd, 0x20000000}, 65536, 1},
-        {{0x30000000, 0x08000000, 0x10000000}, 40000, 1},
-        {{0, -0x40000000, 0x00100000}, 65536, 0},
+        {.to = {-0x20000000, 0x2ccccccd, 0x20000000}, .intensity = 65536},
+        {.to = {0x30000000, 0x08000000, 0x10000000}, .intensity = 40000},
+        {.to = {0, -0x40000000, 0x00100000}, .intensity = 65536, .no_highlight = 1},
     };
 
-    *view = (struct sheen_view){.fov = 0x1c71c71c, .near = 1 << 24, .far = 5 << 24, .background = {8, 16, 40}};
+    *view = (struct sheen_view){.fov = 0x1c71c71c, .z_near = 1 << 24, .z_far = 5 << 24, .background = {8, 16, 40}};
     view->affine = number == 1 || number == 4;
     if (number == 4)
         view->fov = 0x02000000;
@@ -72,7 +72,7 @@ static void set_view(int number, struct sheen_view *view, struct sheen_draw *dra
                      number == 2 ? 0x01a00000 : 0x02d00000);
 }
 
-static int set_material(struct sheen_material *material, int view)
+static int set_material(struct sheen_material *material, struct sheen_shine *shine, int view)
 {
     static const uint8_t shininess[VIEWS] = {32, 7, 128, 2, 32};
 
@@ -81,12 +81,12 @@ static int set_material(struct sheen_material *material, int view)
                                         .ambient = 6554,
                                         .diffuse = view == 1 ? 60000 : 40000,
                                         .specular = view == 1 ? 50000 : 20000,
-                                        .shininess = shininess[view]};
-    return sheen_material_prepare(material);
+                                        .shine = shine};
+    return sheen_shine_make(shine, shininess[view]);
 }
 
 /* Two frames, the second turned on, so that what is sent is what changed. */
-static int draw_picture(const struct sheen_target *target, struct sheen_draw *draw, int view_number, int rows,
+static int draw_picture(const struct sheen_target *target, struct sheen_object *draw, int view_number, int rows,
                         int dither)
 {
     struct sheen_config config = {.target = target,
@@ -96,12 +96,13 @@ static int draw_picture(const struct sheen_target *target, struct sheen_draw *dr
                                   .max_clipped = 600};
     struct sheen_frame *frame;
     struct sheen_material material;
+    struct sheen_shine shine;
     struct sheen_view view;
     size_t size = sizeof arena;
     int status = sheen_init(&frame, arena, &size, &config);
 
     if (status == SHEEN_OK)
-        status = set_material(&material, view_number);
+        status = set_material(&material, &shine, view_number);
     draw->material = &material;
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         set_view(view_number, &view, draw);
@@ -127,7 +128,7 @@ static int print_sums(int mesh, int shading, int view, int format)
                                   .align_x = format == SHEEN_GREY2    ? 8
                                              : format == SHEEN_GREY16 ? 2
                                                                       : 1};
-    struct sheen_draw draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shader = sheen_shader_of(shading)};
+    struct sheen_object draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shader = sheen_shader_of(shading)};
 
     target.ctx = &target;
     for (int i = 0; i < 6; i++) {

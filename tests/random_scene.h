@@ -24,7 +24,7 @@ struct random_meshes {
 struct random_scene {
     struct ref_scene scene;
     const struct accuracy_mesh *mesh;
-    unsigned way; /* as in struct sheen_draw */
+    unsigned way; /* as in struct sheen_object */
     enum random_kind kind;
 };
 

@@ -114,17 +114,15 @@ static void draw(const struct sheen_mesh *mesh, enum sheen_shading shading, uint
                                       .ambient = SHEEN_Q16(.1),
                                       .diffuse = SHEEN_Q16(.6),
                                       .specular = SHEEN_Q16(.3),
-                                      .shininess = 32};
-    struct sheen_light light = {
-        .to = {-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
-    struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05)};
-    struct sheen_draw scene = {
+                                      .shine = &sheen_shine_32};
+    struct sheen_light light = {.to = {-SHEEN_Q30(.5), SHEEN_Q30(.7), SHEEN_Q30(.5)}, .intensity = SHEEN_Q16(1)};
+    struct sheen_view view = {.fov = SHEEN_DEGREES(40), .z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05)};
+    struct sheen_object scene = {
         .mesh = mesh, .material = &material, .lights = &light, .light_count = 1, .shader = sheen_shader_of(shading)};
     struct sheen_frame *frame;
     size_t size = sheen_arena_size(&config);
     void *arena = malloc(size);
 
-    assert_int_equal(sheen_material_prepare(&material), 0);
     assert_int_equal(sheen_init(&frame, arena, &size, &config), 0);
     sheen_pose_orbit(&scene.pose, SHEEN_DEGREES(30), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
     assert_int_equal(sheen_begin(frame, &view), 0);

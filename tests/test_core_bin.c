@@ -28,8 +28,6 @@ struct bin_case {
 static void case_make(struct bin_case *c, int band_rows, int align, int max_triangles)
 {
     memset(c, 0, sizeof *c);
-    c->material.shininess = 1;
-    assert_int_equal(sheen_material_prepare(&c->material), SHEEN_OK);
     assert_int_equal(memory_target_init(&c->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
     c->target.target.align_x = c->target.target.align_y = (uint8_t)align;
     const struct sheen_config config = {.target = &c->target.target,
@@ -68,7 +66,8 @@ static void random_mesh(struct bin_case *c, int which, uint32_t *state)
 
 static int draw_mesh(struct bin_case *c, int which)
 {
-    struct sheen_draw draw = {.mesh = &c->mesh[which], .material = &c->material, .shader = &sheen_flat, .two_sided = 1};
+    struct sheen_object draw = {
+        .mesh = &c->mesh[which], .material = &c->material, .shader = &sheen_flat, .two_sided = 1};
 
     sheen_pose_orbit(&draw.pose, 0, 0, 0, SHEEN_Q24(4));
     return sheen_draw(c->frame.frame, &draw);
@@ -159,7 +158,7 @@ static void test_lists(void **unused)
     for (int i = 0; i < 20; i++) {
         case_make(&c, rows[i % 5], i % 2 != 0 ? 1 : 8, 4 * TRIANGLES);
         const struct sheen_frame *f = c.frame.frame;
-        c.view = (struct sheen_view){.fov = SHEEN_DEGREES(60), .near = SHEEN_Q24(2.5), .far = SHEEN_Q24(5.5)};
+        c.view = (struct sheen_view){.fov = SHEEN_DEGREES(60), .z_near = SHEEN_Q24(2.5), .z_far = SHEEN_Q24(5.5)};
         if (i % 4 >= 2)
             c.view.viewport = (struct sheen_rect){16, 8, 104, 112};
         assert_int_equal(sheen_begin(c.frame.frame, &c.view), SHEEN_OK);
@@ -218,7 +217,7 @@ static void test_roll_back(void **unused)
     (void)unused;
     for (int room = 4 * TRIANGLES; room > 0; room -= 3) {
         case_make(&c, 16, 1, room);
-        c.view = (struct sheen_view){.fov = SHEEN_DEGREES(60), .near = SHEEN_Q24(2.5), .far = SHEEN_Q24(5.5)};
+        c.view = (struct sheen_view){.fov = SHEEN_DEGREES(60), .z_near = SHEEN_Q24(2.5), .z_far = SHEEN_Q24(5.5)};
         assert_int_equal(sheen_begin(c.frame.frame, &c.view), SHEEN_OK);
         random_mesh(&c, 0, &state);
         random_mesh(&c, 1, &state);

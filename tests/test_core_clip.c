@@ -36,10 +36,9 @@ static void case_make(struct clip_case *c, int width, int height)
     memset(c, 0, sizeof *c);
     c->width = width;
     c->height = height;
-    c->material.shininess = 8;
+    c->material.shine = &sheen_shine_8;
     c->material.base[0] = 255;
     c->material.diffuse = 65536;
-    assert_int_equal(sheen_material_prepare(&c->material), SHEEN_OK);
     assert_int_equal(memory_target_init(&c->target, width, height, SHEEN_RGB565_LE), 0);
     const struct sheen_config config = {
         .target = &c->target.target, .max_vertices = 4, .max_triangles = MOST, .max_clipped = MOST};
@@ -56,12 +55,12 @@ static void case_free(struct clip_case *c)
 static int case_draw(struct clip_case *c, enum sheen_shading shading, int two_sided)
 {
     static const struct sheen_light light = {.to = {1 << 29, 1 << 29, 1 << 30}, .intensity = 65536};
-    struct sheen_draw draw = {.mesh = &c->mesh,
-                              .material = &c->material,
-                              .lights = &light,
-                              .light_count = 1,
-                              .shader = sheen_shader_of(shading),
-                              .two_sided = (uint8_t)two_sided};
+    struct sheen_object draw = {.mesh = &c->mesh,
+                                .material = &c->material,
+                                .lights = &light,
+                                .light_count = 1,
+                                .shader = sheen_shader_of(shading),
+                                .two_sided = (uint8_t)two_sided};
 
     sheen_pose_identity(&draw.pose);
     c->focal = c->height / 2.0 / tan(c->view.fov / 4294967296.0 * 3.14159265358979323846);
@@ -104,8 +103,8 @@ static double depth_inside(const struct clip_case *c, int t, int px, int py, int
         line[3][i] = -normal[i] / volume;
         line[4][i] = normal[i] / volume;
     }
-    line[3][3] = UNIT / c->view.near;
-    line[4][3] = -UNIT / c->view.far;
+    line[3][3] = UNIT / c->view.z_near;
+    line[4][3] = -UNIT / c->view.z_far;
     for (int k = 0; k < 5; k++) {
         double sign = k < 3 && volume < 0 ? -1 : 1, steep = hypot(line[k][0], line[k][1]) / c->focal;
         double value = sign * (line[k][0] * ray[0] + line[k][1] * ray[1] + line[k][2] * ray[2] + line[k][3]);
@@ -169,7 +168,7 @@ static void compare(const struct clip_case *c, struct clip_count *count, int mos
                 continue;
             if (count->wrong++ == 0)
                 print_message("           case %d, pixel %d %d: covered %d times, %d expected, near %d\n", number, x, y,
-                              covered, expected, c->view.near);
+                              covered, expected, c->view.z_near);
         }
 }
 
@@ -180,8 +179,8 @@ static void random_view(struct clip_case *c, uint32_t *state, double nearest)
     double near = exp(stage_uniform(state, log(nearest), log(2)));
 
     c->view = (struct sheen_view){.fov = SHEEN_DEGREES(stage_uniform(state, 20, 100)),
-                                  .near = SHEEN_Q24(near),
-                                  .far = SHEEN_Q24(near + stage_uniform(state, 0.5, 6))};
+                                  .z_near = SHEEN_Q24(near),
+                                  .z_far = SHEEN_Q24(near + stage_uniform(state, 0.5, 6))};
 }
 
 /* One triangle, or two that share an edge, with corners all round the eye. */
@@ -291,7 +290,7 @@ static void test_near_planes_of_a_few_raw_steps(void **unused)
     case_make(&c, 48, 32);
     for (int i = 0; i < 50000; i++) {
         random_view(&c, &state, 0.05);
-        c.view.near = 1 + (int32_t)(stage_random(&state) >> (12 + stage_random(&state) % 20));
+        c.view.z_near = 1 + (int32_t)(stage_random(&state) >> (12 + stage_random(&state) % 20));
         random_mesh(&c, &state, 1);
         c.mesh.scale = 1 << (15 + i % 15);
         for (int k = 0; k < 3; k++) {
@@ -321,7 +320,7 @@ static void test_near_planes_of_a_few_raw_steps(void **unused)
 /* Normals 20000 * (x, y, z) / 4 at eye (x, y, z): at any corner of a piece they must say where it lies. */
 static void note_corner(const struct clip_case *c, struct worst *worst, const struct vertex *v, const int16_t n[3])
 {
-    double near = c->view.near / UNIT, far = c->view.far / UNIT, per = 20000 / 4.;
+    double near = c->view.z_near / UNIT, far = c->view.z_far / UNIT, per = 20000 / 4.;
     double w = (v->z - DEPTH_FAR) / (double)DEPTH_RANGE * (1 / near - 1 / far) + 1 / far, m = 1 / w;
     double step = (1 / near - 1 / far) / DEPTH_RANGE * m * m * per; /* of z16, in raw steps of a normal */
     double x = v->x / 64. / c->focal * m * per, y = -v->y / 64. / c->focal * m * per;

@@ -19,13 +19,14 @@
 
 struct wrong {
     const char *what;
-    void (*make)(struct sheen_draw *draw, struct sheen_mesh *mesh, struct sheen_material *material,
+    void (*make)(struct sheen_object *draw, struct sheen_mesh *mesh, struct sheen_material *material,
                  struct sheen_light *light);
     int error;
+    enum sheen_subject about;
 };
 
 #define WRONG(name, statement)                                                                                         \
-    static void name(struct sheen_draw *draw, struct sheen_mesh *mesh, struct sheen_material *material,                \
+    static void name(struct sheen_object *draw, struct sheen_mesh *mesh, struct sheen_material *material,              \
                      struct sheen_light *light)                                                                        \
     {                                                                                                                  \
         (void)draw;                                                                                                    \
@@ -41,17 +42,17 @@ WRONG(no_positions, mesh->positions = NULL)
 WRONG(no_indices, mesh->indices = NULL)
 WRONG(no_normals, mesh->normals = NULL)
 WRONG(no_shader, draw->shader = NULL)
-WRONG(unprepared, memset(material, 0, sizeof *material))
-WRONG(unprepared_garbage, memset(material, 0xff, sizeof *material))
+WRONG(no_shine, material->shine = NULL)
+WRONG(dim, material->ambient = -1)
+WRONG(glaring, material->specular = (4 << 16) + 1)
+WRONG(garbage, memset(material, 0xff, sizeof *material))
 WRONG(five_lights, draw->light_count = 5)
 WRONG(no_lights, draw->lights = NULL)
 WRONG(zero_light, memset(light->to, 0, sizeof light->to))
 WRONG(bright_light, light->intensity = 65537)
 WRONG(dark_light, light->intensity = -1)
 WRONG(flat_mesh, mesh->scale = 0)
-WRONG(flat_pose, draw->pose.scale = 0)
 WRONG(turned_over_pose, draw->pose.scale = -65536)
-WRONG(zero_rotation, memset(draw->pose.rotation, 0, sizeof draw->pose.rotation))
 WRONG(huge_rotation, memset(draw->pose.rotation, 0x7f, sizeof draw->pose.rotation))
 WRONG(stretched_rotation, draw->pose.rotation[0] += draw->pose.rotation[0] > 0 ? 1 << 23 : -(1 << 23))
 WRONG(shrunken_rotation, for (int k = 0; k < 9; k++) draw->pose.rotation[k] -= draw->pose.rotation[k] / 1000)
@@ -59,28 +60,28 @@ WRONG(beyond_reach, draw->pose.translation[0] = INT32_MAX)
 WRONG(beyond_reach_below, draw->pose.translation[2] = INT32_MIN)
 
 static const struct wrong wrongs[] = {
-    {"no mesh", no_mesh, SHEEN_ERR_ARGUMENT},
-    {"no material", no_material, SHEEN_ERR_ARGUMENT},
-    {"no positions", no_positions, SHEEN_ERR_ARGUMENT},
-    {"no indices", no_indices, SHEEN_ERR_ARGUMENT},
-    {"no normals", no_normals, SHEEN_ERR_ARGUMENT},
-    {"no shader", no_shader, SHEEN_ERR_ARGUMENT},
-    {"a material of zeros", unprepared, SHEEN_ERR_ARGUMENT},
-    {"a material of ones", unprepared_garbage, SHEEN_ERR_ARGUMENT},
-    {"five lights", five_lights, SHEEN_ERR_ARGUMENT},
-    {"no lights", no_lights, SHEEN_ERR_ARGUMENT},
-    {"a light from nowhere", zero_light, SHEEN_ERR_DEGENERATE},
-    {"a light above 1", bright_light, SHEEN_ERR_ARGUMENT},
-    {"a light below 0", dark_light, SHEEN_ERR_ARGUMENT},
-    {"a mesh of no size", flat_mesh, SHEEN_ERR_ARGUMENT},
-    {"a pose of no size", flat_pose, SHEEN_ERR_ARGUMENT},
-    {"a pose of negative size", turned_over_pose, SHEEN_ERR_ARGUMENT},
-    {"a rotation of zeros", zero_rotation, SHEEN_ERR_ARGUMENT},
-    {"a rotation of large numbers", huge_rotation, SHEEN_ERR_ARGUMENT},
-    {"a rotation that stretches", stretched_rotation, SHEEN_ERR_ARGUMENT},
-    {"a rotation that shrinks", shrunken_rotation, SHEEN_ERR_ARGUMENT},
-    {"beyond 128 units", beyond_reach, SHEEN_ERR_ARGUMENT},
-    {"behind -128 units", beyond_reach_below, SHEEN_ERR_ARGUMENT},
+    {"no mesh", no_mesh, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"no material", no_material, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
+    {"no positions", no_positions, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"no indices", no_indices, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"no normals", no_normals, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_NORMALS},
+    {"no shader", no_shader, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHADER},
+    {"a highlight without a table", no_shine, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHINE},
+    {"ambient light below 0", dim, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
+    {"a highlight above 4", glaring, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
+    {"a material of ones", garbage, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
+    {"five lights", five_lights, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_LIGHTS},
+    {"no lights", no_lights, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_LIGHTS},
+    {"a light from nowhere", zero_light, SHEEN_ERR_DEGENERATE, SHEEN_ABOUT_LIGHTS},
+    {"a light above 1", bright_light, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_LIGHTS},
+    {"a light below 0", dark_light, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_LIGHTS},
+    {"a mesh of no size", flat_mesh, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"a pose of negative size", turned_over_pose, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
+    {"a rotation of large numbers", huge_rotation, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
+    {"a rotation that stretches", stretched_rotation, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
+    {"a rotation that shrinks", shrunken_rotation, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
+    {"beyond 128 units", beyond_reach, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
+    {"behind -128 units", beyond_reach_below, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE},
 };
 
 /* Two frames with the same good draw, one of them with bad ones before and after it: the same picture and counts. */
@@ -99,7 +100,7 @@ static void test_draws(void **unused)
         struct sheen_config config;
         struct core_frame f;
         struct sheen_view view;
-        struct sheen_draw draw;
+        struct sheen_object draw;
         stage_config(&config, i == 0 ? &good : &bad, 2);
         stage_view(&view);
         assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
@@ -117,8 +118,9 @@ static void test_draws(void **unused)
             draw.lights = &light;
             wrong->make(&draw, &mesh, &material, &light);
             int error = i == 0 ? wrong->error : sheen_draw(f.frame, &draw);
-            if (error != wrong->error)
-                fail_msg("%s: %d (%s)", wrong->what, error, sheen_strerror(error));
+            enum sheen_subject about = i == 0 ? wrong->about : sheen_frame_about(f.frame, NULL);
+            if (error != wrong->error || about != wrong->about)
+                fail_msg("%s: %d (%s), about %s", wrong->what, error, sheen_strerror(error), sheen_subject_name(about));
         }
         assert_int_equal(sheen_end(f.frame), SHEEN_OK);
         sheen_frame_stats(f.frame, &stats[i]);
@@ -141,7 +143,7 @@ static void test_rotations_may_drift_a_little(void **unused)
     struct sheen_config config;
     struct core_frame f;
     struct sheen_view view;
-    struct sheen_draw draw;
+    struct sheen_object draw;
 
     (void)unused;
     assert_int_equal(stage_make(&stage), 0);

@@ -47,8 +47,7 @@ static void flight_begin(struct flight *f, int (*make)(struct shape *))
     assert_non_null(f->inverted);
     for (size_t i = 0; i < corners; i++)
         f->inverted[i] = f->mesh.indices[i % 3 == 0 ? i : i % 3 == 1 ? i + 1 : i - 1];
-    f->material = (struct sheen_material){.base = {255, 255, 255}, .ambient = SHEEN_Q16(1), .shininess = 1};
-    assert_int_equal(sheen_material_prepare(&f->material), SHEEN_OK);
+    f->material = (struct sheen_material){.base = {255, 255, 255}, .ambient = SHEEN_Q16(1)};
     assert_int_equal(memory_target_init(&f->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
     const struct sheen_config config = {
         .target = &f->target.target, .max_vertices = f->mesh.mesh.vertices, .max_triangles = 2000, .max_clipped = 1000};
@@ -109,14 +108,14 @@ static int draw_frame(struct flight *f, int i, int one_sided, enum sheen_shading
 {
     static const int32_t up[3] = {0, 1 << 30, 0};
     static const struct sheen_light light = {.to = {1 << 29, 1 << 30, 1 << 29}, .intensity = 65536};
-    const struct sheen_view view = {.fov = SHEEN_DEGREES(FOV), .near = SHEEN_Q24(NEAR), .far = SHEEN_Q24(5)};
+    const struct sheen_view view = {.fov = SHEEN_DEGREES(FOV), .z_near = SHEEN_Q24(NEAR), .z_far = SHEEN_Q24(5)};
     struct sheen_mesh mesh = f->mesh.mesh;
-    struct sheen_draw draw = {.mesh = &mesh,
-                              .material = &f->material,
-                              .lights = &light,
-                              .light_count = 1,
-                              .shader = sheen_shader_of(shading),
-                              .two_sided = !one_sided};
+    struct sheen_object draw = {.mesh = &mesh,
+                                .material = &f->material,
+                                .lights = &light,
+                                .light_count = 1,
+                                .shader = sheen_shader_of(shading),
+                                .two_sided = !one_sided};
     double eye[3];
     sheen_q24_t at[3], target[3];
     int background = 0;

@@ -24,8 +24,9 @@ struct garbage {
     uint8_t narrow[3 * TRIANGLES];
     struct sheen_mesh mesh;
     struct sheen_material material;
+    struct sheen_shine shine;
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
-    struct sheen_draw draw;
+    struct sheen_object draw;
     long drawn, refused;
 };
 
@@ -101,27 +102,28 @@ static void fill_look(struct garbage *g)
     *m = (struct sheen_material){.ambient = (int32_t)below(g, (uint32_t)most),
                                  .diffuse = (int32_t)below(g, (uint32_t)most),
                                  .specular = (int32_t)below(g, (uint32_t)most),
-                                 .shininess = (uint8_t)(1 + below(g, 128))};
+                                 .shine = &g->shine};
     for (int k = 0; k < 3; k++) {
         m->base[k] = (uint8_t)any(g);
         m->highlight[k] = (uint8_t)any(g);
     }
-    assert_int_equal(sheen_material_prepare(m), SHEEN_OK);
+    assert_int_equal(sheen_shine_make(&g->shine, 1 + below(g, 128)), SHEEN_OK);
     for (int i = 0; i < SHEEN_MAX_LIGHTS; i++)
-        g->lights[i] = (struct sheen_light){
-            .to = {any(g), any(g), any(g)}, .intensity = (int32_t)below(g, 65537), .highlight = (uint8_t)below(g, 2)};
+        g->lights[i] = (struct sheen_light){.to = {any(g), any(g), any(g)},
+                                            .intensity = (int32_t)below(g, 65537),
+                                            .no_highlight = (uint8_t)below(g, 2)};
 }
 
 static void fill_draw(struct garbage *g)
 {
-    struct sheen_draw *d = &g->draw;
+    struct sheen_object *d = &g->draw;
 
-    *d = (struct sheen_draw){.mesh = &g->mesh,
-                             .material = &g->material,
-                             .lights = g->lights,
-                             .light_count = (uint8_t)below(g, SHEEN_MAX_LIGHTS + 1),
-                             .shader = sheen_shader_of(below(g, SHEEN_SLERP + 1)),
-                             .two_sided = (uint8_t)below(g, 2)};
+    *d = (struct sheen_object){.mesh = &g->mesh,
+                               .material = &g->material,
+                               .lights = g->lights,
+                               .light_count = (uint8_t)below(g, SHEEN_MAX_LIGHTS + 1),
+                               .shader = sheen_shader_of(below(g, SHEEN_SLERP + 1)),
+                               .two_sided = (uint8_t)below(g, 2)};
     sheen_pose_orbit(&d->pose, stage_random(&g->state), stage_random(&g->state), stage_random(&g->state), 0);
     d->pose.scale = below(g, 4) == 0 ? positive(g) : 1 << (12 + below(g, 7));
     for (int k = 0; k < 3; k++)
@@ -131,19 +133,19 @@ static void fill_draw(struct garbage *g)
 static void fill_view(struct garbage *g, struct sheen_view *view, const struct sheen_target *t)
 {
     *view = (struct sheen_view){.fov = SHEEN_DEGREES(1) + below(g, SHEEN_DEGREES(149)),
-                                .near = positive(g),
-                                .far = positive(g),
+                                .z_near = positive(g),
+                                .z_far = positive(g),
                                 .orthographic = below(g, 3) == 0 ? positive(g) : 0,
                                 .affine = (uint8_t)below(g, 2),
                                 .dither = (uint8_t)below(g, 2),
                                 .background = {(uint8_t)any(g), (uint8_t)any(g), (uint8_t)any(g)}};
-    if (view->near > view->far) {
-        sheen_q24_t near = view->far;
-        view->far = view->near;
-        view->near = near;
+    if (view->z_near > view->z_far) {
+        sheen_q24_t near = view->z_far;
+        view->z_far = view->z_near;
+        view->z_near = near;
     }
     if (below(g, 2) == 0) /* a scene is more often there than not */
-        view->near = (view->near >> 8) | 1;
+        view->z_near = (view->z_near >> 8) | 1;
     if (below(g, 3) == 0)
         view->viewport = (struct sheen_rect){(int16_t)below(g, t->width), (int16_t)below(g, t->height),
                                              (int16_t)below(g, t->width + 8u), (int16_t)below(g, t->height + 8u)};

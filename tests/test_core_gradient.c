@@ -354,13 +354,13 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
 
 static void note_light(struct core_raster *r, uint32_t *state)
 {
-    struct sheen_light light = {.intensity = 65536, .highlight = 1};
-    struct sheen_draw draw = {.lights = &light, .light_count = 1};
+    struct sheen_light light = {.intensity = 65536};
+    struct sheen_pose pose;
 
     for (int k = 0; k < 3; k++)
         light.to[k] = (int32_t)stage_random(state);
-    sheen_pose_orbit(&draw.pose, stage_random(state), stage_random(state), stage_random(state), 0);
-    assert_int_equal(sheen_light_begin(&r->draw.light, &draw), SHEEN_OK);
+    sheen_pose_orbit(&pose, stage_random(state), stage_random(state), stage_random(state), 0);
+    assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL), SHEEN_OK);
 }
 
 static void test_phong_set_up(void **unused)
@@ -373,7 +373,7 @@ static void test_phong_set_up(void **unused)
     core_raster_begin(&r, WIDTH, HEIGHT);
     r.draw.shader = &sheen_phong;
     r.draw.forced = 1 + SHEEN_WAY_PHONG_ROOT; /* the others take nodes in their place */
-    const struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(10)};
+    const struct sheen_view view = {.fov = SHEEN_DEGREES(40), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(10)};
     struct projection projection;
     assert_int_equal(sheen_project_begin(&projection, &view, HEIGHT), SHEEN_OK);
     r.screen.weight_shift = (uint8_t)projection.weight_shift;

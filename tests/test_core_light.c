@@ -16,13 +16,6 @@
 #define ONE 1073741824.0 /* Q1.30 */
 #define WEIGHT(sum) (1.5 * 65536 / fmax(1, sum))
 
-static void prepare(struct sheen_material *m, int shininess)
-{
-    memset(m, 0, sizeof *m);
-    m->shininess = (uint8_t)shininess;
-    assert_int_equal(sheen_material_prepare(m), SHEEN_OK);
-}
-
 /* ---- s^n ---- */
 
 static void test_powers(void **unused)
@@ -31,57 +24,69 @@ static void test_powers(void **unused)
 
     (void)unused;
     for (int n = 1; n <= 128; n++) {
-        struct sheen_material m;
+        struct sheen_shine shine;
         uint32_t last = 32768;
-        prepare(&m, n);
+        assert_int_equal(sheen_shine_make(&shine, (unsigned)n), SHEEN_OK);
         for (uint32_t u = 0; u <= 1u << 30; u += (1u << 14) + 7) { /* Q2.29: 1 - s from 0 to 2 */
-            uint32_t power = power_at(power_of(&m), (int32_t)u);
+            uint32_t power = power_at(power_of(&shine), (int32_t)u);
             double s = fmax(0, 1 - u / (ONE / 2));
             worst_note(&worst, power - pow(s, n) * 32768, "n %d, s %.9f", n, s);
             assert_true(power <= last);
             last = power;
         }
-        assert_int_equal(power_at(power_of(&m), 0), 32768);
-        assert_int_equal(power_at(power_of(&m), -1), 32768); /* rounding above 1 erases no highlight */
-        assert_int_equal(power_at(power_of(&m), INT32_MIN), 32768);
-        assert_int_equal(power_at(power_of(&m), INT32_MAX), 0);
+        assert_int_equal(power_at(power_of(&shine), 0), 32768);
+        assert_int_equal(power_at(power_of(&shine), -1), 32768); /* rounding above 1 erases no highlight */
+        assert_int_equal(power_at(power_of(&shine), INT32_MIN), 32768);
+        assert_int_equal(power_at(power_of(&shine), INT32_MAX), 0);
     }
     worst_assert(&worst, 20, "s^n");
 }
 
-static void test_materials_out_of_range(void **unused)
+static void test_shininesses_out_of_range(void **unused)
 {
-    const sheen_q16_t most = 4 << 16;
-    struct sheen_material good, m;
+    struct sheen_shine shine, before;
 
     (void)unused;
-    prepare(&good, 128);
-    good.ambient = good.diffuse = good.specular = most;
-    assert_int_equal(sheen_material_prepare(&good), SHEEN_OK);
-    for (int i = 0; i < 8; i++) {
-        m = good;
-        sheen_q16_t *field[3] = {&m.ambient, &m.diffuse, &m.specular};
-        if (i < 6)
-            *field[i / 2] = i % 2 != 0 ? -1 : most + 1;
-        else
-            m.shininess = i == 6 ? 0 : 129;
-        assert_int_equal(sheen_material_prepare(&m), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_shine_make(&shine, 128), SHEEN_OK);
+    before = shine;
+    assert_int_equal(sheen_shine_make(&shine, 0), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_shine_make(&shine, 129), SHEEN_ERR_ARGUMENT);
+    assert_memory_equal(&shine, &before, sizeof shine);
+}
+
+/* The const ones are those that are made. */
+static void test_const_shines(void **unused)
+{
+    static const struct sheen_shine *const shines[] = {&sheen_shine_4,  &sheen_shine_8,  &sheen_shine_16,
+                                                       &sheen_shine_32, &sheen_shine_64, &sheen_shine_128};
+
+    (void)unused;
+    for (unsigned i = 0; i < sizeof shines / sizeof shines[0]; i++) {
+        struct sheen_shine made;
+        memset(&made, 0, sizeof made);
+        assert_int_equal(sheen_shine_make(&made, 4u << i), SHEEN_OK);
+        assert_memory_equal(&made, shines[i], sizeof made);
     }
 }
 
 /* ---- light at a normal ---- */
 
 struct scene {
-    struct sheen_draw draw;
+    struct sheen_object draw;
     struct sheen_light light[SHEEN_MAX_LIGHTS];
-    struct sheen_material material;
+    struct sheen_shine shine;
     struct lighting lighting;
 };
+
+static int light_begin(struct scene *s)
+{
+    return sheen_light_begin(&s->lighting, s->draw.lights, s->draw.light_count, s->draw.pose.rotation, NULL);
+}
 
 static void random_scene(struct scene *s, uint32_t *state, unsigned lights)
 {
     memset(s, 0, sizeof *s);
-    prepare(&s->material, 1 + (int)(stage_random(state) % 128));
+    assert_int_equal(sheen_shine_make(&s->shine, 1 + stage_random(state) % 128), SHEEN_OK);
     sheen_pose_orbit(&s->draw.pose, stage_random(state), stage_random(state), stage_random(state), SHEEN_Q24(3));
     s->draw.lights = s->light;
     s->draw.light_count = (uint8_t)lights;
@@ -89,9 +94,9 @@ static void random_scene(struct scene *s, uint32_t *state, unsigned lights)
         for (int k = 0; k < 3; k++)
             s->light[i].to[k] = (int32_t)stage_random(state) >> (stage_random(state) % 4);
         s->light[i].intensity = (int32_t)(4096 + stage_random(state) % (65536 - 4096 + 1));
-        s->light[i].highlight = stage_random(state) % 4 != 0;
+        s->light[i].no_highlight = stage_random(state) % 4 == 0;
     }
-    assert_int_equal(sheen_light_begin(&s->lighting, &s->draw), SHEEN_OK);
+    assert_int_equal(light_begin(s), SHEEN_OK);
 }
 
 /* What the definition says, relative to the sums of the intensities. `behind` counts R.V > 0 where N.V < 0. */
@@ -110,13 +115,13 @@ static void exact_light(const struct scene *s, const int16_t normal[3], double *
         double length = sqrt((double)light->to[0] * light->to[0] + (double)light->to[1] * light->to[1] +
                              (double)light->to[2] * light->to[2]);
         double ln = (light->to[0] * seen[0] + light->to[1] * seen[1] + light->to[2] * seen[2]) / length;
-        double rv = 2 * ln * seen[2] - light->to[2] / length, highlight = light->highlight ? light->intensity : 0;
+        double rv = 2 * ln * seen[2] - light->to[2] / length, highlight = light->no_highlight ? 0 : light->intensity;
         diffuse_sum += light->intensity;
         specular_sum += highlight;
         if (ln <= 0)
             continue;
         *diffuse += light->intensity * ln;
-        *specular += highlight * pow(fmin(1, fmax(0, rv)), s->material.shininess) * fmin(1, 8 * ln);
+        *specular += highlight * pow(fmin(1, fmax(0, rv)), s->shine.shininess) * fmin(1, 8 * ln);
         *behind += seen[2] < -0.1 && rv > 0.5;
     }
     *diffuse /= fmax(1, diffuse_sum);
@@ -147,11 +152,11 @@ static void test_light_at_a_normal(void **unused)
             for (int j = 0; j < 3; j++)
                 n[j] = (int16_t)lrint(unit[j] / ONE * 32767);
             exact_light(&s, n, &exact_diffuse, &exact_specular, &behind);
-            sheen_light_normal(&s.lighting, &s.material, n, &lit);
+            sheen_light_normal(&s.lighting, power_of(&s.shine), n, &lit);
             worst_note(&diffuse, (lit.diffuse - exact_diffuse * 32768) / (5 + WEIGHT(s.lighting.diffuse_sum)),
                        "scene %u, normal %d", i, k);
             worst_note(&specular, (lit.specular - exact_specular * 32768) / (22 + WEIGHT(s.lighting.specular_sum)),
-                       "scene %u, normal %d, n %d", i, k, s.material.shininess);
+                       "scene %u, normal %d, n %d", i, k, s.shine.shininess);
             highlights += lit.specular > 16384;
         }
     }
@@ -171,7 +176,7 @@ static void test_a_zero_normal_has_no_light(void **unused)
         struct scene s;
         struct lit lit = {1, 1};
         random_scene(&s, &state, i);
-        sheen_light_normal(&s.lighting, &s.material, zero, &lit);
+        sheen_light_normal(&s.lighting, power_of(&s.shine), zero, &lit);
         assert_true(lit.diffuse == 0 && lit.specular == 0);
     }
 }
@@ -190,7 +195,7 @@ static void test_any_normal(void **unused)
             struct lit lit;
             for (int j = 0; j < 3; j++)
                 n[j] = (int16_t)(k < 8 ? (k >> j & 1) != 0 ? 32767 : -32768 : (int)(int16_t)stage_random(&state));
-            sheen_light_normal(&s.lighting, &s.material, n, &lit);
+            sheen_light_normal(&s.lighting, power_of(&s.shine), n, &lit);
             assert_true(lit.diffuse <= 32768 && lit.specular <= 32768);
         }
     }
@@ -210,7 +215,7 @@ static void test_sums_and_weights(void **unused)
             diffuse += s.lighting.diffuse_weight[k];
             specular += s.lighting.specular_weight[k];
             diffuse_sum += s.light[k].intensity;
-            specular_sum += s.light[k].highlight ? s.light[k].intensity : 0;
+            specular_sum += s.light[k].no_highlight ? 0 : s.light[k].intensity;
         }
         assert_int_equal(s.lighting.diffuse_sum, diffuse_sum);
         assert_int_equal(s.lighting.specular_sum, specular_sum);
@@ -227,28 +232,29 @@ static void test_lights_out_of_range(void **unused)
     (void)unused;
     random_scene(&s, &state, 4);
     s.draw.light_count = 5;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(light_begin(&s), SHEEN_ERR_ARGUMENT);
     s.draw.light_count = 4;
     s.light[3].intensity = 65536;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_OK);
+    assert_int_equal(light_begin(&s), SHEEN_OK);
     s.light[3].intensity = 65537;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(light_begin(&s), SHEEN_ERR_ARGUMENT);
     s.light[3].intensity = -1;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(light_begin(&s), SHEEN_ERR_ARGUMENT);
     s.light[3].intensity = 0;
     memset(s.light[3].to, 0, sizeof s.light[3].to);
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_DEGENERATE);
+    assert_int_equal(light_begin(&s), SHEEN_ERR_DEGENERATE);
     s.draw.lights = NULL;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(light_begin(&s), SHEEN_ERR_ARGUMENT);
     s.draw.light_count = 0;
-    assert_int_equal(sheen_light_begin(&s.lighting, &s.draw), SHEEN_OK);
+    assert_int_equal(light_begin(&s), SHEEN_OK);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_powers),
-        cmocka_unit_test(test_materials_out_of_range),
+        cmocka_unit_test(test_shininesses_out_of_range),
+        cmocka_unit_test(test_const_shines),
         cmocka_unit_test(test_light_at_a_normal),
         cmocka_unit_test(test_a_zero_normal_has_no_light),
         cmocka_unit_test(test_any_normal),

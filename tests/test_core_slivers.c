@@ -45,11 +45,9 @@ static void bench_make(struct bench *b)
     static const int16_t origin[9];
     struct sheen_mesh mesh = mesh_of(origin);
     struct sheen_view view;
-    struct sheen_draw draw = {.mesh = &mesh, .material = &b->material, .shader = &sheen_flat, .two_sided = 1};
+    struct sheen_object draw = {.mesh = &mesh, .material = &b->material, .shader = &sheen_flat, .two_sided = 1};
 
     memset(b, 0, sizeof *b);
-    b->material.shininess = 8;
-    assert_int_equal(sheen_material_prepare(&b->material), SHEEN_OK);
     assert_int_equal(memory_target_init(&b->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
     const struct sheen_config config = {
         .target = &b->target.target, .max_vertices = 3, .max_triangles = 16, .max_clipped = 16};
@@ -59,7 +57,7 @@ static void bench_make(struct bench *b)
     assert_int_equal(sheen_begin(b->frame.frame, &view), SHEEN_OK);
     assert_int_equal(sheen_draw(b->frame.frame, &draw), SHEEN_OK); /* nothing of it is listed; its record stays */
     b->own_scratch = b->frame.frame->scratch;
-    b->scratch = malloc(sheen_clip_scratch_bytes() / 2 * (2 * MAX_CLIP_CORNERS + SPARE) / MAX_CLIP_CORNERS);
+    b->scratch = malloc(sizeof(struct clip_corner) * (2 * MAX_CLIP_CORNERS + SPARE));
     assert_non_null(b->scratch);
     b->frame.frame->scratch = b->scratch;
 }
@@ -92,8 +90,8 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
 {
     struct sheen_frame *f = b->frame.frame;
     struct sheen_mesh mesh = mesh_of(s->position);
-    struct sheen_view view = {.fov = s->fov, .near = s->near, .far = s->far};
-    size_t corner = sheen_clip_scratch_bytes() / (2 * MAX_CLIP_CORNERS);
+    struct sheen_view view = {.fov = s->fov, .z_near = s->near, .z_far = s->far};
+    size_t corner = sizeof(struct clip_corner);
     struct transform t;
     struct sheen_pose pose;
 
@@ -110,7 +108,7 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
         sheen_project(&f->projection, eye, &f->vertex[k]);
     }
     memset(b->scratch, 0xa5, corner * (2 * MAX_CLIP_CORNERS + SPARE));
-    assert_int_equal(sheen_clip(f, f->draw, &t, 0), SHEEN_OK);
+    sheen_cut_triangle(f, f->draw, &t, 0);
     f->entries = f->pieces = 0;
     unsigned first = written(b->scratch, corner, MAX_CLIP_CORNERS);
     unsigned second = written(b->scratch + MAX_CLIP_CORNERS * corner, corner, MAX_CLIP_CORNERS + SPARE);

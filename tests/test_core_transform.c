@@ -25,8 +25,8 @@ static unsigned random_view(struct sheen_view *view, uint32_t *state, int orthog
 
     memset(view, 0, sizeof *view);
     view->fov = SHEEN_DEGREES(stage_uniform(state, 1, 150));
-    view->near = SHEEN_Q24(near);
-    view->far = SHEEN_Q24(fmin(far, 127));
+    view->z_near = SHEEN_Q24(near);
+    view->z_far = SHEEN_Q24(fmin(far, 127));
     view->orthographic = orthographic ? SHEEN_Q24(stage_uniform(state, 0.1, 20)) : 0;
     return 8 + stage_random(state) % 473;
 }
@@ -39,7 +39,7 @@ static double focal(const struct sheen_view *view, unsigned height)
 /* The definition's z16 before rounding, in the core's range. */
 static double exact_depth(const struct sheen_view *view, double m)
 {
-    double near = view->near / UNIT, far = view->far / UNIT;
+    double near = view->z_near / UNIT, far = view->z_far / UNIT;
 
     if (view->orthographic != 0)
         return DEPTH_FAR + DEPTH_RANGE * (far - m) / (far - near);
@@ -146,16 +146,16 @@ static void note_projection(struct screen_errors *e, const struct projection *p,
     if ((v.flags & (OUTSIDE_NEAR | OUTSIDE_FAR)) != 0)
         return;
     /* steps: depth / m, of which z16 is the upper part; unit: near far / (far - near) in raw steps */
-    double unit = (double)view->near * view->far / ((double)view->far - view->near),
+    double unit = (double)view->z_near * view->z_far / ((double)view->z_far - view->z_near),
            steps = DEPTH_RANGE * unit / UNIT / m;
     double slack = view->orthographic != 0 ? 0.505 : 0.505 + steps * 0x1p-27 + steps / unit;
-    worst_note(&e->depth, (v.z - exact_depth(view, m)) / slack, "m %.9g of %.9g..%.9g", m, view->near / UNIT,
-               view->far / UNIT);
+    worst_note(&e->depth, (v.z - exact_depth(view, m)) / slack, "m %.9g of %.9g..%.9g", m, view->z_near / UNIT,
+               view->z_far / UNIT);
     if (view->orthographic == 0) {
         double one = ldexp(1, (int)p->weight_shift);
         uint32_t weight = ((uint32_t)v.z << p->weight_shift) + p->weight_offset;
-        worst_note(&e->weight, (weight / one - steps) / (slack + 1 / one), "m %.9g of %.9g..%.9g", m, view->near / UNIT,
-                   view->far / UNIT);
+        worst_note(&e->weight, (weight / one - steps) / (slack + 1 / one), "m %.9g of %.9g..%.9g", m,
+                   view->z_near / UNIT, view->z_far / UNIT);
     }
     if ((v.flags & OUTSIDE) != 0)
         return;
@@ -174,7 +174,7 @@ static void note_views(struct screen_errors *e, int orthographic, uint32_t seed)
         double f = focal(&view, height);
         assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
         for (int k = 0; k < 1000; k++) {
-            double m = k == 0 ? view.near : k == 1 ? view.far : stage_uniform(&state, view.near, view.far);
+            double m = k == 0 ? view.z_near : k == 1 ? view.z_far : stage_uniform(&state, view.z_near, view.z_far);
             double per = (orthographic ? view.orthographic : m) / f;
             sheen_q24_t eye[3] = {0, 0, -(sheen_q24_t)m};
             for (int j = 0; j < 2; j++)
@@ -228,14 +228,14 @@ static void test_flags_at_near_and_far(void **unused)
         struct projection p;
         unsigned height = random_view(&view, &state, i % 3 == 0);
         assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
-        assert_int_equal(flags_at(&p, 0, 0, view.near, &v), 0);
+        assert_int_equal(flags_at(&p, 0, 0, view.z_near, &v), 0);
         assert_true(abs(v.z - (DEPTH_FAR + DEPTH_RANGE)) <= 1);
-        assert_int_equal(flags_at(&p, 0, 0, view.near - 1, &v), OUTSIDE_NEAR);
-        assert_int_equal(flags_at(&p, 0, 0, -view.near, &v), OUTSIDE_NEAR);
+        assert_int_equal(flags_at(&p, 0, 0, view.z_near - 1, &v), OUTSIDE_NEAR);
+        assert_int_equal(flags_at(&p, 0, 0, -view.z_near, &v), OUTSIDE_NEAR);
         assert_int_equal(flags_at(&p, INT32_MAX, -INT32_MAX, 0, &v), OUTSIDE_NEAR);
-        assert_int_equal(flags_at(&p, 0, 0, view.far, &v), 0);
+        assert_int_equal(flags_at(&p, 0, 0, view.z_far, &v), 0);
         assert_int_equal(v.z, DEPTH_FAR);
-        assert_int_equal(flags_at(&p, 0, 0, view.far + 1, &v), OUTSIDE_FAR);
+        assert_int_equal(flags_at(&p, 0, 0, view.z_far + 1, &v), OUTSIDE_FAR);
         assert_int_equal(flags_at(&p, INT32_MAX, -INT32_MAX, INT32_MAX, &v), OUTSIDE_FAR);
     }
 }
@@ -250,14 +250,14 @@ static void test_depth_of_thin_views(void **unused)
     for (int i = 0; i < 300000; i++) {
         sheen_q24_t far = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 28)) | 2;
         int32_t span = (int32_t)(((int64_t)far + 32767) >> 15) + (int32_t)(stage_random(&state) % 3);
-        struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = far - span, .far = far};
+        struct sheen_view view = {.fov = SHEEN_DEGREES(40), .z_near = far - span, .z_far = far};
         struct projection p;
         struct vertex v;
-        if (view.near <= 0)
+        if (view.z_near <= 0)
             continue;
         assert_int_equal(sheen_project_begin(&p, &view, 240), SHEEN_OK);
         for (int k = 0; k < 4; k++) {
-            int32_t m = k == 0 ? far : k == 1 ? view.near : far - (int32_t)(stage_random(&state) % (uint32_t)span);
+            int32_t m = k == 0 ? far : k == 1 ? view.z_near : far - (int32_t)(stage_random(&state) % (uint32_t)span);
             assert_int_equal(flags_at(&p, 0, 0, m, &v), 0);
             assert_in_range(v.z, DEPTH_FAR, DEPTH_FAR + DEPTH_RANGE + 16);
             assert_true(k != 0 || v.z == DEPTH_FAR);
@@ -300,7 +300,7 @@ static void test_flags_at_the_guard_band(void **unused)
         unsigned height = random_view(&view, &state, 0);
         double f = focal(&view, height);
         assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
-        int32_t m = (int32_t)stage_uniform(&state, view.near, view.far);
+        int32_t m = (int32_t)stage_uniform(&state, view.z_near, view.z_far);
         if (64 * f / m > 0.5)
             continue; /* a raw step of the eye would step over a coordinate */
         check_guard(&p, f, m, 1, 0, OUTSIDE_RIGHT);
@@ -320,8 +320,8 @@ static void test_any_eye_coordinates(void **unused)
         struct sheen_view view = {.fov = SHEEN_DEGREES(1) + stage_random(&state) % SHEEN_DEGREES(149)};
         struct projection p;
         struct vertex v;
-        view.near = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31));
-        view.far = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31));
+        view.z_near = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31)) | 1;
+        view.z_far = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31)) | 1;
         if (sheen_project_begin(&p, &view, 1 + stage_random(&state) % 480) < 0)
             continue;
         sheen_q24_t eye[3];
@@ -329,7 +329,7 @@ static void test_any_eye_coordinates(void **unused)
             eye[k] = (int32_t)((int64_t)(int32_t)stage_random(&state) >> stage_random(&state) % 31);
         eye[1] = max32(eye[1], -INT32_MAX); /* what sheen_transform_begin promises */
         sheen_project(&p, eye, &v);
-        if (eye[2] == INT32_MIN || -eye[2] < view.near || -eye[2] > view.far)
+        if (eye[2] == INT32_MIN || -eye[2] < view.z_near || -eye[2] > view.z_far)
             assert_true(v.flags == OUTSIDE_NEAR || v.flags == OUTSIDE_FAR);
         else
             assert_true(((v.flags & OUTSIDE_RIGHT) == 0 || eye[0] > 0) &&
@@ -344,7 +344,7 @@ static void test_any_eye_coordinates(void **unused)
 
 static void test_views_out_of_range(void **unused)
 {
-    const struct sheen_view good = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1), .far = SHEEN_Q24(2)};
+    const struct sheen_view good = {.fov = SHEEN_DEGREES(40), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(2)};
     struct sheen_view view = good;
     struct projection p;
 
@@ -358,27 +358,40 @@ static void test_views_out_of_range(void **unused)
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
     view.fov = SHEEN_DEGREES(150.1);
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.fov = 0;
+    view.fov = 1;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
     view = good;
-    view.near = 0;
+    view.z_near = -1;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.near = -1;
+    view.z_near = view.z_far;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.near = view.far;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.near = view.far - (view.far >> 15);
+    view.z_near = view.z_far - (view.z_far >> 15);
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
-    view.near++;
+    view.z_near++;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.near = 65534; /* far / 2^15 is a little under 2 raw steps, so one is too few */
-    view.far = 65535;
+    view.z_near = 65534; /* far / 2^15 is a little under 2 raw steps, so one is too few */
+    view.z_far = 65535;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
-    view.near = 65533;
+    view.z_near = 65533;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
     view = good;
     view.orthographic = -1;
     assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+}
+
+/* Zero is a default, whatever the other fields are. */
+static void test_defaults(void **unused)
+{
+    const struct sheen_view zero = {.fov = 0};
+    const struct sheen_view said = {.fov = SHEEN_DEGREES(40), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(16)};
+    struct projection p, q;
+
+    (void)unused;
+    memset(&p, 0, sizeof p);
+    memset(&q, 0, sizeof q);
+    assert_int_equal(sheen_project_begin(&p, &zero, 240), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&q, &said, 240), SHEEN_OK);
+    assert_memory_equal(&p, &q, sizeof p);
 }
 
 int main(void)
@@ -388,7 +401,7 @@ int main(void)
         cmocka_unit_test(test_perspective),           cmocka_unit_test(test_orthographic),
         cmocka_unit_test(test_flags_at_near_and_far), cmocka_unit_test(test_flags_at_the_guard_band),
         cmocka_unit_test(test_depth_of_thin_views),   cmocka_unit_test(test_any_eye_coordinates),
-        cmocka_unit_test(test_views_out_of_range),
+        cmocka_unit_test(test_views_out_of_range),    cmocka_unit_test(test_defaults),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

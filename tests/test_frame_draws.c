@@ -115,7 +115,7 @@ static void out_of_order(void **state)
     struct sheen_config config;
     struct core_frame f;
     struct sheen_view view, bad;
-    struct sheen_draw draw;
+    struct sheen_object draw;
 
     (void)state;
     assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
@@ -131,9 +131,9 @@ static void out_of_order(void **state)
     assert_int_equal(sheen_wait(f.frame), SHEEN_OK);
     for (int k = 0; k < 5; k++) {
         bad = view;
-        bad.near = k == 0 ? 0 : bad.near;
-        bad.far = k == 1 ? bad.near : bad.far;
-        bad.fov = k == 2 ? 0 : k == 3 ? SHEEN_DEGREES(151) : bad.fov;
+        bad.z_near = k == 0 ? -1 : bad.z_near;
+        bad.z_far = k == 1 ? bad.z_near : bad.z_far;
+        bad.fov = k == 2 ? 1 : k == 3 ? SHEEN_DEGREES(151) : bad.fov;
         if (k == 4)
             bad.viewport = (struct sheen_rect){0, 0, WIDTH + 1, HEIGHT};
         if (sheen_begin(f.frame, &bad) != SHEEN_ERR_ARGUMENT)

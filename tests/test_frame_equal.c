@@ -74,7 +74,7 @@ static int run_frame(struct sheen_frame *frame, const struct sheen_view *view, i
     int count = cast(actors, number), status = sheen_begin(frame, view);
 
     for (int i = 0; i < count && status == SHEEN_OK; i++) {
-        struct sheen_draw draw;
+        struct sheen_object draw;
         stage_draw(&stage, &actors[i], &draw);
         draw.two_sided = i == 4;
         status = sheen_draw(frame, &draw);

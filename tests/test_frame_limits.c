@@ -140,7 +140,7 @@ static int draw_two(struct memory_target *target, const struct sheen_config *con
 {
     struct core_frame f;
     struct sheen_view view;
-    struct sheen_draw draw;
+    struct sheen_object draw;
 
     memory_target_begin(target);
     assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
@@ -181,7 +181,7 @@ static uint32_t smallest_room(const struct sheen_config *config, int which, cons
     while (high - low > 1) {
         uint32_t room = (low + high) / 2;
         struct sheen_config tried = *config;
-        struct sheen_draw draw;
+        struct sheen_object draw;
         struct core_frame f;
         struct sheen_view view;
 
@@ -256,7 +256,7 @@ static void what_is_not_listed_needs_no_piece(void **state)
     static const uint8_t front[3] = {0, 1, 2}, back[3] = {0, 2, 1};
     struct sheen_mesh mesh = {
         .positions = position, .index_bytes = 1, .vertices = 3, .triangles = 1, .scale = SHEEN_Q24(20)};
-    struct sheen_draw draw = {.mesh = &mesh, .material = &stage.material[0], .shader = &sheen_flat};
+    struct sheen_object draw = {.mesh = &mesh, .material = &stage.material[0], .shader = &sheen_flat};
     struct memory_target target;
     struct sheen_config config;
     struct sheen_view view;

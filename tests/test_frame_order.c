@@ -64,7 +64,7 @@ static void order_close(struct order *o)
 static int draw_ball(struct order *o)
 {
     const struct actor ball = {STAGE_BALL, 0, SHEEN_FLAT, 0, 0, 5, 1, 0, 0};
-    struct sheen_draw draw;
+    struct sheen_object draw;
 
     stage_draw(&stage, &ball, &draw);
     return sheen_draw(o->f.frame, &draw);
@@ -141,9 +141,11 @@ static void workers_in_turn(void **state)
     }
 }
 
-static void fill(void *ctx, struct sheen_rect rect, void *pixels, unsigned pitch)
+static void fill(void *ctx, const struct sheen_canvas *canvas)
 {
-    memset(pixels, *(const uint8_t *)ctx, 2u * pitch * (unsigned)(rect.y1 - rect.y0));
+    unsigned rows = (unsigned)(canvas->rect.y1 - canvas->rect.y0);
+
+    memset(canvas->pixels, *(const uint8_t *)ctx, 2u * canvas->pitch * rows);
 }
 
 /* What is under the triangles is the background, whoever paints it. */
@@ -245,7 +247,7 @@ static void results_above_zero(void **state)
     begin(&o);
     assert_int_equal(draw_ball(&o), SHEEN_OK);
     assert_int_equal(sheen_end(o.f.frame), SHEEN_OK);
-    o.view.fov = 0;
+    o.view.fov = 1;
     assert_int_equal(sheen_begin(o.f.frame, &o.view), SHEEN_ERR_ARGUMENT);
     order_close(&o);
 }

@@ -140,7 +140,7 @@ static void draw_all(struct sheen_frame *frame, const struct sheen_view *view, i
 
     assert_int_equal(sheen_begin(frame, view), SHEEN_OK);
     for (int i = 0; i < 3; i++) {
-        struct sheen_draw draw;
+        struct sheen_object draw;
         stage_draw(&stage, &actors[i], &draw);
         assert_int_equal(sheen_draw(frame, &draw), SHEEN_OK);
     }

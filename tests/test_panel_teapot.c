@@ -24,7 +24,7 @@ static struct sheen_material material = {.base = {255, 220, 180},
                                          .ambient = SHEEN_Q16(0.1),
                                          .diffuse = SHEEN_Q16(0.8),
                                          .specular = SHEEN_Q16(0.3),
-                                         .shininess = 32};
+                                         .shine = &sheen_shine_32};
 
 static int load(void **state)
 {
@@ -37,7 +37,7 @@ static int load(void **state)
         return -1;
     int error = sheen_quantise(&teapot, &mesh, SHEEN_ALL_GROUPS);
     sheen_host_mesh_free(&mesh);
-    return error < 0 ? error : sheen_material_prepare(&material);
+    return error;
 }
 
 static int release(void **state)
@@ -69,14 +69,14 @@ static void scene_open(struct scene *scene, const struct sheen_target *target)
 /* The teapot at turn n, up to the last pixel's arrival. The first error, which must end the frame. */
 static int scene_draw(struct scene *scene, unsigned n)
 {
-    const struct sheen_light light = {
-        .to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)}, .intensity = SHEEN_Q16(1), .highlight = 1};
+    const struct sheen_light light = {.to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)},
+                                      .intensity = SHEEN_Q16(1)};
     const struct sheen_view view = {.fov = SHEEN_DEGREES(40),
-                                    .near = SHEEN_Q24(1.95),
-                                    .far = SHEEN_Q24(4.05),
+                                    .z_near = SHEEN_Q24(1.95),
+                                    .z_far = SHEEN_Q24(4.05),
                                     .dither = scene->dither,
                                     .background = {0, 0, 32}};
-    struct sheen_draw what = {
+    struct sheen_object what = {
         .mesh = &teapot.mesh, .material = &material, .lights = &light, .light_count = 1, .shader = &sheen_phong};
     int error;
 

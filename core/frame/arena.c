@@ -14,11 +14,11 @@ static int target_valid(const struct sheen_target *t)
            (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
 }
 
-/* Defaults filled in and the band's height aligned; SHEEN_ERR_ARGUMENT where a value is out of range. */
-static int config_complete(struct sheen_config *c)
+/* Defaults filled in and the band's height aligned; what is out of range, or SHEEN_ABOUT_NOTHING. */
+static enum sheen_subject config_complete(struct sheen_config *c)
 {
     if (c->target == NULL || !target_valid(c->target))
-        return SHEEN_ERR_ARGUMENT;
+        return SHEEN_ABOUT_TARGET;
     unsigned align = or_default(c->target->align_y, 1);
 
     c->band_rows = (uint16_t)or_default(c->band_rows, 16);
@@ -29,11 +29,30 @@ static int config_complete(struct sheen_config *c)
     c->workers = (uint8_t)or_default(c->workers, 1);
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
-    return c->buffers > 2 || c->workers > MAX_WORKERS || c->max_vertices == 0 || c->max_triangles == 0 ||
-                   c->max_carried > 254 || (c->lock == NULL) != (c->unlock == NULL)
-               ? SHEEN_ERR_ARGUMENT
-               : SHEEN_OK;
+    return c->buffers > 2                             ? SHEEN_ABOUT_BUFFERS
+           : c->workers > MAX_WORKERS                 ? SHEEN_ABOUT_WORKERS
+           : (c->lock == NULL) != (c->unlock == NULL) ? SHEEN_ABOUT_LOCK
+           : c->max_vertices == 0                     ? SHEEN_ABOUT_MAX_VERTICES
+           : c->max_triangles == 0                    ? SHEEN_ABOUT_MAX_TRIANGLES
+           : c->max_carried > 254                     ? SHEEN_ABOUT_MAX_CARRIED
+                                                      : SHEEN_ABOUT_NOTHING;
 }
+
+enum sheen_subject sheen_config_about(const struct sheen_config *config)
+{
+    struct sheen_config c = *config;
+
+    return config_complete(&c);
+}
+
+/* What SHEEN_ARENA_BYTES counts with is what there is. */
+_Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct draw_record) == SHEEN_BYTES_DRAW &&
+                   sizeof(struct worker) == SHEEN_BYTES_WORKER && SETUP_BYTES == SHEEN_BYTES_SETUP &&
+                   sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
+                   sizeof(struct piece) == SHEEN_BYTES_PIECE && sizeof(struct band) == SHEEN_BYTES_BAND &&
+                   sizeof(struct span) == SHEEN_BYTES_SPAN &&
+                   2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
+               "sheen_arena.h does not count with the stores' sizes");
 
 /* A piece of the arena, aligned to 8; base NULL: only counts. */
 static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
@@ -50,24 +69,24 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     const struct sheen_config *c = &f->config;
     size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, tile = (size_t)c->target->width * c->band_rows;
 
-    (void)take(base, &used, 1, sizeof(struct sheen_frame));
+    (void)take(base, &used, 1, SHEEN_BYTES_FRAME);
     f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
-    f->band = take(base, &used, f->max_bands, sizeof(struct band));
+    f->band = take(base, &used, f->max_bands, SHEEN_BYTES_BAND);
     f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
-    f->draw = take(base, &used, c->max_draws, sizeof(struct draw_record));
-    f->vertex = take(base, &used, c->max_vertices, sizeof(struct vertex));
-    f->entry = take(base, &used, c->max_triangles, sizeof(struct entry));
-    f->piece = take(base, &used, c->max_clipped, sizeof(struct piece));
+    f->draw = take(base, &used, c->max_draws, SHEEN_BYTES_DRAW);
+    f->vertex = take(base, &used, c->max_vertices, SHEEN_BYTES_VERTEX);
+    f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);
+    f->piece = take(base, &used, c->max_clipped, SHEEN_BYTES_PIECE);
     f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
-    f->scratch = take(base, &used, 1, sheen_clip_scratch_bytes()); /* also finds what needs no piece */
+    f->scratch = take(base, &used, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
     if (c->max_clipped == 0)
         f->cut = NULL;
-    f->worker = take(base, &used, c->workers, sizeof(struct worker));
+    f->worker = take(base, &used, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
-        w->carried = take(base, &used, c->max_carried + 1u, SETUP_BYTES);
+        w->carried = take(base, &used, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(base, &used, bits, sizeof(uint32_t));
-        w->spans = take(base, &used, c->band_rows, sizeof(struct span));
+        w->spans = take(base, &used, c->band_rows, SHEEN_BYTES_SPAN);
         w->depth = take(base, &used, tile, sizeof(uint16_t));
         for (unsigned k = 0; k < c->buffers; k++)
             w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);
@@ -80,7 +99,7 @@ size_t sheen_arena_size(const struct sheen_config *config)
     struct sheen_frame f;
 
     f.config = *config;
-    return config_complete(&f.config) < 0 ? 0 : lay_out(&f, NULL);
+    return config_complete(&f.config) != SHEEN_ABOUT_NOTHING ? 0 : lay_out(&f, NULL);
 }
 
 int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config)

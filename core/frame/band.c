@@ -79,7 +79,8 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 
     memset(t->depth, DEPTH_FAR & 0xff, count * sizeof *t->depth);
     if (f->view.underlay != NULL) {
-        f->view.underlay(f->view.ctx, t->rect, t->pixels, t->pitch);
+        const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
+        f->view.underlay(f->view.ctx, &canvas);
         return;
     }
     uint16_t background = sheen_colour_bytes(t->format, f->view.background);
@@ -205,8 +206,10 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
     collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);
-    if (f->view.overlay != NULL)
-        f->view.overlay(f->view.ctx, rect, t.pixels, t.pitch);
+    if (f->view.overlay != NULL) {
+        const struct sheen_canvas canvas = {rect, t.pitch, t.pixels, t.depth};
+        f->view.overlay(f->view.ctx, &canvas);
+    }
     if (f->format.grey)
         sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(rect.y1 - rect.y0));
     return sheen_send_tile(f, worker, &t);

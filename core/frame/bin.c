@@ -61,15 +61,17 @@ int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const
     return !rect_empty(covered(f, v));
 }
 
-/* 1: listed; 0: covers no pixel centre; SHEEN_ERR_CAPACITY: no entry left. */
+/* 1: listed; 0: covers no pixel centre, or no entry is left, and f->entries_short counts it. */
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece)
 {
     struct sheen_rect r = covered(f, v);
 
     if (rect_empty(r))
         return 0;
-    if (f->entries == f->config.max_triangles)
-        return SHEEN_ERR_CAPACITY;
+    if (f->entries == f->config.max_triangles) {
+        f->entries_short++;
+        return 0;
+    }
     uint32_t e = f->entries++;
     f->entry[e].triangle = (uint16_t)triangle;
     if (f->cut != NULL) {

@@ -25,6 +25,14 @@ static int same_background(const struct sheen_view *a, const struct sheen_view *
            (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
+/* Notes what an error is about. */
+static int refuse(struct sheen_frame *f, int error, enum sheen_subject subject, uint32_t needed)
+{
+    f->about = (uint8_t)subject;
+    f->needed = needed;
+    return error;
+}
+
 /* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
 static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
 {
@@ -71,12 +79,14 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     if (f->state != IDLE)
         return SHEEN_ERR_STATE;
     int error = sheen_wait(f);
-    if (error == 0)
-        error = viewport_of(f->target, view->viewport, &viewport);
-    if (error == 0)
-        error = sheen_project_begin(&projection, view, (unsigned)(viewport.y1 - viewport.y0));
     if (error < 0)
         return error;
+    if (viewport_of(f->target, view->viewport, &viewport) < 0)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_VIEWPORT, 0);
+    if (!sheen_pose_valid(&view->pose))
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
+    if (sheen_project_begin(&projection, view, (unsigned)(viewport.y1 - viewport.y0)) < 0)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTHS, 0);
 
     f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);
     f->send_all_next = 0;
@@ -122,9 +132,9 @@ static void light_corners(const struct draw *d, struct vertex *store, const uint
     }
 }
 
-/* Cull, clip and list one triangle: 0, or SHEEN_ERR_CAPACITY. */
-static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                         uint32_t triangle)
+/* Cull, clip and list one triangle. */
+static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                          uint32_t triangle)
 {
     struct vertex *store = f->vertex + d->first_vertex;
     const uint32_t index[3] = {mesh_index(d->as.mesh, 3 * triangle), mesh_index(d->as.mesh, 3 * triangle + 1),
@@ -132,63 +142,105 @@ static int draw_triangle(struct sheen_frame *f, const struct draw_record *d, con
     const struct vertex *const v[3] = {&store[index[0]], &store[index[1]], &store[index[2]]};
 
     if ((v[0]->flags & v[1]->flags & v[2]->flags & OUTSIDE) != 0)
-        return 0;
-    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OUTSIDE) != 0)
-        return sheen_clip(f, d, t, (uint16_t)triangle);
+        return;
+    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OUTSIDE) != 0) {
+        sheen_cut_triangle(f, d, t, (uint16_t)triangle);
+        return;
+    }
 
     int64_t area = twice_area(v[0], v[1], v[2]);
     if (area >= 0 && (area == 0 || !d->as.two_sided))
-        return 0;
+        return;
     f->stats.front++;
-    int listed = sheen_bin_triangle(f, v, triangle, 0);
-    if (listed == 1 && d->as.shader->light != NULL)
+    if (sheen_bin_triangle(f, v, triangle, 0) && d->as.shader->light != NULL)
         light_corners(&d->as, store, index);
-    return listed < 0 ? listed : 0;
 }
 
-static int draw_valid(const struct sheen_frame *f, const struct sheen_draw *draw)
+/* What is wrong with a material, SHEEN_ABOUT_NOTHING if nothing is. */
+static enum sheen_subject material_problem(const struct sheen_material *m)
 {
-    const struct sheen_mesh *mesh = draw->mesh;
+    const sheen_q16_t most = 4 << 16;
 
-    if (f->state != OPEN)
-        return SHEEN_ERR_STATE;
-    if (mesh == NULL || draw->material == NULL || draw->shader == NULL || mesh->positions == NULL ||
-        mesh->indices == NULL || draw->material->shininess == 0 || draw->material->power_shift > 3 ||
-        (mesh->normals == NULL && draw->shader->needs_normals))
-        return SHEEN_ERR_ARGUMENT;
-    if (f->draws == f->config.max_draws || f->vertices + mesh->vertices > f->config.max_vertices)
-        return SHEEN_ERR_CAPACITY;
+    if (m == NULL || m->ambient < 0 || m->ambient > most || m->diffuse < 0 || m->diffuse > most || m->specular < 0 ||
+        m->specular > most)
+        return SHEEN_ABOUT_MATERIAL;
+    if (m->shine == NULL ? m->specular > 0 : m->shine->shininess == 0 || m->shine->shift > 3)
+        return SHEEN_ABOUT_SHINE;
+    return SHEEN_ABOUT_NOTHING;
+}
+
+static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
+{
+    const struct sheen_mesh *mesh = o->mesh;
+    enum sheen_subject material = material_problem(o->material);
+
+    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH, 0);
+    if (material != SHEEN_ABOUT_NOTHING)
+        return refuse(f, SHEEN_ERR_ARGUMENT, material, 0);
+    if (o->shader == NULL)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHADER, 0);
+    if (mesh->normals == NULL && o->shader->needs_normals)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_NORMALS, 0);
+    if (f->draws == f->config.max_draws)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_DRAWS, f->draws + 1);
+    if (f->vertices + mesh->vertices > f->config.max_vertices)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_VERTICES, f->vertices + mesh->vertices);
     return SHEEN_OK;
 }
 
-int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
+/* Model to eye, lights in the model's space: what a draw's vertices and normals go by. */
+static int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t)
+{
+    struct sheen_pose pose;
+    const struct sheen_pose *view = &f->view.pose;
+    int posed = !sheen_pose_is_zero(view);
+
+    if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, o->mesh, &pose) < 0)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
+    int error = sheen_light_begin(&d->light, o->lights, o->light_count, pose.rotation,
+                                  posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);
+    return error < 0 ? refuse(f, error, SHEEN_ABOUT_LIGHTS, 0) : SHEEN_OK;
+}
+
+/* Every triangle, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. */
+static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t)
+{
+    f->entries_short = f->pieces_short = 0;
+    for (uint32_t i = 0; i < d->as.mesh->triangles; i++)
+        draw_triangle(f, d, t, i);
+    if (f->pieces_short > 0)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_CLIPPED, f->config.max_clipped + f->pieces_short);
+    if (f->entries_short > 0)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_TRIANGLES, f->config.max_triangles + f->entries_short);
+    return SHEEN_OK;
+}
+
+int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
     struct sheen_stats stats = f->stats;
     uint32_t entries = f->entries, pieces = f->pieces;
-    int error = draw_valid(f, draw);
+    struct draw_record *d = &f->draw[f->draws];
 
+    if (f->state != OPEN)
+        return SHEEN_ERR_STATE;
+    int error = object_valid(f, object);
+    if (error == SHEEN_OK)
+        error = place_object(f, object, &d->as, &t);
     if (error < 0)
         return error;
-    struct draw_record *d = &f->draw[f->draws];
-    d->as.mesh = draw->mesh;
-    d->as.material = draw->material;
-    d->as.shader = draw->shader;
-    d->as.two_sided = draw->two_sided;
+    d->as.mesh = object->mesh;
+    d->as.shader = object->shader;
+    d->as.power = power_of(object->material->shine);
+    d->as.two_sided = object->two_sided;
+    d->as.strong = object->material->specular > SHEEN_Q16(0.5);
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
     d->first_vertex = f->vertices;
-    if (!sheen_is_rotation(draw->pose.rotation))
-        return SHEEN_ERR_ARGUMENT;
-    error = sheen_light_begin(&d->as.light, draw);
-    if (error == 0)
-        error = sheen_transform_begin(&t, draw->mesh, &draw->pose);
-    if (error < 0)
-        return error;
-    sheen_colour_begin(&d->as.colour, &f->format, draw->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
-    transform_mesh(f, draw->mesh, &t, f->vertex + d->first_vertex);
-    for (uint32_t i = 0; i < draw->mesh->triangles && error == 0; i++)
-        error = draw_triangle(f, d, &t, i);
+    sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
+    transform_mesh(f, object->mesh, &t, f->vertex + d->first_vertex);
+    error = draw_triangles(f, d, &t);
     if (error < 0) {
         f->pieces = pieces;
         f->stats = stats;
@@ -196,9 +248,9 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_draw *draw)
         return error;
     }
     d->end_entry = f->entries;
-    f->vertices += draw->mesh->vertices;
+    f->vertices += object->mesh->vertices;
     f->draws++;
-    f->stats.triangles += draw->mesh->triangles;
+    f->stats.triangles += object->mesh->triangles;
     f->stats.drawn += f->entries - entries;
     return SHEEN_OK;
 }
@@ -244,6 +296,21 @@ int sheen_end(struct sheen_frame *f)
         if ((f->done[b >> 5] >> (b & 31u) & 1u) == 0)
             (void)sheen_band(f, 0, b); /* its error is the frame's */
     return sheen_finish(f);
+}
+
+int sheen_render(struct sheen_frame *f, const struct sheen_view *view, const struct sheen_object *objects,
+                 unsigned count)
+{
+    int error = sheen_begin(f, view);
+
+    if (error < 0)
+        return error;
+    for (unsigned i = 0; i < count && error == SHEEN_OK; i++)
+        error = sheen_draw(f, &objects[i]);
+    if (error == SHEEN_OK)
+        return sheen_end(f);
+    (void)sheen_finish(f); /* with no band done: the next frame sends everything */
+    return error;
 }
 
 void sheen_invalidate(struct sheen_frame *f)

@@ -78,17 +78,20 @@ struct sheen_frame {
     uint8_t send_all;      /* this frame sends every band whole */
     uint8_t send_all_next; /* so will the next one: a push or a wait failed, a band was left out, or sheen_invalidate */
     uint8_t forced;        /* for the draws to come, as in struct draw */
+    uint8_t about;         /* enum sheen_subject of the last error, */
+    uint32_t needed;       /* and how much would have done */
     uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
     int error;             /* the first of this frame's pushes and waits */
     unsigned bands, max_bands, bands_left;
     uint32_t *done;      /* a bit a band of this frame that has begun */
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
     uint32_t vertices, entries, pieces, draws;
+    uint32_t entries_short, pieces_short; /* of this draw, found no room */
     struct vertex *vertex;
     struct entry *entry;
     uint32_t *cut; /* a bit an entry: its triangle is a piece */
     struct piece *piece;
-    void *scratch; /* two polygons of clip.c */
+    void *scratch; /* two polygons of MAX_CLIP_CORNERS */
     struct draw_record *draw;
     struct band *band;
     struct worker *worker; /* config.workers */
@@ -107,10 +110,9 @@ static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
     return y + f->screen.centre_y;
 }
 
-/* clip.c: cut a triangle and list its pieces; 0 or SHEEN_ERR_CAPACITY. */
-#define MAX_CLIP_CORNERS 9 /* of a triangle cut by six planes: each adds one at most */
-size_t sheen_clip_scratch_bytes(void);
-int sheen_clip(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
+/* pieces.c: cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */
+void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                        uint16_t triangle);
 
 static inline uint32_t or_default(uint32_t value, uint32_t fallback)
 {

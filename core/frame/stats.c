@@ -39,6 +39,23 @@ void sheen_frame_force(struct sheen_frame *f, unsigned way)
     f->forced = (uint8_t)way;
 }
 
+enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *needed)
+{
+    if (needed != NULL)
+        *needed = f->needed;
+    return (enum sheen_subject)f->about;
+}
+
+const char *sheen_subject_name(enum sheen_subject subject)
+{
+    static const char *const name[] = {"nothing",      "target",        "buffers",       "workers",     "lock",
+                                       "max_vertices", "max_triangles", "max_draws",     "max_clipped", "max_carried",
+                                       "viewport",     "fov",           "z_near, z_far", "pose",        "mesh",
+                                       "normals",      "material",      "shine",         "shader",      "lights"};
+
+    return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
+}
+
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
 {
     if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->vertices == 0 ||

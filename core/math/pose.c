@@ -27,6 +27,37 @@ int sheen_is_rotation(const sheen_q30_t r[9])
     return 1;
 }
 
+int sheen_rotation_is_zero(const sheen_q30_t r[9])
+{
+    int32_t any = 0;
+
+    for (int k = 0; k < 9; k++)
+        any |= r[k];
+    return any == 0;
+}
+
+int sheen_pose_is_zero(const struct sheen_pose *p)
+{
+    return sheen_rotation_is_zero(p->rotation) && p->scale == 0 &&
+           (p->translation[0] | p->translation[1] | p->translation[2]) == 0;
+}
+
+int sheen_pose_valid(const struct sheen_pose *p)
+{
+    return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation));
+}
+
+/* A pose with its defaults filled in. */
+static void complete(const struct sheen_pose *from, struct sheen_pose *to)
+{
+    sheen_pose_identity(to);
+    for (int k = 0; k < 9 && !sheen_rotation_is_zero(from->rotation); k++)
+        to->rotation[k] = from->rotation[k];
+    for (int k = 0; k < 3; k++)
+        to->translation[k] = from->translation[k];
+    to->scale = from->scale != 0 ? from->scale : to->scale;
+}
+
 /* Row of a rotation times a vector of any format, Q.30 more. Range: |row| <= 1.001, so |result| < 2^61.8. */
 static int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
 {
@@ -87,18 +118,21 @@ static int64_t scaled_length(int64_t sum, sheen_q16_t scale)
 
 int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
-    struct sheen_pose p;
-    int64_t scale = round_shift64((int64_t)outer->scale * inner->scale, 16);
+    struct sheen_pose a, b, p;
 
-    if (outer->scale <= 0 || inner->scale <= 0 || scale <= 0 || scale > INT32_MAX ||
-        !sheen_is_rotation(outer->rotation) || !sheen_is_rotation(inner->rotation))
+    if (!sheen_pose_valid(outer) || !sheen_pose_valid(inner))
+        return SHEEN_ERR_ARGUMENT;
+    complete(outer, &a);
+    complete(inner, &b);
+    int64_t scale = round_shift64((int64_t)a.scale * b.scale, 16);
+    if (scale <= 0 || scale > INT32_MAX)
         return SHEEN_ERR_ARGUMENT;
     p.scale = (sheen_q16_t)scale;
     for (int i = 0; i < 3; i++) {
-        const sheen_q30_t *row = outer->rotation + 3 * i;
+        const sheen_q30_t *row = a.rotation + 3 * i;
         for (int j = 0; j < 3; j++)
-            p.rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, inner->rotation + j, 3), 30);
-        int64_t moved = scaled_length(row_times(row, inner->translation, 1), outer->scale) + outer->translation[i];
+            p.rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, b.rotation + j, 3), 30);
+        int64_t moved = scaled_length(row_times(row, b.translation, 1), a.scale) + a.translation[i];
         if (moved > INT32_MAX || moved < -INT32_MAX)
             return SHEEN_ERR_ARGUMENT;
         p.translation[i] = (sheen_q24_t)moved;
@@ -106,6 +140,44 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
     (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
     *out = p;
     return SHEEN_OK;
+}
+
+int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out)
+{
+    if (!sheen_pose_is_zero(view))
+        return sheen_pose_compose(view, pose, out);
+    if (!sheen_pose_valid(pose))
+        return SHEEN_ERR_ARGUMENT;
+    complete(pose, out);
+    return SHEEN_OK;
+}
+
+int sheen_pose_rotate(struct sheen_pose *pose, unsigned axis, sheen_angle_t angle)
+{
+    unsigned first = axis == 2 ? 0 : axis + 1, second = axis == 0 ? 2 : axis - 1;
+    struct sheen_pose turn;
+
+    if (axis > 2)
+        return SHEEN_ERR_ARGUMENT;
+    sheen_pose_identity(&turn);
+    turn.rotation[4 * first] = turn.rotation[4 * second] = sheen_cos(angle);
+    turn.rotation[3 * second + first] = sheen_sin(angle);
+    turn.rotation[3 * first + second] = -sheen_sin(angle);
+    return sheen_pose_compose(&turn, pose, pose);
+}
+
+int sheen_pose_scale(struct sheen_pose *pose, sheen_q16_t factor)
+{
+    const struct sheen_pose larger = {.scale = factor};
+
+    return factor <= 0 ? SHEEN_ERR_ARGUMENT : sheen_pose_compose(&larger, pose, pose);
+}
+
+int sheen_pose_translate(struct sheen_pose *pose, sheen_q24_t x, sheen_q24_t y, sheen_q24_t z)
+{
+    const struct sheen_pose moved = {.translation = {x, y, z}};
+
+    return sheen_pose_compose(&moved, pose, pose);
 }
 
 int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],

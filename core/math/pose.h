@@ -9,4 +9,14 @@
 /* 1 where rows are of unit length and at right angles, within 1/1024; a mirror counts. */
 int sheen_is_rotation(const sheen_q30_t r[9]);
 
+/* No rotation given; nothing given at all. */
+int sheen_rotation_is_zero(const sheen_q30_t r[9]);
+int sheen_pose_is_zero(const struct sheen_pose *pose);
+
+/* 1 where a pose is one, its defaults counted. */
+int sheen_pose_valid(const struct sheen_pose *pose);
+
+/* out = view * pose, both with their defaults; as sheen_pose_compose. A zero view leaves the pose's bits alone. */
+int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out);
+
 #endif

@@ -1,72 +1,10 @@
 /*
- * colour.c - materials: the power table, and intensities to channels of the target.
+ * colour.c - intensities to channels of the target.
  *
  * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
  * carry 10 fraction bits, one less for each doubling of the intensities above 1.
  */
 #include "pixel.h"
-
-/* a * b for UQ0.32 factors, 1.0 held as 0xffffffff. */
-static uint32_t multiply(uint32_t a, uint32_t b)
-{
-    return (uint32_t)(((uint64_t)a * b + a + b) >> 32);
-}
-
-/* s^n by repeated squaring, UQ0.32; error below n * 2^-32. */
-static uint32_t raised(uint32_t s, unsigned n)
-{
-    uint32_t result = UINT32_MAX;
-
-    for (; n > 0; n >>= 1) {
-        if ((n & 1u) != 0)
-            result = multiply(result, s);
-        s = multiply(s, s);
-    }
-    return result;
-}
-
-static int in_range(sheen_q16_t x)
-{
-    return x >= 0 && x <= 4 << 16;
-}
-
-/* s^n at entry i of a table of that shift, UQ0.32. i <= SHEEN_POWER_ENTRIES. */
-static uint32_t power_entry(unsigned i, unsigned shift, unsigned n)
-{
-    uint64_t u = (uint64_t)i << (24 - shift);
-
-    return u < UINT32_MAX ? raised(UINT32_MAX - (uint32_t)u, n) : 0;
-}
-
-/*
- * The table spans u = 1 - s from 0 to 2^-shift, the smallest power of two below
- * which s^n stays under 2^-16. A line between two points of a convex curve lies
- * above it, by 1/12 of the second difference on the average: so much lower are the
- * entries, but for the first, which is 1.0. What is left is at most
- * n (n - 1) / 12 / (256 * 2^shift)^2 < 7e-4 of the highlight, to either side.
- */
-int sheen_material_prepare(struct sheen_material *m)
-{
-    if (!in_range(m->ambient) || !in_range(m->diffuse) || !in_range(m->specular) || m->shininess < 1 ||
-        m->shininess > 128)
-        return SHEEN_ERR_ARGUMENT;
-
-    unsigned shift = 0;
-    while (shift < 3 && raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), m->shininess) < 1u << 16)
-        shift++;
-    m->power_shift = (uint8_t)shift;
-    uint32_t before = UINT32_MAX, here = UINT32_MAX;
-    for (unsigned i = 0; i < SHEEN_POWER_ENTRIES; i++) {
-        uint32_t after = power_entry(i + 1, shift, m->shininess);
-        uint32_t bent = i > 0 ? (before - here - (here - after)) / 12 : 0; /* falls, and ever less */
-        uint32_t power = here > bent ? here - bent : 0;
-        m->power[i] = (uint16_t)((power >> 17) + (power >> 16 & 1u));
-        before = here;
-        here = after;
-    }
-    m->power[SHEEN_POWER_ENTRIES] = 0;
-    return SHEEN_OK;
-}
 
 /*
  * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
@@ -110,12 +48,14 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
 {
     uint64_t a[3], b[3], c[3];
     unsigned headroom = 0;
+    int white = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0;
 
     t->clamp = 0;
     for (int k = 0; k < 3; k++) {
         a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
         b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16);
-        c[k] = channel_of(format, k, m->highlight[k], ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16);
+        c[k] = channel_of(format, k, white ? 255 : m->highlight[k],
+                          ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16);
         /* 1/256 level above the highest still rounds to it */
         uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)format->scale[k] << 16) + (1u << 24);
         t->clamp |= most > top;

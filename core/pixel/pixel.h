@@ -5,6 +5,7 @@
 #define SHEEN_PIXEL_H
 
 #include "../math/fixed.h"
+#include "../math/newton.h"
 #include "../sheen.h"
 
 /* Builds that count pixels pay for it; pictures are the same. */
@@ -39,13 +40,20 @@ struct lit {
 /* A material's power table, ready for a loop. */
 struct power {
     const uint16_t *table;
-    unsigned shift; /* 18..21: an entry is 2^shift of u in Q2.29 */
+    uint8_t shift;     /* 18..21: an entry is 2^shift of u in Q2.29 */
+    uint8_t shininess; /* n */
 };
 
-static inline struct power power_of(const struct sheen_material *m)
+/* Of a material without highlight any table will do: its terms are 0. */
+static inline struct power power_of(const struct sheen_shine *shine)
 {
-    struct power p = {m->power, 21u - m->power_shift};
+    struct power p = {sheen_root_table, 21, 1};
 
+    if (shine != NULL) {
+        p.table = shine->power;
+        p.shift = (uint8_t)(21u - shine->shift);
+        p.shininess = shine->shininess;
+    }
     return p;
 }
 

@@ -57,7 +57,7 @@ static void flat_setup(struct setup *s, const struct surface_corners *c, const s
     if (c->back)
         for (int i = 0; i < 3; i++)
             normal[i] = (int16_t)-max32(normal[i], -32767);
-    sheen_light_normal(&s->draw->light, s->draw->material, normal, &lit);
+    sheen_light_normal(&s->draw->light, s->draw->power, normal, &lit);
     sheen_setup_constant(s, &lit);
 }
 

@@ -21,7 +21,7 @@ static void corner_lit(const struct setup *s, const struct surface_corners *c, i
     const int16_t *n = c->at.normal[k];
     const int16_t negated[3] = {(int16_t)-max32(n[0], -32767), (int16_t)-max32(n[1], -32767),
                                 (int16_t)-max32(n[2], -32767)};
-    sheen_light_normal(&s->draw->light, s->draw->material, negated, lit);
+    sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
 }
 
 /* Of the corners' channels: the largest difference, in 1/16 level, 0xffff at the most; and whether one exceeds 1.0. */
@@ -164,7 +164,7 @@ static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_
 {
     struct lit lit;
 
-    sheen_light_normal(&d->light, d->material, normal, &lit);
+    sheen_light_normal(&d->light, d->power, normal, &lit);
     kept[0] = (uint16_t)lit.diffuse;
     kept[1] = (uint16_t)lit.specular;
 }

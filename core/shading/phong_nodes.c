@@ -89,8 +89,7 @@ static int32_t upper_bound(const struct nodes *n)
 static int exceeds(const struct draw *d, const struct nodes *diffuse, int32_t u)
 {
     const struct colour_terms *terms = &d->colour;
-    struct lit most = {(uint32_t)max32(0, min32(asr32(upper_bound(diffuse), 15) + 1, 32768)),
-                       power_at(power_of(d->material), u)};
+    struct lit most = {(uint32_t)max32(0, min32(asr32(upper_bound(diffuse), 15) + 1, 32768)), power_at(d->power, u)};
     int over = 0;
 
     for (int k = 0; k < 3 && terms->clamp; k++)
@@ -187,15 +186,15 @@ static APART int quadrics(struct setup *s, const struct gradients *g, const stru
 
 int sheen_phong_nodes(struct setup *s, const struct surface_corners *c, const struct gradients *g)
 {
-    const struct sheen_material *m = s->draw->material;
+    const struct power *power = &s->draw->power;
     struct nodes diffuse, reflected;
 
     int32_t apart = nodes_of(s, c, &diffuse, &reflected);
     if (apart == INT32_MAX)
         return 0;
     int32_t least = lower_bound(&reflected);
-    int highlight = upper_bound(&diffuse) > 0 && least < 1 << (29 - m->power_shift);
-    if (highlight && apart > widest_highlight[m->specular > SHEEN_Q16(0.5)][m->shininess > 32])
+    int highlight = upper_bound(&diffuse) > 0 && least < 1 << (power->shift + 8);
+    if (highlight && apart > widest_highlight[s->draw->strong][power->shininess > 32])
         return 0;
     int faded = highlight && lower_bound(&diffuse) < FADED << 15;
     s->fast = s->draw->early && !faded && !exceeds(s->draw, &diffuse, highlight ? least : INT32_MAX);

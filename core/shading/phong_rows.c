@@ -56,7 +56,7 @@ SPECIALISED void light_pixel(struct power power, int32_t lv1, int32_t ln, int32_
 SPECIALISED void root_run(const struct tile *t, const struct phong_setup *p, const struct colour_terms *terms,
                           int32_t x, int32_t x1, int32_t y, struct normal_run run, int fast)
 {
-    const struct power power = power_of(p->s.draw->material);
+    const struct power power = p->s.draw->power;
     const int32_t lv1 = p->s.draw->light.lv1[0];
     const uint32_t dz = p->s.depth.dx, dln = p->light.dx, dnv = p->view.dx;
     const uint32_t ddd = p->square.dxx;
@@ -101,7 +101,7 @@ void sheen_phong_block(const struct tile *t, const struct phong_setup *p, int32_
                        struct parabola reflected)
 {
     const struct colour_terms *terms = &p->s.draw->colour;
-    const struct power power = power_of(p->s.draw->material);
+    const struct power power = p->s.draw->power;
     struct rounding rounding = rounding_of(t, terms, y);
     uint32_t at = tile_offset(t, x, y), z = plane_at(&p->s.depth, x, y);
 
@@ -155,7 +155,7 @@ static void light_normal(const struct setup *s, const int32_t n[3], uint32_t roo
 {
     const struct lighting *l = &s->draw->light;
     int32_t facing = normalised(2 * dot32_q29(n, l->view), root);
-    const struct power power = power_of(s->draw->material);
+    const struct power power = s->draw->power;
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
 
     facing = min32(max32(facing, -32768), 32768);

@@ -25,7 +25,7 @@ SPECIALISED void light_step(const struct slerp_setup *s, const struct slerp_row 
             diffuse += l->diffuse_weight[i] * ln;
             /* 1 - R.V, Q2.29 */
             int32_t u = (int32_t)((1u << 29) - (uint32_t)row->light[i].mean - (uint32_t)at->reflected);
-            specular += l->specular_weight[i] * highlight_at(power_of(s->s.draw->material), u, ln);
+            specular += l->specular_weight[i] * highlight_at(s->s.draw->power, u, ln);
         }
         recur(&at->light, &at->light_step, block->light_law, block->light_law_shift);
         recur(&at->reflected, &at->reflected_step, block->reflected_law, block->reflected_law_shift);

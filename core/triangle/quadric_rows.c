@@ -45,7 +45,7 @@ SPECIALISED void fast_run(const struct tile *t, const struct quadric_setup *q, c
                           uint32_t at, uint32_t count, struct run run, enum second kind)
 {
     uint16_t *pixels = (uint16_t *)t->pixels + at, *end = pixels + count, *depth = t->depth + at;
-    const struct power power = power_of(q->s.draw->material);
+    const struct power power = q->s.draw->power;
     const uint32_t dz = q->s.depth.dx, ddd = q->diffuse.dxx, dds = q->second.dxx;
     const uint32_t ar = terms->a[0], ag = terms->a[1], ab = terms->a[2];
     const uint32_t br = terms->b[0], bg = terms->b[1], bb = terms->b[2];
@@ -81,7 +81,7 @@ SPECIALISED void general_run(const struct tile *t, const struct quadric_setup *q
 
     for (; x < x1; x++, at++) {
         if (nearer(t, t->depth + at, run.z)) {
-            struct lit lit = lit_of(power_of(q->s.draw->material), run.diffuse, run.second, kind);
+            struct lit lit = lit_of(q->s.draw->power, run.diffuse, run.second, kind);
             put_general(t, terms, rounding, at, x, channel_lit(terms, 0, lit, kind), channel_lit(terms, 1, lit, kind),
                         channel_lit(terms, 2, lit, kind));
         }

@@ -13,11 +13,12 @@ struct sheen_shader;
 /* What a draw call left behind for its triangles. */
 struct draw {
     const struct sheen_mesh *mesh;
-    const struct sheen_material *material;
     const struct sheen_shader *shader;
     struct lighting light;
     struct colour_terms colour;
+    struct power power;
     uint8_t two_sided;
+    uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t early;  /* 565 without dither: the half of the one rounding can be added in advance */
     uint8_t forced; /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
 };

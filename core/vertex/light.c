@@ -24,35 +24,49 @@ static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned c
         weight[i] = (uint16_t)(sum > 0 ? ((uint32_t)intensity[i] << 13) / (((uint32_t)sum + 3) >> 2) : 0);
 }
 
-int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw)
+/* A light in eye space: `view` turns those of the world there, NULL: world and eye space are one. */
+static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, sheen_q30_t to[3])
 {
-    const sheen_q30_t *r = draw->pose.rotation;
+    sheen_q30_t unit[3];
+
+    if (light->intensity < 0 || light->intensity > 1 << 16)
+        return SHEEN_ERR_ARGUMENT;
+    int error = sheen_normalize(light->to, unit);
+    for (int k = 0; k < 3 && error == SHEEN_OK; k++) {
+        const sheen_q30_t *row = view + 3 * k;
+        to[k] = view == NULL || light->with_eye
+                    ? unit[k]
+                    : mul_round(row[0], unit[0], 30) + mul_round(row[1], unit[1], 30) + mul_round(row[2], unit[2], 30);
+    }
+    return error;
+}
+
+int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
+                      const sheen_q30_t rotation[9], const sheen_q30_t *view)
+{
     const sheen_q30_t eye[3] = {0, 0, 1 << 30};
     sheen_q16_t diffuse[SHEEN_MAX_LIGHTS], specular[SHEEN_MAX_LIGHTS];
 
-    if (draw->light_count > SHEEN_MAX_LIGHTS || (draw->light_count > 0 && draw->lights == NULL))
+    if (count > SHEEN_MAX_LIGHTS || (count > 0 && lights == NULL))
         return SHEEN_ERR_ARGUMENT;
-    to_model(r, eye, l->view);
-    l->count = draw->light_count;
+    to_model(rotation, eye, l->view);
+    l->count = (uint8_t)count;
     l->diffuse_sum = 0;
     l->specular_sum = 0;
-    for (unsigned i = 0; i < l->count; i++) {
-        const struct sheen_light *light = &draw->lights[i];
+    for (unsigned i = 0; i < count; i++) {
         sheen_q30_t to[3];
-        int error = sheen_normalize(light->to, to);
+        int error = eye_light(&lights[i], view, to);
         if (error < 0)
             return error;
-        if (light->intensity < 0 || light->intensity > 1 << 16)
-            return SHEEN_ERR_ARGUMENT;
-        to_model(r, to, l->to[i]);
+        to_model(rotation, to, l->to[i]);
         l->lv1[i] = (1 << 29) + to[2] / 2;
-        diffuse[i] = light->intensity;
-        specular[i] = light->highlight ? light->intensity : 0;
+        diffuse[i] = lights[i].intensity != 0 ? lights[i].intensity : 1 << 16;
+        specular[i] = lights[i].no_highlight ? 0 : diffuse[i];
         l->diffuse_sum += diffuse[i];
         l->specular_sum += specular[i];
     }
-    weights(l->diffuse_weight, diffuse, l->count, l->diffuse_sum);
-    weights(l->specular_weight, specular, l->count, l->specular_sum);
+    weights(l->diffuse_weight, diffuse, count, l->diffuse_sum);
+    weights(l->specular_weight, specular, count, l->specular_sum);
     return SHEEN_OK;
 }
 
@@ -64,11 +78,9 @@ static int32_t cosine(const int16_t normal[3], int32_t lacks, const sheen_q30_t 
     return 2 * min32(max32(value, -(1 << 29)), 1 << 29);
 }
 
-void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
-                        struct lit *out)
+void sheen_light_normal(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out)
 {
     int32_t lacks = lacking(normal), nv = cosine(normal, lacks, l->view);
-    struct power power = power_of(m);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
     for (unsigned i = 0; i < l->count; i++) {

@@ -75,12 +75,14 @@ static void weight_begin(struct projection *p)
 
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned height)
 {
-    sheen_angle_t half = view->fov / 2;
-    int64_t span = (int64_t)view->far - view->near;
+    sheen_angle_t fov = view->fov != 0 ? view->fov : SHEEN_DEGREES(40), half = fov / 2;
+    sheen_q24_t z_far = view->z_far != 0 ? view->z_far : SHEEN_Q24(16);
+    sheen_q24_t z_near = view->z_near != 0 ? view->z_near : z_far / 16;
+    int64_t span = (int64_t)z_far - z_near;
 
-    if (view->fov < SHEEN_DEGREES(0.99) || view->fov > SHEEN_DEGREES(150.01))
+    if (fov < SHEEN_DEGREES(0.99) || fov > SHEEN_DEGREES(150.01))
         return SHEEN_ERR_ARGUMENT;
-    if (view->near <= 0 || span <= 0 || span << 15 < view->far || view->orthographic < 0)
+    if (z_near <= 0 || span <= 0 || span << 15 < z_far || view->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;
 
     /* height / 2 / tan(half); sine and cosine are Q1.30, a reciprocal takes Q7.24: 2^-6 each way */
@@ -88,8 +90,8 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
         scaled_times(scaled_of((uint64_t)height * (uint32_t)sheen_cos(half), 31), reciprocal_of(sheen_sin(half)));
     p->focal.exponent += 6;
 
-    p->near = view->near;
-    p->far = view->far;
+    p->near = z_near;
+    p->far = z_far;
     p->orthographic = view->orthographic;
     if (p->orthographic != 0) { /* all weights are equal */
         p->fixed = reciprocal_of(p->orthographic);
@@ -100,10 +102,9 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
         return SHEEN_OK;
     }
     /* DEPTH_RANGE * near * far / (far - near), the second factor at most near * 2^15 */
-    p->depth =
-        scaled_times(scaled_of((uint64_t)view->near * (uint64_t)view->far, 48), reciprocal_of((sheen_q24_t)span));
+    p->depth = scaled_times(scaled_of((uint64_t)z_near * (uint64_t)z_far, 48), reciprocal_of((sheen_q24_t)span));
     p->depth = scaled_times(p->depth, scaled_of(DEPTH_RANGE, 0));
-    p->depth_far = product_q8(p->depth, reciprocal_of(view->far));
+    p->depth_far = product_q8(p->depth, reciprocal_of(z_far));
     weight_begin(p);
     return SHEEN_OK;
 }

@@ -105,8 +105,32 @@ struct lighting {
     uint8_t count;
 };
 
-int sheen_light_begin(struct lighting *l, const struct sheen_draw *draw);
-void sheen_light_normal(const struct lighting *l, const struct sheen_material *m, const int16_t normal[3],
-                        struct lit *out);
+/* rotation: model to eye; view: world to eye, NULL where they are one. */
+int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
+                      const sheen_q30_t rotation[9], const sheen_q30_t *view);
+void sheen_light_normal(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
+
+/* ---- clipping ---- */
+
+#define CLIP_PLANES 6                      /* near, far, and the guard band's sides: the order of enum vertex_flag */
+#define MAX_CLIP_CORNERS (3 + CLIP_PLANES) /* of a triangle: each plane adds one at most */
+
+/* A corner of the polygon that is left of a triangle. */
+struct clip_corner {
+    sheen_q24_t eye[3];
+    int32_t share[3]; /* of the triangle's corners in its attributes, Q1.30 */
+    struct vertex v;
+};
+
+/* What is left of a triangle, and how it is cut. */
+struct clip_job {
+    const struct projection *projection;
+    int on_screen; /* shares are linear on the screen, not in space */
+    struct clip_corner *polygon, *next;
+    unsigned count; /* of corners; below 3 nothing is left */
+};
+
+/* Cuts by the planes from `first` to before `end`. polygon and next have room for MAX_CLIP_CORNERS each. */
+void sheen_clip(struct clip_job *job, unsigned first, unsigned end);
 
 #endif

@@ -1,53 +1,83 @@
 /*
- * main.c - the smallest complete program: a cube, Phong shaded, on an OLED of 16 greys.
- *
- * The bus is three functions, here for an SPI of the kind PL022 (ctx: its registers)
- * and a pin for D/C. The board's start-up code has set up clocks, pins and SPI.
+ * main.c - the smallest complete program: a cube that turns, Phong shaded, on an OLED of 16 greys.
  */
 #include "sheen.h"
 #include "sheen_panel.h"
 
-#define K 18918 /* 32767 / sqrt(3): a corner at distance 1, and its unit normal */
-static const int16_t corners[] = {-K, -K, -K, K, -K, -K, -K, K, -K, K, K, -K, -K, -K, K, K, -K, K, -K, K, K, K, K, K};
-static const char triangles[] = "\0\2\3\0\3\1\4\5\7\4\7\6\0\4\6\0\6\2\1\3\7\1\7\5\0\1\5\0\5\4\2\6\7\2\7\3";
-static const struct sheen_mesh cube = {corners, corners, NULL, NULL, triangles, 1, 8, 12, SHEEN_Q24(1), {0}};
+/*
+ * The bus, yours: three short functions. Here an SPI of the kind PL022 and a pin for D/C; the
+ * board's start-up code has set up clocks, pins and SPI.
+ */
+#define SPI ((volatile uint32_t *)0x40008000)
+#define SPI_DATA SPI[2]
+#define SPI_STATUS SPI[3]
+#define SPI_BUSY_OR_RECEIVED 0x14u
+#define DC_PIN *(volatile uint32_t *)0x40006200 /* port C bit 7 */
+#define DC_LOW 0x00u
+#define DC_HIGH 0x80u
 
-/* Bytes with D/C, port C bit 7, low or high; each has left before the next. */
-static void put(volatile uint32_t *spi, uint32_t dc, const uint8_t *bytes, size_t count)
+static void put(uint32_t dc, const void *bytes, size_t count)
 {
-    for (*(volatile uint32_t *)0x40006200 = dc; count; count--)
-        for (spi[2] = *bytes++; spi[3] & 0x14;) /* data; status: busy, or something received */
-            (void)spi[2];
+    DC_PIN = dc;
+    for (size_t i = 0; i < count; i++)
+        for (SPI_DATA = ((const uint8_t *)bytes)[i]; SPI_STATUS & SPI_BUSY_OR_RECEIVED;)
+            (void)SPI_DATA;
 }
 
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
-    put(ctx, 0, command, commands);
-    put(ctx, 0x80, data, count);
+    (void)ctx;
+    put(DC_LOW, command, commands);
+    put(DC_HIGH, data, count);
     return SHEEN_OK;
 }
 
 static int delay(void *ctx, uint32_t us)
 {
-    for (volatile uint32_t turns = us * 10; turns; turns--) /* of at least 5 clocks of 50 MHz */
-        (void)ctx;
+    (void)ctx;
+    for (uint32_t turns = us * 10; turns; turns--) /* of at least 5 clocks of 50 MHz */
+        (void)SPI_STATUS;
     return SHEEN_OK;
 }
 
+/* A corner of the cube at distance 1, and its unit normal: 32767 / sqrt(3). */
+#define C 18918
+static const int16_t corners[] = {-C, -C, -C, C, -C, -C, -C, C, -C, C, C, -C, -C, -C, C, C, -C, C, -C, C, C, C, C, C};
+static const uint8_t triangles[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
+                                    1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
+static const struct sheen_mesh cube = {.positions = corners,
+                                       .normals = corners,
+                                       .indices = triangles,
+                                       .index_bytes = 1,
+                                       .vertices = 8,
+                                       .triangles = 12,
+                                       .scale = SHEEN_Q24(1)};
+static const struct sheen_material gold = {.base = {200, 160, 80},
+                                           .ambient = SHEEN_Q16(.1),
+                                           .diffuse = SHEEN_Q16(.6),
+                                           .specular = SHEEN_Q16(.3),
+                                           .shine = &sheen_shine_32};
+static const struct sheen_light lamp = {.to = {-5, 7, 5}};
+static const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05), .dither = 1};
+
 int main(void)
 {
-    static uint64_t arena[2000];
-    struct sheen_bus bus = {.ctx = (void *)0x40008000, .send = send, .delay = delay};
+    static uint64_t arena[SHEEN_ARENA_BYTES(128, 64, 1, 16, 1, 8, 12, 1, 0, 12) / 8];
+    size_t size = sizeof arena;
+    struct sheen_bus bus = {.send = send, .delay = delay};
     struct sheen_panel panel;
     struct sheen_target target;
     struct sheen_frame *frame;
-    struct sheen_config config = {.target = &target, .max_vertices = 8, .max_triangles = 12, .max_carried = 12};
-    struct sheen_view view = {.fov = SHEEN_DEGREES(40), .near = SHEEN_Q24(1.95), .far = SHEEN_Q24(4.05), .dither = 1};
-    struct sheen_material gold = {{200, 160, 80}, {255, 255, 255}, SHEEN_Q16(.1), SHEEN_Q16(.6), SHEEN_Q16(.3), 32};
-    struct sheen_draw draw = {&cube, &gold, &(struct sheen_light){{-5, 7, 5}, SHEEN_Q16(1), 1}, 1, &sheen_phong};
+    struct sheen_config config = {
+        .target = &target, .max_vertices = 8, .max_triangles = 12, .max_draws = 1, .max_carried = 12};
+    struct sheen_object object = {
+        .mesh = &cube, .material = &gold, .shader = &sheen_phong, .lights = &lamp, .light_count = 1};
+    int error = sheen_panel_open(&panel, &sheen_panel_ssd0323, &bus, 0) || sheen_panel_target(&panel, &target) ||
+                sheen_init(&frame, arena, &size, &config);
 
-    sheen_pose_orbit(&draw.pose, SHEEN_DEGREES(30), SHEEN_DEGREES(20), 0, SHEEN_Q24(3));
-    return sheen_material_prepare(&gold) || sheen_panel_open(&panel, &sheen_panel_ssd0323, &bus, 0) ||
-           sheen_panel_target(&panel, &target) || sheen_init(&frame, arena, &(size_t){sizeof arena}, &config) ||
-           sheen_begin(frame, &view) || sheen_draw(frame, &draw) || sheen_end(frame) || sheen_wait(frame);
+    for (int32_t yaw = 30; !error; yaw += 6) {
+        sheen_pose_orbit(&object.pose, sheen_degrees(yaw), sheen_degrees(20), 0, SHEEN_Q24(3));
+        error = sheen_render(frame, &view, &object, 1);
+    }
+    return error;
 }

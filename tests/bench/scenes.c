@@ -3,8 +3,8 @@
  */
 #include "scenes.h"
 
-static const struct sheen_light light = {
-    .to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)}, .intensity = 65536, .highlight = 1};
+static const struct sheen_light light = {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)},
+                                         .intensity = 65536};
 
 static int throw_away(void *ctx, struct sheen_rect rect, const void *pixels)
 {
@@ -35,22 +35,20 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
                                               .ambient = SHEEN_Q16(0.15),
                                               .diffuse = SHEEN_Q16(0.7),
                                               .specular = SHEEN_Q16(0.5),
-                                              .shininess = 16};
-    int status = sheen_material_prepare(&bench->material);
-
-    return status < 0 ? status : sheen_init(&bench->frame, arena, &size, &bench->config);
+                                              .shine = &sheen_shine_16};
+    return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
 
 /* Clear, transform, light, raster, up to the target's call. */
 static int run(struct bench *bench, int frame)
 {
-    struct sheen_view view = {.fov = SHEEN_DEGREES(60), .near = bench->scene->near, .far = bench->scene->far};
-    struct sheen_draw draw = {.mesh = &bench->scene->mesh,
-                              .material = &bench->material,
-                              .lights = &light,
-                              .light_count = 1,
-                              .shader = sheen_shader_of(bench->shading),
-                              .pose = bench->scene->pose[frame]};
+    struct sheen_view view = {.fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far};
+    struct sheen_object draw = {.mesh = &bench->scene->mesh,
+                                .material = &bench->material,
+                                .lights = &light,
+                                .light_count = 1,
+                                .shader = sheen_shader_of(bench->shading),
+                                .pose = bench->scene->pose[frame]};
     int status = sheen_begin(bench->frame, &view);
 
     if (status == SHEEN_OK)

@@ -8,6 +8,12 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
+# Functions of a struct sheen_shader by who calls them: what else could stand there does not.
+SHADER_CALLS = [(r"(^|:)(sheen_draw|light_corners|draw_triangle|sheen_cut_triangle|cut_halves|list_pieces|light_triangle)$", r"_light$"),
+                (r"(^|:)set_up$", r"_setup$"),
+                (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?)$"),
+                (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
+                 r"(?!)")]  # callbacks of the user
 
 
 class CallGraph:

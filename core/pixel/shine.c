@@ -1,0 +1,61 @@
+/*
+ * shine.c - the table of s^n of one shininess.
+ */
+#include "pixel.h"
+
+/* a * b for UQ0.32 factors, 1.0 held as 0xffffffff. */
+static uint32_t multiply(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(((uint64_t)a * b + a + b) >> 32);
+}
+
+/* s^n by repeated squaring, UQ0.32; error below n * 2^-32. */
+static uint32_t raised(uint32_t s, unsigned n)
+{
+    uint32_t result = UINT32_MAX;
+
+    for (; n > 0; n >>= 1) {
+        if ((n & 1u) != 0)
+            result = multiply(result, s);
+        s = multiply(s, s);
+    }
+    return result;
+}
+
+/* s^n at entry i of a table of that shift, UQ0.32. i <= SHEEN_POWER_ENTRIES. */
+static uint32_t power_entry(unsigned i, unsigned shift, unsigned n)
+{
+    uint64_t u = (uint64_t)i << (24 - shift);
+
+    return u < UINT32_MAX ? raised(UINT32_MAX - (uint32_t)u, n) : 0;
+}
+
+/*
+ * The table spans u = 1 - s from 0 to 2^-shift, the smallest power of two below
+ * which s^n stays under 2^-16. A line between two points of a convex curve lies
+ * above it, by 1/12 of the second difference on the average: so much lower are the
+ * entries, but for the first, which is 1.0. What is left is at most
+ * n (n - 1) / 12 / (256 * 2^shift)^2 < 7e-4 of the highlight, to either side.
+ */
+int sheen_shine_make(struct sheen_shine *shine, unsigned shininess)
+{
+    uint32_t before = UINT32_MAX, here = UINT32_MAX;
+    unsigned shift = 0;
+
+    if (shininess < 1 || shininess > 128)
+        return SHEEN_ERR_ARGUMENT;
+    while (shift < 3 && raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), shininess) < 1u << 16)
+        shift++;
+    shine->shininess = (uint8_t)shininess;
+    shine->shift = (uint8_t)shift;
+    for (unsigned i = 0; i < SHEEN_POWER_ENTRIES; i++) {
+        uint32_t after = power_entry(i + 1, shift, shininess);
+        uint32_t bent = i > 0 ? (before - here - (here - after)) / 12 : 0; /* falls, and ever less */
+        uint32_t power = here > bent ? here - bent : 0;
+        shine->power[i] = (uint16_t)((power >> 17) + (power >> 16 & 1u));
+        before = here;
+        here = after;
+    }
+    shine->power[SHEEN_POWER_ENTRIES] = 0;
+    return SHEEN_OK;
+}

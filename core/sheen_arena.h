@@ -1,0 +1,57 @@
+/*
+ * sheen_arena.h - how many bytes a frame's arena takes, at compile time: sheen_arena_size() in the preprocessor.
+ *
+ *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 512, 4, 0, 80) / 8];
+ *
+ * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
+ * buffers 1; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each.
+ * The result is a multiple of 8.
+ */
+#ifndef SHEEN_ARENA_H
+#define SHEEN_ARENA_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
+#if UINTPTR_MAX > 0xffffffffu
+#define SHEEN_BYTES_FRAME 472
+#define SHEEN_BYTES_DRAW 192
+#define SHEEN_BYTES_WORKER 152
+#define SHEEN_BYTES_SETUP 144
+#else
+#define SHEEN_BYTES_FRAME 400
+#define SHEEN_BYTES_DRAW 172
+#define SHEEN_BYTES_WORKER 128
+#define SHEEN_BYTES_SETUP 128
+#endif
+#define SHEEN_BYTES_VERTEX 12
+#define SHEEN_BYTES_ENTRY 4
+#define SHEEN_BYTES_PIECE 56
+#define SHEEN_BYTES_BAND 20
+#define SHEEN_BYTES_SPAN 4
+#define SHEEN_BYTES_CLIPPING 648
+
+#define SHEEN_STORE(count, bytes) (((size_t)(count) * (bytes) + 7) / 8 * 8)
+#define SHEEN_BIT_STORE(count) SHEEN_STORE(((size_t)(count) + 31) / 32, 4)
+#define SHEEN_BANDS(height, band_rows) (((size_t)(height) + (band_rows)-1) / (band_rows))
+
+/* A worker's own: set-ups, pending bits, spans, depth, pixels. */
+#define SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                \
+    (SHEEN_STORE((carried) + 1, SHEEN_BYTES_SETUP) + SHEEN_BIT_STORE(triangles) +                                      \
+     SHEEN_STORE(band_rows, SHEEN_BYTES_SPAN) + SHEEN_STORE((width) * (size_t)(band_rows), 2) +                        \
+     (buffers)*SHEEN_STORE((width) * (size_t)(band_rows), pixel_bytes))
+
+#define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
+    (SHEEN_BYTES_WORKER + SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
+
+#define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, triangles, draws, clipped,         \
+                          carried)                                                                                     \
+    (SHEEN_STORE(1, SHEEN_BYTES_FRAME) + SHEEN_STORE(SHEEN_BANDS(height, band_rows), SHEEN_BYTES_BAND) +               \
+     SHEEN_BIT_STORE(SHEEN_BANDS(height, band_rows)) + SHEEN_STORE(draws, SHEEN_BYTES_DRAW) +                          \
+     SHEEN_STORE(vertices, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +                           \
+     SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
+     SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +                                                                            \
+     SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))
+
+#endif

@@ -1,0 +1,12 @@
+/*
+ * sheen_version.h - which sheen this is, for #if and for messages. CMakeLists.txt reads it here.
+ */
+#ifndef SHEEN_VERSION_H
+#define SHEEN_VERSION_H
+
+#define SHEEN_VERSION_MAJOR 0
+#define SHEEN_VERSION_MINOR 2
+#define SHEEN_VERSION_PATCH 0
+#define SHEEN_VERSION "0.2.0"
+
+#endif
