@@ -8,7 +8,7 @@ sheen_test(test_linux_bus panel SOURCES test_linux_bus.c test_panel_canvas.c ${l
   ${linux}/bus_bitbang.c ${linux}/bus_i2cdev.c ${linux}/bus_spidev.c ${linux}/sender.c LIBRARIES sheen::sim Threads::Threads)
 target_include_directories(test_linux_bus PRIVATE ${linux})
 target_compile_definitions(test_linux_bus PRIVATE _GNU_SOURCE)
-target_link_options(test_linux_bus PRIVATE -Wl,--wrap=open,--wrap=close,--wrap=write,--wrap=ioctl,--wrap=clock_nanosleep)
+target_link_options(test_linux_bus PRIVATE -Wl,--wrap=open,--wrap=close,--wrap=ioctl,--wrap=clock_nanosleep)
 if(TARGET sheen_linux)
   # In a part that the thread sanitizer sees.
   sheen_test(test_sender frames SOURCES test_sender.c LIBRARIES sheen::linux)

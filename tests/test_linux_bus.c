@@ -146,10 +146,8 @@ void sheen_pin_close(struct sheen_pin *pin)
 
 int __real_open(const char *path, int flags, ...);
 int __real_close(int fd);
-ssize_t __real_write(int fd, const void *bytes, size_t count);
 int __wrap_open(const char *path, int flags, ...);
 int __wrap_close(int fd);
-ssize_t __wrap_write(int fd, const void *bytes, size_t count);
 int __wrap_ioctl(int fd, unsigned long request, ...);
 int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *until, struct timespec *rest);
 
@@ -199,6 +197,26 @@ static int transfer(const struct spi_ioc_transfer *one)
     return (int)one->len;
 }
 
+/* A write message to the panel's bus. */
+static int message(const struct i2c_rdwr_ioctl_data *messages)
+{
+    const struct i2c_msg *one = messages->msgs;
+
+    assert_int_equal(messages->nmsgs, 1);
+    assert_int_equal(one->flags, 0);
+    sheen_sim_bus_i2c(&machine.i2c, (uint8_t)one->addr);
+    if (one->len > ADAPTER_LONGEST) {
+        errno = EOPNOTSUPP;
+        return -1;
+    }
+    if (machine.i2c.bus.send(&machine.i2c, NULL, 0, one->buf, one->len) < 0) {
+        errno = EREMOTEIO;
+        return -1;
+    }
+    machine.i2c.bus.wait(&machine.i2c);
+    return 1;
+}
+
 int __wrap_ioctl(int fd, unsigned long request, ...)
 {
     va_list values;
@@ -211,6 +229,8 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
         return -1;
     if (fd == SPI_FD && request == SPI_IOC_MESSAGE(1))
         return transfer(value);
+    if (fd == I2C_FD && request == I2C_RDWR)
+        return message(value);
     if (fd == SPI_FD && request == SPI_IOC_WR_MODE)
         machine.mode = *(uint8_t *)value;
     else if (fd == I2C_FD && request == I2C_FUNCS)
@@ -222,25 +242,6 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
         return -1;
     }
     return 0;
-}
-
-ssize_t __wrap_write(int fd, const void *bytes, size_t count)
-{
-    if (fd != I2C_FD)
-        return __real_write(fd, bytes, count);
-    if (fails())
-        return -1;
-    sheen_sim_bus_i2c(&machine.i2c, (uint8_t)machine.address);
-    if (count > ADAPTER_LONGEST) {
-        errno = EOPNOTSUPP;
-        return -1;
-    }
-    if (machine.i2c.bus.send(&machine.i2c, NULL, 0, bytes, count) < 0) {
-        errno = EREMOTEIO;
-        return -1;
-    }
-    machine.i2c.bus.wait(&machine.i2c);
-    return (ssize_t)count;
 }
 
 /* ---- a panel at the far end of a wiring ---- */

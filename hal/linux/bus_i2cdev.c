@@ -11,7 +11,6 @@
 #include <linux/i2c.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 /* Of 7 bits, those that are not reserved (I2C specification UM10204, 3.1.12). */
 #define ADDRESS_FIRST 0x08u
@@ -35,23 +34,20 @@ static int message_fail(struct sheen_linux_bus *bus, int error)
     }
 }
 
-/* What is left of a message cannot be sent by itself: it lacks the control byte. */
+/* A message goes as a whole or not at all: what is left of one would lack the control byte. */
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_linux_bus *bus = ctx;
-    int tries = SHEEN_TRIES;
-    ssize_t sent;
+    uint8_t bytes[SHEEN_I2C_MESSAGE]; /* the kernel's struct takes no const */
+    struct i2c_msg message = {.addr = bus->address, .len = (uint16_t)count, .buf = bytes};
+    struct i2c_rdwr_ioctl_data messages = {.msgs = &message, .nmsgs = 1};
 
     (void)command;
     (void)commands;
-    do
-        sent = write(bus->fd, data, count);
-    while (sent < 0 && sheen_again(errno, &tries));
-    if (sent < 0)
-        return message_fail(bus, errno);
-    if ((size_t)sent != count)
-        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: sent %zd of %zu bytes", bus->path, sent, count);
-    return 0;
+    if (count > sizeof bytes)
+        return SHEEN_ERR_ARGUMENT;
+    memcpy(bytes, data, count);
+    return sheen_ioctl_again(bus->fd, I2C_RDWR, &messages) < 0 ? message_fail(bus, errno) : 0;
 }
 
 static int open_fail(struct sheen_linux_bus *bus, int error)

@@ -148,7 +148,8 @@ static void play(struct run *run, const struct event *event)
     sheen_sim_advance(run->controller, (uint32_t)((event->seconds - run->seconds) * 1e6 + 0.5));
     run->seconds = event->seconds;
     if (is_i2c(run) && (event->line == CLOCK || event->line == DATA)) {
-        play_i2c(run, event);
+        if (event->open_drain) /* what it drives besides, for as long as it turns round, is no level of the wire */
+            play_i2c(run, event);
         return;
     }
     if (event->open_drain)
