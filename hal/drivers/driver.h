@@ -52,7 +52,7 @@ int sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t
 /* Waits for the call under way, if any. */
 int sheen_panel_landed(struct sheen_panel *panel);
 
-/* A command and its count (0..15) parameters, with D/C as the driver has it. */
+/* A command and its parameters, with D/C as the driver has it; at most 15 where low_parameters. */
 int sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
 
 /* Reset by the line, else by command, with the record's waits. */
