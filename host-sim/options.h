@@ -127,7 +127,7 @@ void sheen_options_paragraph(const char *text);
 /* What the help and the man page say of an option: its text and default. */
 void sheen_option_text(const struct sheen_option *option, char *text, size_t size);
 
-/* "0.1.0", and what both say of the command as a whole. */
+/* "0.2.0", say, and what both say of the command as a whole. */
 extern const char sheen_version[], sheen_text_what[], sheen_text_help[], sheen_text_mesh[], sheen_text_exit[];
 
 /* An option's argument into its field. 0, or SHEEN_ERR_ARGUMENT and *problem. */
