@@ -1,5 +1,5 @@
 /*
- * panel.c - what all panels share: opening, the target's push and wait, brightness, turning, TE.
+ * panel.c - what all panels share: opening, the target's push and wait, off and on, turning.
  *
  * After any error the panel counts as unknown: its next push resets and
  * initialises it, since a controller that missed bytes (or its power) shows
@@ -7,8 +7,8 @@
  */
 #include "drivers/driver.h"
 
-/* Ends what take() began: the bus is given back, unless pixels still fly. An error makes the panel unknown. */
-static int give(struct sheen_panel *panel, int error)
+/* Ends what sheen_panel_take() began: the bus is given back, unless pixels still fly. An error makes the panel unknown. */
+int sheen_panel_give(struct sheen_panel *panel, int error)
 {
     if (error < 0)
         panel->ready = 0;
@@ -21,82 +21,48 @@ static int give(struct sheen_panel *panel, int error)
 }
 
 /* Collects the push before, then takes the bus for what comes. After an error it is not held. */
-static int take(struct sheen_panel *panel)
+int sheen_panel_take(struct sheen_panel *panel)
 {
-    int error = give(panel, sheen_panel_landed(panel));
+    int error = sheen_panel_give(panel, sheen_panel_landed(panel));
 
     if (error == SHEEN_OK && panel->bus->acquire)
         error = panel->bus->acquire(panel->bus->ctx);
     panel->held = error == SHEEN_OK;
-    return error < 0 ? give(panel, error) : error;
-}
-
-/* The brightness asked for, if any; the bus is held. */
-static int light(struct sheen_panel *panel)
-{
-    const struct sheen_panel_record *record = panel->record;
-    const uint8_t *on = record->driver->brightness_on;
-    uint8_t value = (uint8_t)(panel->brightness >> record->brightness_shift);
-    int error = SHEEN_OK;
-
-    if (!panel->dimmed)
-        return SHEEN_OK;
-    if (on[0])
-        error = sheen_panel_command(panel, on[0], &on[1], 1);
-    return error < 0 ? error : sheen_panel_command(panel, record->brightness_command, &value, 1);
+    return error < 0 ? sheen_panel_give(panel, error) : error;
 }
 
 /* From any state to a lit panel; the bus is held. */
 static int initialise(struct sheen_panel *panel)
 {
-    static const uint8_t vertical_only = 0; /* a pulse a refresh, none a line */
     int error;
 
     panel->ready = 0;
     panel->window_known = 0;
     error = panel->record->driver->init(panel);
-    if (error == SHEEN_OK && panel->tearing)
-        error = sheen_panel_command(panel, panel->record->driver->tearing_command, &vertical_only, 1);
-    if (error == SHEEN_OK)
-        error = light(panel);
+    if (error == SHEEN_OK && panel->settings)
+        error = panel->settings(panel);
     panel->ready = error == SHEEN_OK;
     return error;
 }
 
 int sheen_panel_init(struct sheen_panel *panel)
 {
-    int error = take(panel);
+    int error = sheen_panel_take(panel);
 
-    return error < 0 ? error : give(panel, initialise(panel));
+    return error < 0 ? error : sheen_panel_give(panel, initialise(panel));
 }
 
 /* A panel that was never lit, or is in an unknown state, is not spoken to. */
 int sheen_panel_off(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
-    int error = panel->ready ? take(panel) : give(panel, sheen_panel_landed(panel));
+    int error = panel->ready ? sheen_panel_take(panel) : sheen_panel_give(panel, sheen_panel_landed(panel));
 
     for (unsigned i = 0; panel->ready && error == SHEEN_OK && i < driver->off_count; i++)
         error = sheen_panel_command(panel, driver->off[i], NULL, 0);
-    error = give(panel, error);
+    error = sheen_panel_give(panel, error);
     panel->ready = 0;
     return error;
-}
-
-int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
-{
-    int error;
-
-    if (!panel->record->brightness_command)
-        return SHEEN_ERR_UNSUPPORTED;
-    if (level > 255)
-        return SHEEN_ERR_ARGUMENT;
-    panel->brightness = (uint8_t)level;
-    panel->dimmed = 1;
-    if (!panel->ready)
-        return SHEEN_OK; /* the next initialisation says it */
-    error = take(panel);
-    return error < 0 ? error : give(panel, light(panel));
 }
 
 int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)
@@ -106,31 +72,12 @@ int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)
 
     if (orientation > 7)
         return SHEEN_ERR_ARGUMENT;
-    error = panel->ready ? take(panel) : SHEEN_OK;
+    error = panel->ready ? sheen_panel_take(panel) : SHEEN_OK;
     panel->orientation = (uint8_t)orientation;
     panel->window_known = 0;
     if (error == SHEEN_OK && panel->ready && driver->orient)
         error = driver->orient(panel);
-    return give(panel, error);
-}
-
-int sheen_panel_tearing(struct sheen_panel *panel)
-{
-    if (!panel->record->driver->tearing_command)
-        return SHEEN_ERR_UNSUPPORTED;
-    panel->tearing = 1;
-    panel->ready = 0;
-    return SHEEN_OK;
-}
-
-int sheen_panel_sync(struct sheen_panel *panel)
-{
-    if (!panel->bus->tearing || !panel->record->driver->tearing_command)
-        return SHEEN_ERR_UNSUPPORTED;
-    if (!panel->tearing)
-        sheen_panel_tearing(panel);
-    panel->sync = 1;
-    return SHEEN_OK;
+    return sheen_panel_give(panel, error);
 }
 
 /* Edges on multiples of align, or on the target's own edge. */
@@ -151,24 +98,24 @@ static int push(void *ctx, struct sheen_rect rect, const void *pixels)
     if (!pixels || !axis_fits(rect.x0, rect.x1, width, driver->align_x) ||
         !axis_fits(rect.y0, rect.y1, height, driver->align_y))
         return SHEEN_ERR_ARGUMENT;
-    error = take(panel);
+    error = sheen_panel_take(panel);
     if (error < 0)
         return error;
     if (!panel->ready)
         error = initialise(panel);
-    if (error == SHEEN_OK && panel->sync)
-        error = panel->bus->tearing(panel->bus->ctx);
-    panel->sync = 0;
+    if (error == SHEEN_OK && panel->due)
+        error = panel->due(panel);
+    panel->due = NULL;
     if (error == SHEEN_OK)
         error = driver->push(panel, rect, pixels);
-    return give(panel, error);
+    return sheen_panel_give(panel, error);
 }
 
 static int wait(void *ctx)
 {
     struct sheen_panel *panel = ctx;
 
-    return give(panel, sheen_panel_landed(panel));
+    return sheen_panel_give(panel, sheen_panel_landed(panel));
 }
 
 void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientation, uint16_t *width, uint16_t *height)

@@ -41,6 +41,14 @@ struct sheen_turn {
 
 void sheen_turn_of(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn);
 
+/*
+ * Around what is said to the panel: take collects the push before and acquires the
+ * bus (after an error it is not held); give releases it, unless pixels still fly, and
+ * returns error, which makes the panel unknown.
+ */
+int sheen_panel_take(struct sheen_panel *panel);
+int sheen_panel_give(struct sheen_panel *panel, int error);
+
 /* A call of the bus (sheen_bus.h) that has left on return. */
 int sheen_panel_send(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
                      size_t count);

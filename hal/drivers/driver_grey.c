@@ -82,13 +82,13 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
 static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
-    unsigned unit = record->driver->align_x; /* px, of a column address */
+    unsigned shift = record->driver->align_x / 2u; /* 1 or 2: a column address is 2 or 4 px */
     struct sheen_turn turn;
     int error;
 
     sheen_turn_of(panel, rect, &turn);
-    unsigned column = (record->gap_x + (unsigned)turn.x) / unit, row = record->gap_y + (unsigned)turn.y;
-    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w / unit - 1);
+    unsigned column = (record->gap_x + (unsigned)turn.x) >> shift, row = record->gap_y + (unsigned)turn.y;
+    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + ((unsigned)turn.w >> shift) - 1);
     if (error == SHEEN_OK)
         error = sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
     if (error < 0)

@@ -7,37 +7,32 @@
  */
 #include "driver.h"
 
+/*
+ * As in orientation 0 or 4, then a quarter turn at a time: what was up is then right,
+ * what was right is down, and the bottom left corner comes first.
+ */
 void sheen_turn_of(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn)
 {
-    int32_t w = rect.x1 - rect.x0, h = rect.y1 - rect.y0;
-    uint16_t width, height;
-    int16_t x0 = rect.x0;
+    int16_t w = (int16_t)(rect.x1 - rect.x0), h = (int16_t)(rect.y1 - rect.y0);
+    uint16_t width, height, swap;
+    struct sheen_turn now = {.right = 1, .down = w, .x = rect.x0, .y = rect.y0, .w = w, .h = h};
 
     sheen_panel_size(panel->record, panel->orientation, &width, &height);
-    int16_t below = (int16_t)(height - rect.y1); /* px under the rectangle */
-    int16_t beside = (int16_t)(width - rect.x1); /* px right of it */
-    int32_t right = 1, first = 0;                /* the picture's x axis, in the rectangle */
-    if (panel->orientation & 4) {
-        /* Mirrored: the axis runs from the rectangle's right end. */
-        right = -1;
-        first = w - 1;
-        x0 = beside;
-        beside = rect.x0;
+    if (panel->orientation & 4) { /* mirrored: along the picture's x from the right end */
+        now.start = w - 1;
+        now.right = -1;
+        now.x = (int16_t)(width - rect.x1);
     }
-
-    switch (panel->orientation & 3) {
-    case 0: /* glass right = picture right, glass down = picture down */
-        *turn = (struct sheen_turn){first, right, w, x0, rect.y0, (int16_t)w, (int16_t)h};
-        break;
-    case 1: /* glass right = picture up, glass down = picture right */
-        *turn = (struct sheen_turn){first + (h - 1) * w, -w, right, below, x0, (int16_t)h, (int16_t)w};
-        break;
-    case 2: /* glass right = picture left, glass down = picture up */
-        *turn = (struct sheen_turn){
-            first + (w - 1) * right + (h - 1) * w, -right, -w, beside, below, (int16_t)w, (int16_t)h};
-        break;
-    default: /* glass right = picture down, glass down = picture left */
-        *turn = (struct sheen_turn){first + (w - 1) * right, w, -right, rect.y0, beside, (int16_t)h, (int16_t)w};
-        break;
+    for (unsigned turns = panel->orientation & 3; turns; turns--) {
+        *turn = now;
+        now.start += (turn->h - 1) * turn->down;
+        now.right = -turn->down;
+        now.down = turn->right;
+        now.x = (int16_t)(height - turn->y - turn->h);
+        now.y = turn->x;
+        now.w = turn->h;
+        now.h = turn->w;
+        swap = width, width = height, height = swap;
     }
+    *turn = now;
 }

@@ -1,0 +1,71 @@
+/*
+ * settings.c - brightness and the TE output: what an initialisation adds where it was asked for.
+ *
+ * Through pointers in the panel, so that a firmware which asks for neither links neither.
+ */
+#include "drivers/driver.h"
+
+static int set_brightness(struct sheen_panel *panel)
+{
+    const struct sheen_panel_record *record = panel->record;
+    const uint8_t *on = record->driver->brightness_on;
+    uint8_t value = (uint8_t)(panel->brightness >> record->brightness_shift);
+    int error = SHEEN_OK;
+
+    if (on[0])
+        error = sheen_panel_command(panel, on[0], &on[1], 1);
+    return error < 0 ? error : sheen_panel_command(panel, record->brightness_command, &value, 1);
+}
+
+/* After the driver's initialisation; the bus is held. */
+static int settings(struct sheen_panel *panel)
+{
+    static const uint8_t vertical_only = 0; /* a pulse a refresh, none a line */
+    int error = SHEEN_OK;
+
+    if (panel->tearing)
+        error = sheen_panel_command(panel, panel->record->driver->tearing_command, &vertical_only, 1);
+    return error == SHEEN_OK && panel->dimmed ? set_brightness(panel) : error;
+}
+
+int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
+{
+    int error;
+
+    if (!panel->record->brightness_command)
+        return SHEEN_ERR_UNSUPPORTED;
+    if (level > 255)
+        return SHEEN_ERR_ARGUMENT;
+    panel->brightness = (uint8_t)level;
+    panel->dimmed = 1;
+    panel->settings = settings;
+    if (!panel->ready)
+        return SHEEN_OK; /* the next initialisation says it */
+    error = sheen_panel_take(panel);
+    return error < 0 ? error : sheen_panel_give(panel, set_brightness(panel));
+}
+
+int sheen_panel_tearing(struct sheen_panel *panel)
+{
+    if (!panel->record->driver->tearing_command)
+        return SHEEN_ERR_UNSUPPORTED;
+    panel->tearing = 1;
+    panel->settings = settings;
+    panel->ready = 0;
+    return SHEEN_OK;
+}
+
+static int await_pulse(struct sheen_panel *panel)
+{
+    return panel->bus->tearing(panel->bus->ctx);
+}
+
+int sheen_panel_sync(struct sheen_panel *panel)
+{
+    if (!panel->bus->tearing || !panel->record->driver->tearing_command)
+        return SHEEN_ERR_UNSUPPORTED;
+    if (!panel->tearing)
+        sheen_panel_tearing(panel);
+    panel->due = await_pulse;
+    return SHEEN_OK;
+}
