@@ -35,14 +35,19 @@ static uint32_t mark(unsigned u, unsigned v, unsigned size, int right, int botto
     return u == v || u + v == last ? WHITE : BLACK;
 }
 
+/* The middle half of an axis of so many pixels, where the bars are. */
+static int in_middle(unsigned at, unsigned size)
+{
+    return at - size / 4 < size - size / 4 * 2; /* below the first quarter it is huge */
+}
+
 /* The middle half of the picture: red, green, blue above, steps of grey below. */
 static uint32_t bars(unsigned x, unsigned y, unsigned w, unsigned h)
 {
-    static const uint32_t colours[3] = {RED, GREEN, BLUE};
     unsigned step;
 
     if (y < h / 2)
-        return colours[x * 3 / w];
+        return RED >> x * 3 / w * 8;
     step = x * GREY_STEPS / w * 255 / (GREY_STEPS - 1);
     return step << 16 | step << 8 | step;
 }
@@ -57,34 +62,34 @@ uint32_t sheen_first_light_colour(unsigned x, unsigned y, unsigned w, unsigned h
         return WHITE;
     if (u >= MARK_INSET && v >= MARK_INSET && u < MARK_INSET + size && v < MARK_INSET + size)
         return mark(u - MARK_INSET, v - MARK_INSET, size, right, bottom);
-    if (x >= w / 4 && x < w - w / 4 && y >= h / 4 && y < h - h / 4)
+    if (in_middle(x, w) && in_middle(y, h))
         return bars(x - w / 4, y - h / 4, w - w / 4 * 2, h - h / 4 * 2);
     return BLACK;
 }
 
-/* Each channel rounded to the nearest of its steps. */
+/* 0..255 to 0..most, rounded to the nearest. */
+static unsigned scale(unsigned v, unsigned most)
+{
+    return (v * most + 127) / 255;
+}
+
 static unsigned to_565(uint32_t colour)
 {
-    unsigned r = colour >> 16 & 255, g = colour >> 8 & 255, b = colour & 255;
-
-    return (r * 31 + 127) / 255 << 11 | (g * 63 + 127) / 255 << 5 | (b * 31 + 127) / 255;
+    return scale(colour >> 16 & 255, 31) << 11 | scale(colour >> 8 & 255, 63) << 5 | scale(colour & 255, 31);
 }
 
 /* Luminance 0.2126, 0.7152, 0.0722 in 1/256 (their sum is 256), rounded to a level. */
 static unsigned to_level(uint32_t colour, unsigned max_level)
 {
-    unsigned y = (54 * (colour >> 16 & 255) + 183 * (colour >> 8 & 255) + 19 * (colour & 255)) / 256;
-
-    return (y * max_level + 127) / 255;
+    return scale((54 * (colour >> 16 & 255) + 183 * (colour >> 8 & 255) + 19 * (colour & 255)) / 256, max_level);
 }
 
 /* Bars keep their luminance on grey targets; marks, which say where a corner is, must be seen. */
 static uint32_t grey_colour(unsigned x, unsigned y, unsigned w, unsigned h)
 {
     uint32_t colour = sheen_first_light_colour(x, y, w, h);
-    int bar = x >= w / 4 && x < w - w / 4 && y >= h / 4 && y < h - h / 4;
 
-    return bar || colour == BLACK ? colour : WHITE;
+    return (in_middle(x, w) && in_middle(y, h)) || colour == BLACK ? colour : WHITE;
 }
 
 /* Pixel x of the row at `row`, in the target's format; y is for the pattern. */

@@ -80,10 +80,11 @@ int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)
     return sheen_panel_give(panel, error);
 }
 
-/* Edges on multiples of align, or on the target's own edge. */
+/* Edges on multiples of align (a power of 2), or on the target's own edge. */
 static int axis_fits(int first, int end, int size, int align)
 {
-    return first >= 0 && first < end && end <= size && first % align == 0 && (end % align == 0 || end == size);
+    return first >= 0 && first < end && end <= size && (first & (align - 1)) == 0 &&
+           ((end & (align - 1)) == 0 || end == size);
 }
 
 /* Collects the push before, whose buffer may be this one's; a bad rectangle leaves the panel as it is. */
@@ -139,10 +140,9 @@ static int record_fits(const struct sheen_panel_record *record)
 {
     unsigned per_byte = 8 / sheen_pixel_bits((enum sheen_pixel)record->pixel); /* 0 for 16 bits */
     unsigned align = record->driver->align_x > per_byte ? record->driver->align_x : per_byte;
+    unsigned gap = per_byte == 8 ? record->gap_y : record->gap_x;
 
-    if (per_byte > 1 && (record->glass_w % align || record->glass_h % align))
-        return 0;
-    if ((per_byte == 2 && record->gap_x % align) || (per_byte == 8 && record->gap_y % align))
+    if ((record->glass_w | record->glass_h | gap) & (align - 1)) /* align is a power of 2 */
         return 0;
     return record->glass_w && record->glass_h && record->gap_x + record->glass_w <= record->ram_w &&
            record->gap_y + record->glass_h <= record->ram_h;

@@ -24,9 +24,10 @@ struct sheen_panel_driver {
     uint8_t off[2], off_count;
     uint8_t tearing_command;
     uint8_t brightness_on[2];
-    uint8_t write_command;    /* before pixels; 0: none (greys) */
-    uint8_t low_parameters;   /* 1: parameters leave with D/C low, as commands do */
-    uint8_t align_x, align_y; /* px, of the target; of both axes the larger where the driver turns pixels */
+    uint8_t write_command;  /* before pixels; 0: none (greys) */
+    uint8_t low_parameters; /* 1: parameters leave with D/C low, as commands do */
+    uint8_t align_x,
+        align_y; /* px, a power of 2, of the target; of both axes the larger where the driver turns pixels */
 };
 
 /*

@@ -7,6 +7,8 @@
  */
 #include "driver.h"
 
+#include <string.h>
+
 /* A bus without wait has sent everything when send returns: then nothing is in flight. */
 int sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
                        size_t count)
@@ -111,8 +113,10 @@ int sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t com
 
 int sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
 {
-    /* 8 parameters is the most of any command that is sent (B8, the SSD1325's grey table). */
-    const uint8_t bytes[8] = {harmless, harmless, harmless, harmless, harmless, harmless, harmless, harmless};
+    uint8_t bytes[8]; /* parameters at most, of any command that is sent (B8, the SSD1325's grey table) */
 
-    return panel->bus->reset ? SHEEN_OK : sheen_panel_send(panel, bytes, sizeof bytes, NULL, 0);
+    if (panel->bus->reset)
+        return SHEEN_OK;
+    memset(bytes, harmless, sizeof bytes);
+    return sheen_panel_send(panel, bytes, sizeof bytes, NULL, 0);
 }
