@@ -7,7 +7,7 @@
  */
 #include "drivers/driver.h"
 
-/* Ends what sheen_panel_take() began: the bus is given back, unless pixels still fly. An error makes the panel unknown. */
+/* The bus is given back, unless pixels still fly. */
 int sheen_panel_give(struct sheen_panel *panel, int error)
 {
     if (error < 0)
@@ -20,7 +20,6 @@ int sheen_panel_give(struct sheen_panel *panel, int error)
     return error;
 }
 
-/* Collects the push before, then takes the bus for what comes. After an error it is not held. */
 int sheen_panel_take(struct sheen_panel *panel)
 {
     int error = sheen_panel_give(panel, sheen_panel_landed(panel));
