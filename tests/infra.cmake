@@ -1,6 +1,7 @@
 # The checks of tests/checks: of the core as firmware gets it, of the same bits
 # everywhere, of the sources' layout; and of these checks themselves.
 sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
+sheen_script(linked_sizes freestanding COMMAND tests/checks/linked/sizes TIMEOUT 300)
 sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
 sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)

@@ -116,9 +116,10 @@ static int64_t scaled_length(int64_t sum, sheen_q16_t scale)
     return round_shift64(high * scale + ((low * scale) >> 30), 16);
 }
 
-int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+/* outer * inner with their defaults, each rotation entry within 1 raw step of the product. */
+static int multiply(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
-    struct sheen_pose a, b, p;
+    struct sheen_pose a, b;
 
     if (!sheen_pose_valid(outer) || !sheen_pose_valid(inner))
         return SHEEN_ERR_ARGUMENT;
@@ -127,16 +128,25 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
     int64_t scale = round_shift64((int64_t)a.scale * b.scale, 16);
     if (scale <= 0 || scale > INT32_MAX)
         return SHEEN_ERR_ARGUMENT;
-    p.scale = (sheen_q16_t)scale;
+    out->scale = (sheen_q16_t)scale;
     for (int i = 0; i < 3; i++) {
         const sheen_q30_t *row = a.rotation + 3 * i;
         for (int j = 0; j < 3; j++)
-            p.rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, b.rotation + j, 3), 30);
+            out->rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, b.rotation + j, 3), 30);
         int64_t moved = scaled_length(row_times(row, b.translation, 1), a.scale) + a.translation[i];
         if (moved > INT32_MAX || moved < -INT32_MAX)
             return SHEEN_ERR_ARGUMENT;
-        p.translation[i] = (sheen_q24_t)moved;
+        out->translation[i] = (sheen_q24_t)moved;
     }
+    return SHEEN_OK;
+}
+
+int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+{
+    struct sheen_pose p;
+
+    if (multiply(outer, inner, &p) < 0)
+        return SHEEN_ERR_ARGUMENT;
     (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
     *out = p;
     return SHEEN_OK;
@@ -145,7 +155,7 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
 int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out)
 {
     if (!sheen_pose_is_zero(view))
-        return sheen_pose_compose(view, pose, out);
+        return multiply(view, pose, out);
     if (!sheen_pose_valid(pose))
         return SHEEN_ERR_ARGUMENT;
     complete(pose, out);
