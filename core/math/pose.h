@@ -16,7 +16,7 @@ int sheen_pose_is_zero(const struct sheen_pose *pose);
 /* 1 where a pose is one, its defaults counted. */
 int sheen_pose_valid(const struct sheen_pose *pose);
 
-/* out = view * pose, both with their defaults, for one frame: not made orthonormal. A zero view leaves the pose alone. */
+/* out = view * pose, both with their defaults, not made orthonormal. A zero view leaves the pose alone. */
 int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out);
 
 #endif
