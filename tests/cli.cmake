@@ -22,7 +22,8 @@ find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
 sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack> TIMEOUT 300)
-sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models)
+sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
+  $<$<BOOL:${SHEEN_SANITIZED}>:sanitized> TIMEOUT 300)
 
 # Headers baked while building, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
