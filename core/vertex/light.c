@@ -32,12 +32,11 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, s
     if (light->intensity < 0 || light->intensity > 1 << 16)
         return SHEEN_ERR_ARGUMENT;
     int error = sheen_normalize(light->to, unit);
-    for (int k = 0; k < 3 && error == SHEEN_OK; k++) {
-        const sheen_q30_t *row = view + 3 * k;
+    for (int k = 0; k < 3 && error == SHEEN_OK; k++)
         to[k] = view == NULL || light->with_eye
                     ? unit[k]
-                    : mul_round(row[0], unit[0], 30) + mul_round(row[1], unit[1], 30) + mul_round(row[2], unit[2], 30);
-    }
+                    : mul_round(view[3 * k], unit[0], 30) + mul_round(view[3 * k + 1], unit[1], 30) +
+                          mul_round(view[3 * k + 2], unit[2], 30);
     return error;
 }
 
