@@ -117,7 +117,7 @@ static int64_t scaled_length(int64_t sum, sheen_q16_t scale)
 }
 
 /* outer * inner with their defaults, each rotation entry within 1 raw step of the product. */
-static int multiply(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+static int pose_product(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
     struct sheen_pose a, b;
 
@@ -145,7 +145,7 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
 {
     struct sheen_pose p;
 
-    if (multiply(outer, inner, &p) < 0)
+    if (pose_product(outer, inner, &p) < 0)
         return SHEEN_ERR_ARGUMENT;
     (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
     *out = p;
@@ -155,7 +155,7 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
 int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out)
 {
     if (!sheen_pose_is_zero(view))
-        return multiply(view, pose, out);
+        return pose_product(view, pose, out);
     if (!sheen_pose_valid(pose))
         return SHEEN_ERR_ARGUMENT;
     complete(pose, out);
