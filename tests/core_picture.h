@@ -4,7 +4,7 @@
 #ifndef CORE_PICTURE_H
 #define CORE_PICTURE_H
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "frame/ways.h"
 #include "memory_target.h"
 #include "reference/reference.h"

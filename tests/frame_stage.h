@@ -4,7 +4,7 @@
 #ifndef FRAME_STAGE_H
 #define FRAME_STAGE_H
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "core_picture.h"
 #include "memory_target.h"
 

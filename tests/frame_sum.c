@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "frame_sum_mesh.h"
 #include "sheen.h"
 

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "baked_box.h"
 #include "baked_egg.h"
 #include "baked_egg_crease.h"

@@ -10,7 +10,7 @@
 
 #include "test_core_worst.h"
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "exact_cover.h"
 #include "frame/frame.h"
 #include "frame_stage.h"

@@ -9,7 +9,7 @@
 
 #include "test_core_worst.h"
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "frame_stage.h"
 #include "shapes.h"
 

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "scenes.h"
 
 #define LIMIT (64 * 1024) /* B: arena and material tables; bands of 16 rows, one buffer */

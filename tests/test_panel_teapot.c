@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "memory_target.h"
 #include "quantise.h"
 #include "test_panel_canvas.h"

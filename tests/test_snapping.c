@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "../host-sim/shadings.h"
+#include "../host-sim/command/shadings.h"
 #include "accuracy.h"
 #include "reference/ref_vector.h"
 

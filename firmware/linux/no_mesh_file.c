@@ -1,8 +1,8 @@
 /*
- * no_mesh_file.c - in place of what host-sim/mesh.cmake lists, where its libraries are not there.
+ * no_mesh_file.c - in place of what host-sim/import/mesh.cmake lists, where its libraries are not there.
  */
-#include "../../host-sim/mesh_file.h"
-#include "../../host-sim/simplify.h"
+#include "../../host-sim/import/mesh_file.h"
+#include "../../host-sim/import/simplify.h"
 
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {

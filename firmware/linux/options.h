@@ -8,7 +8,7 @@
 #include "sheen_panel.h"
 
 /* The view: the same words as `sheen render`, from the same table. */
-#include "../../host-sim/options.h"
+#include "../../host-sim/command/options.h"
 
 #define OPTIONS_TEXT 128 /* B of an option's text, with its NUL */
 

@@ -3,7 +3,7 @@
  */
 #include "options.h"
 
-#include "../../host-sim/nearest.h"
+#include "../../host-sim/import/nearest.h"
 
 /* The gap's columns (axis 0) and rows (1) come in steps where pixels share a byte or an address. */
 static unsigned gap_step(const struct sheen_panel_record *record, unsigned axis)

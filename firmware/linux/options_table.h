@@ -1,6 +1,6 @@
 /*
  * options_table.h - private to options*.c: the options of wiring and running. Those of what the mesh
- * looks like are the command's (host-sim/options.h).
+ * looks like are the command's (host-sim/command/options.h).
  */
 #ifndef OPTIONS_TABLE_H
 #define OPTIONS_TABLE_H

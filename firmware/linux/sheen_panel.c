@@ -13,7 +13,7 @@
 #include "sheen_first_light.h"
 #include "stop.h"
 
-#include "../../host-sim/scene.h"
+#include "../../host-sim/command/scene.h"
 
 #include <limits.h>
 #include <stdio.h>

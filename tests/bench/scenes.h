@@ -11,7 +11,7 @@
 #ifndef BENCH_SCENES_H
 #define BENCH_SCENES_H
 
-#include "../../host-sim/shadings.h"
+#include "../../host-sim/command/shadings.h"
 #include "sheen.h"
 
 #define BENCH_WIDTH 320
