@@ -26,20 +26,31 @@ struct node {
     int32_t diffuse, reflected;
 };
 
-/* 0 where there is no direction. */
+/* v.N over |N|, Q1.30, held at +-1.0; root: UQ2.30. */
+static int32_t unit_dot(int32_t dot, int32_t root)
+{
+    int32_t half = mul_round(dot, root, 31); /* Q1.29: fits, should a sliver's rounding part the two */
+
+    return 2 * min32(max32(half, -(1 << 29)), 1 << 29);
+}
+
+/*
+ * 0 where there is no direction. To 2^-28 and not to a pixel's 2^-15: where a triangle is magnified, what a node
+ * is off by is that of thousands of pixels, and of it a highlight makes n times as much.
+ */
 static int node_at(int32_t lv1, const struct normal_run *r, struct node *n)
 {
+    const int32_t most = 32767 * 32768;
     int32_t ln = (int32_t)r->ln, nv = (int32_t)r->nv;
     uint32_t d = r->d;
 
     if (d - ROOT_LOWEST >= ROOT_RANGE && !sheen_rescale(&d, &ln, &nv))
         return 0;
-    uint32_t root = root_seed(d);
-    int32_t diffuse = min32(max32(normalised(ln, root), -32768), 32768);
-    int32_t facing = min32(max32(normalised(nv, root), -32768), 32768);
-    n->diffuse = diffuse * 32767;
+    int32_t root = (int32_t)(sheen_reciprocal_root(d < 1u << 31 ? d << 1 : UINT32_MAX) >> 1);
+    ln = unit_dot(ln, root);
+    n->diffuse = min32(max32(ln, -most), most);
     /* 2.0 at the most, where there is no highlight any more; halved on the way, so that nothing overflows */
-    n->reflected = 2 * min32(asr32(lv1, 1) - asr32(diffuse * facing, 1), (1 << 29) - 1);
+    n->reflected = 2 * min32(asr32(lv1, 1) - asr32(mul_round(ln, unit_dot(nv, root), 30), 1), (1 << 29) - 1);
     return 1;
 }
 
