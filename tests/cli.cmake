@@ -12,18 +12,17 @@ sheen_script(cli_render cli COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/
 sheen_script(cli_hero cli COMMAND tests/cli/hero $<TARGET_FILE:sheen> .)
 sheen_script(cli_man cli COMMAND tests/cli/man $<TARGET_FILE:sheen>)
 sheen_test(test_import_confined unit SOURCES test_import_confined.c test_import_files.c LIBRARIES sheen::host sheen::core)
-sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen> TIMEOUT 300)
-sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m
-  TIMEOUT 300)
+sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen>)
+sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m)
 sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
-sheen_script(cli_mesh_files cli COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen> TIMEOUT 300)
+sheen_script(cli_mesh_files cli COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen>)
 find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
-sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack> TIMEOUT 300)
+sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
 sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
-  $<$<BOOL:${SHEEN_SANITIZED}>:sanitized> TIMEOUT 300)
+  $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 
 # Headers baked while building, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
@@ -46,4 +45,4 @@ sheen_script(same_bake cross COMMAND tests/checks/cross tests/cli/same_bake)
 # The viewer: SDL's driver without a screen, the terminal, a pseudo-terminal.
 sheen_test(test_view unit SOURCES test_view.c LIBRARIES sheen::view)
 sheen_test(test_view_keys unit SOURCES test_view_keys.c LIBRARIES sheen::view)
-sheen_script(cli_view cli COMMAND tests/cli/view $<TARGET_FILE:sheen> TIMEOUT 300)
+sheen_script(cli_view cli COMMAND tests/cli/view $<TARGET_FILE:sheen>)

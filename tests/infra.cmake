@@ -1,13 +1,13 @@
 # The checks of tests/checks: of the core as firmware gets it, of the same bits
 # everywhere, of the sources' layout; and of these checks themselves.
 sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
-sheen_script(linked_sizes freestanding COMMAND tests/checks/linked/sizes TIMEOUT 300)
+sheen_script(linked_sizes freestanding COMMAND tests/checks/linked/sizes)
 sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
 sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)
 sheen_script(names format COMMAND tests/checks/names
   $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
-sheen_script(same_bits cross COMMAND tests/checks/cross TIMEOUT 300)
+sheen_script(same_bits cross COMMAND tests/checks/cross)
 
 # The house: who may include and call whom, and the map of it.
 sheen_script(core_floors format COMMAND tests/checks/floors)

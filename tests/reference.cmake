@@ -14,10 +14,10 @@ target_link_libraries(core_picture PUBLIC reference)
 sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_reference_mesh unit SOURCES test_reference_mesh.c LIBRARIES reference)
 sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded_mesh.c
-  LIBRARIES core_picture sheen_host sheen::core TIMEOUT 300)
+  LIBRARIES core_picture sheen_host sheen::core)
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
-sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000 TIMEOUT 600)
+sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000)
 sheen_script(accuracy_random_long long COMMAND $<TARGET_FILE:test_accuracy_random> 60000)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)

@@ -14,7 +14,7 @@ class Command:
         os.chdir(self.folder.name)
 
     def run(self, *words, **more):
-        return subprocess.run([self.program, *words], capture_output=True, timeout=60, **more)
+        return subprocess.run([self.program, *words], capture_output=True, timeout=900, **more)
 
     def refuse(self, *what):
         self.refusals += 1
