@@ -18,7 +18,9 @@ sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000)
-sheen_script(accuracy_random_long long COMMAND $<TARGET_FILE:test_accuracy_random> 30000)
+if(NOT SHEEN_SANITIZED)
+  sheen_script(accuracy_random_long long COMMAND $<TARGET_FILE:test_accuracy_random> 30000)
+endif()
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture sheen::core)
