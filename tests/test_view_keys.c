@@ -252,7 +252,7 @@ static void test_window(void **state)
 
     (void)state;
     open_viewer(&viewer, "--scale 1");
-    GOOD(sheen_view_window_room(viewer.room, &problem));
+    GOOD(sheen_view_window_room(viewer.room, 1, &problem));
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++)
         press(keys[i]);
     GOOD(sheen_view_window(&viewer, &problem));
@@ -276,14 +276,14 @@ static void test_window_end(void **state)
 
     (void)state;
     open_viewer(&viewer, "");
-    GOOD(sheen_view_window_room(viewer.room, &problem));
+    GOOD(sheen_view_window_room(viewer.room, 1, &problem));
     assert_int_equal(SDL_PushEvent(&quit), 1);
     GOOD(sheen_view_window(&viewer, &problem));
     assert_int_equal(viewer.number, 0);
     close_viewer(&viewer);
 
     open_viewer(&viewer, "--frames 3");
-    GOOD(sheen_view_window_room(viewer.room, &problem));
+    GOOD(sheen_view_window_room(viewer.room, 1, &problem));
     GOOD(sheen_view_window(&viewer, &problem));
     assert_int_equal(viewer.number, 2);
     close_viewer(&viewer);

@@ -9,7 +9,7 @@
  * that of the first pixel centre at or right of the crossing, exactly:
  *   column = ceil((xa - 32 + (64 row + 32 - ya) (xb - xa) / (yb - ya)) / 64).
  * Range: height, |width| <= 65,408 (corners lie within +-511 px of the viewport's centre), rows skipped at most
- * height / 64 + 1, so `part` is at most 63 height + 63 (height - 1) + 64 (height / 64 + 1) (height - 1): 0.998 * 2^32.
+ * height / 64 + 1, so `part` is at most 63 height + 63 (height - 1) + 64 (height / 64 + 1) (height - 1): 0.999 * 2^32.
  */
 static void edge_begin(struct edge *e, int32_t xa, int32_t ya, int32_t xb, int32_t yb, int32_t row)
 {

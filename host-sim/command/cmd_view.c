@@ -55,7 +55,7 @@ static int find_room(const struct sheen_options *options, unsigned room[2], stru
 {
     room[0] = options->terminal ? 1 : 480;
     room[1] = options->terminal ? 1 : 360;
-    return options->terminal || options->out ? SHEEN_OK : sheen_view_window_room(room, problem);
+    return options->terminal || options->out ? SHEEN_OK : sheen_view_window_room(room, options->view_frames, problem);
 }
 
 enum sheen_exit sheen_cmd_view(struct sheen_options *options)

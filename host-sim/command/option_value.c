@@ -88,9 +88,10 @@ static int set_color(const struct sheen_option *option, const char *text, uint8_
         }
         sheen_nearest_try(&nearest, name, strlen(name));
     }
+    int is_near = nearest.distance < strlen(text); /* not every letter differs */
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                         "--%s '%s': neither a colour of six hex digits nor a name of CSS; the nearest is %s",
-                         option->name, text, nearest.name);
+                         "--%s '%s': neither a colour of six hex digits nor a name of CSS%s%s", option->name, text,
+                         is_near ? "; the nearest is " : "", is_near ? nearest.name : "");
 }
 
 static int set_size(const struct sheen_option *option, const char *text, unsigned size[2],

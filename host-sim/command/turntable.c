@@ -112,7 +112,7 @@ static const char *why_empty(const struct sheen_turntable *table)
     if (table->options->two_sided)
         return "the mesh is outside the view";
     return stats.front > 0 ? "what faces the eye is outside the view, the rest is turned away (--cull none draws it)"
-                           : "all faces that are in view are turned away (--cull none draws them)";
+                           : "all faces are turned away or outside the view (--cull none draws those turned away)";
 }
 
 static void warn_if_empty(struct sheen_turntable *table)

@@ -97,8 +97,8 @@ void sheen_viewer_record(struct sheen_viewer *viewer);
 
 /* ---- the places to look at: until a key or options.view_frames end it ---- */
 
-/* px of the screen that a glass may take up; asks SDL. */
-int sheen_view_window_room(unsigned room[2], struct sheen_problem *problem);
+/* px of the screen that a glass may take up; asks SDL. frames: how many end it; 0: a user, who needs to see it. */
+int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *problem);
 int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_view_terminal(struct sheen_viewer *viewer, struct sheen_problem *problem);
 

@@ -41,7 +41,7 @@ static int is_asked_for(void)
     return driver && *driver;
 }
 
-/* SDL falls back on drivers without a screen: a window that nobody sees. */
+/* SDL has drivers without a screen, on which it falls back, too: a window that nobody sees, and nobody can close. */
 static int is_unseen(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -49,14 +49,15 @@ static int is_unseen(void)
     return SDL_strcasecmp(driver, "offscreen") == 0 || SDL_strcasecmp(driver, "dummy") == 0;
 }
 
-int sheen_view_window_room(unsigned room[2], struct sheen_problem *problem)
+int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *problem)
 {
     SDL_Rect screen;
 
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* an interrupt ends the program, as elsewhere */
     if (!SDL_getenv("XDG_RUNTIME_DIR"))
         SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,kmsdrm"); /* Wayland's library would complain beside our line */
-    int failed = SDL_Init(SDL_INIT_VIDEO) != 0, unseen = !is_asked_for() && (failed || is_unseen());
+    int failed = SDL_Init(SDL_INIT_VIDEO) != 0, asked = is_asked_for();
+    int unseen = failed ? !asked : is_unseen() && !(asked && frames > 0);
     if (unseen || failed || SDL_GetDisplayUsableBounds(0, &screen) != 0) {
         int error = unseen ? sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
                                            "no window: there is no display (--terminal and --gif need none)")
