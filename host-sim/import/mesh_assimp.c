@@ -227,10 +227,10 @@ static int explain(const char *said, const char *path, struct sheen_problem *pro
 int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     const char *ending = strrchr(path, '.');
-    int error = SHEEN_OK;
+    int checked = ending && strcasecmp(ending, ".dae") == 0, error = SHEEN_OK;
 
     memset(polygons, 0, sizeof *polygons);
-    if (ending && strcasecmp(ending, ".dae") == 0)
+    if (checked)
         error = sheen_dae_check(path, problem);
     if (error)
         return error;
@@ -239,5 +239,8 @@ int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, st
         return explain(aiGetErrorString(), path, problem);
     error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
+    if (!error && !checked) /* Assimp's readers of these leave out or clamp what is broken, and do not say so */
+        sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
+                   "%s: read by Assimp, which may leave out what is broken: look at the picture", path);
     return error;
 }
