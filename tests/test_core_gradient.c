@@ -375,7 +375,7 @@ static void test_phong_set_up(void **unused)
     r.draw.forced = 1 + SHEEN_WAY_PHONG_ROOT; /* the others take nodes in their place */
     const struct sheen_view view = {.fov = SHEEN_DEGREES(40), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(10)};
     struct projection projection;
-    assert_int_equal(sheen_project_begin(&projection, &view, HEIGHT), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&projection, &view, WIDTH, HEIGHT), SHEEN_OK);
     r.screen.weight_shift = (uint8_t)projection.weight_shift;
     r.screen.weight_offset = projection.weight_offset;
     for (int i = 0; i < TRIANGLES; i++) {

@@ -95,7 +95,8 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
     struct transform t;
     struct sheen_pose pose;
 
-    if (s->height == 0 || sheen_project_begin(&f->projection, &view, s->height) < 0) /* an empty place in the pool */
+    if (s->height == 0 ||
+        sheen_project_begin(&f->projection, &view, WIDTH, s->height) < 0) /* an empty place in the pool */
         return 0;
     sheen_pose_identity(&pose);
     assert_int_equal(sheen_transform_begin(&t, &mesh, &pose), SHEEN_OK);

@@ -17,6 +17,7 @@
 #define PI 3.14159265358979323846
 #define UNIT 16777216.0 /* Q7.24 */
 #define VIEWS 300
+#define WIDTH 320 /* of all viewports, px */
 
 /* A view of random opening, height and planes; every other one orthographic where asked for. */
 static unsigned random_view(struct sheen_view *view, uint32_t *state, int orthographic)
@@ -172,7 +173,7 @@ static void note_views(struct screen_errors *e, int orthographic, uint32_t seed)
         struct projection p;
         unsigned height = random_view(&view, &state, orthographic);
         double f = focal(&view, height);
-        assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
+        assert_int_equal(sheen_project_begin(&p, &view, WIDTH, height), SHEEN_OK);
         for (int k = 0; k < 1000; k++) {
             double m = k == 0 ? view.z_near : k == 1 ? view.z_far : stage_uniform(&state, view.z_near, view.z_far);
             double per = (orthographic ? view.orthographic : m) / f;
@@ -214,7 +215,7 @@ static unsigned flags_at(const struct projection *p, int32_t x, int32_t y, int32
     const sheen_q24_t eye[3] = {x, y, -m};
 
     sheen_project(p, eye, v);
-    return v->flags;
+    return v->flags & OUTSIDE;
 }
 
 static void test_flags_at_near_and_far(void **unused)
@@ -227,7 +228,7 @@ static void test_flags_at_near_and_far(void **unused)
         struct sheen_view view;
         struct projection p;
         unsigned height = random_view(&view, &state, i % 3 == 0);
-        assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
+        assert_int_equal(sheen_project_begin(&p, &view, WIDTH, height), SHEEN_OK);
         assert_int_equal(flags_at(&p, 0, 0, view.z_near, &v), 0);
         assert_true(abs(v.z - (DEPTH_FAR + DEPTH_RANGE)) <= 1);
         assert_int_equal(flags_at(&p, 0, 0, view.z_near - 1, &v), OUTSIDE_NEAR);
@@ -255,7 +256,7 @@ static void test_depth_of_thin_views(void **unused)
         struct vertex v;
         if (view.z_near <= 0)
             continue;
-        assert_int_equal(sheen_project_begin(&p, &view, 240), SHEEN_OK);
+        assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 240), SHEEN_OK);
         for (int k = 0; k < 4; k++) {
             int32_t m = k == 0 ? far : k == 1 ? view.z_near : far - (int32_t)(stage_random(&state) % (uint32_t)span);
             assert_int_equal(flags_at(&p, 0, 0, m, &v), 0);
@@ -299,7 +300,7 @@ static void test_flags_at_the_guard_band(void **unused)
         struct projection p;
         unsigned height = random_view(&view, &state, 0);
         double f = focal(&view, height);
-        assert_int_equal(sheen_project_begin(&p, &view, height), SHEEN_OK);
+        assert_int_equal(sheen_project_begin(&p, &view, WIDTH, height), SHEEN_OK);
         int32_t m = (int32_t)stage_uniform(&state, view.z_near, view.z_far);
         if (64 * f / m > 0.5)
             continue; /* a raw step of the eye would step over a coordinate */
@@ -322,7 +323,8 @@ static void test_any_eye_coordinates(void **unused)
         struct vertex v;
         view.z_near = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31)) | 1;
         view.z_far = (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 31)) | 1;
-        if (sheen_project_begin(&p, &view, 1 + stage_random(&state) % 480) < 0)
+        int height = 1 + (int)(stage_random(&state) % 640), least = min32(height, 2 * 255);
+        if (sheen_project_begin(&p, &view, WIDTH, (unsigned)height) < 0)
             continue;
         sheen_q24_t eye[3];
         for (int k = 0; k < 3; k++)
@@ -335,8 +337,10 @@ static void test_any_eye_coordinates(void **unused)
             assert_true(((v.flags & OUTSIDE_RIGHT) == 0 || eye[0] > 0) &&
                         ((v.flags & OUTSIDE_LEFT) == 0 || eye[0] < 0) && ((v.flags & OUTSIDE_TOP) == 0 || eye[1] > 0) &&
                         ((v.flags & OUTSIDE_BOTTOM) == 0 || eye[1] < 0));
-        if (v.flags == 0)
+        if ((v.flags & OUTSIDE) == 0)
             assert_true(abs(v.x) <= GUARD_BAND && abs(v.y) <= GUARD_BAND);
+        if ((v.flags & (OUTSIDE_NEAR | OUTSIDE_FAR)) == 0)
+            assert_int_equal((v.flags & OFF_VIEW) != 0, abs(v.x) > 64 * WIDTH / 2 || abs(v.y) > 64 * least / 2);
     }
 }
 
@@ -349,34 +353,34 @@ static void test_views_out_of_range(void **unused)
     struct projection p;
 
     (void)unused;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_OK);
     view.fov = SHEEN_DEGREES(1);
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_OK);
     view.fov = SHEEN_DEGREES(150);
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_OK);
     view.fov = SHEEN_DEGREES(0.9);
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.fov = SHEEN_DEGREES(150.1);
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.fov = 1;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view = good;
     view.z_near = -1;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.z_near = view.z_far;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.z_near = view.z_far - (view.z_far >> 15);
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_OK);
     view.z_near++;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.z_near = 65534; /* far / 2^15 is a little under 2 raw steps, so one is too few */
     view.z_far = 65535;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
     view.z_near = 65533;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_OK);
     view = good;
     view.orthographic = -1;
-    assert_int_equal(sheen_project_begin(&p, &view, 100), SHEEN_ERR_ARGUMENT);
+    assert_int_equal(sheen_project_begin(&p, &view, WIDTH, 100), SHEEN_ERR_ARGUMENT);
 }
 
 /* Zero is a default, whatever the other fields are. */
@@ -389,8 +393,8 @@ static void test_defaults(void **unused)
     (void)unused;
     memset(&p, 0, sizeof p);
     memset(&q, 0, sizeof q);
-    assert_int_equal(sheen_project_begin(&p, &zero, 240), SHEEN_OK);
-    assert_int_equal(sheen_project_begin(&q, &said, 240), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&p, &zero, WIDTH, 240), SHEEN_OK);
+    assert_int_equal(sheen_project_begin(&q, &said, WIDTH, 240), SHEEN_OK);
     assert_memory_equal(&p, &q, sizeof p);
 }
 

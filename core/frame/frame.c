@@ -85,7 +85,8 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_VIEWPORT, 0);
     if (!sheen_pose_valid(&view->pose))
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
-    if (sheen_project_begin(&projection, view, (unsigned)(viewport.y1 - viewport.y0)) < 0)
+    if (sheen_project_begin(&projection, view, (unsigned)(viewport.x1 - viewport.x0),
+                            (unsigned)(viewport.y1 - viewport.y0)) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTHS, 0);
 
     f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);

@@ -40,7 +40,7 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
                          struct vertex *v, int16_t out[3])
 {
     *v = from->v;
-    v->flags = LIT | LIT_AS_SEEN;
+    v->flags = (uint16_t)(LIT | LIT_AS_SEEN | (from->v.flags & OFF_VIEW));
     if (normal[0] == NULL)
         return;
     int32_t n[3];

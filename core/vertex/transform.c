@@ -73,7 +73,7 @@ static void weight_begin(struct projection *p)
     p->weight_offset = (uint32_t)(zeros >= 32 ? offset * (int64_t)(1u << (zeros - 32)) : asr64(offset, 32 - zeros));
 }
 
-int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned height)
+int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height)
 {
     sheen_angle_t fov = view->fov != 0 ? view->fov : SHEEN_DEGREES(40), half = fov / 2;
     sheen_q24_t z_far = view->z_far != 0 ? view->z_far : SHEEN_Q24(16);
@@ -90,6 +90,8 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
         scaled_times(scaled_of((uint64_t)height * (uint32_t)sheen_cos(half), 31), reciprocal_of(sheen_sin(half)));
     p->focal.exponent += 6;
 
+    p->view_x = (int16_t)min32((int32_t)width * SUBPIXEL_HALF, INNER_VIEW);
+    p->view_y = (int16_t)min32((int32_t)height * SUBPIXEL_HALF, INNER_VIEW);
     p->near = z_near;
     p->far = z_far;
     p->orthographic = view->orthographic;
@@ -174,7 +176,7 @@ static int16_t screen(sheen_q24_t x, struct scaled scale, unsigned low, unsigned
 
 /*
  * |eye| <= INT32_MAX a part. Beyond near or far only the flag is set; beyond the
- * guard band depth is right and x, y are held at its limits.
+ * guard band depth is right and x, y are held at its limits, OFF_VIEW.
  */
 void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v)
 {
@@ -198,5 +200,7 @@ void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct 
     v->x = screen(eye[0], scale, OUTSIDE_LEFT, OUTSIDE_RIGHT, &flags);
     v->y = screen(-eye[1], scale, OUTSIDE_TOP, OUTSIDE_BOTTOM, &flags);
     v->z = (uint16_t)(DEPTH_FAR + ((depth_above_far(p, m, one_over_m) + 128) >> 8));
+    if (v->x > p->view_x || v->x < -p->view_x || v->y > p->view_y || v->y < -p->view_y)
+        flags |= OFF_VIEW;
     v->flags = (uint16_t)flags;
 }

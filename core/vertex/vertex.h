@@ -10,6 +10,7 @@
 #define SUBPIXEL_ONE 64
 #define SUBPIXEL_HALF 32                  /* a pixel's centre */
 #define GUARD_BAND (511 << SUBPIXEL_BITS) /* 1/64 px from the viewport's centre */
+#define INNER_VIEW (255 << SUBPIXEL_BITS) /* likewise: differences of what lies inside fit 16 bits */
 
 /*
  * Depth in 16 bits: z16 = DEPTH_FAR + DEPTH_RANGE * (1/m - 1/far) / (1/near - 1/far).
@@ -27,8 +28,9 @@ enum vertex_flag { /* sides of the view volume a vertex lies outside of, and wha
     OUTSIDE_TOP = 16,
     OUTSIDE_BOTTOM = 32,
     OUTSIDE = 63,
-    LIT = 64,         /* kept is set, for the mesh's normal */
-    LIT_AS_SEEN = 128 /* for the side that is seen, front or back: corners of pieces */
+    LIT = 64,          /* kept is set, for the mesh's normal */
+    LIT_AS_SEEN = 128, /* for the side that is seen, front or back: corners of pieces */
+    OFF_VIEW = 256     /* beyond the viewport's columns or rows, or INNER_VIEW from its centre: x or y */
 };
 
 struct vertex {
@@ -52,6 +54,7 @@ struct projection {
     struct scaled depth; /* z16 = DEPTH_FAR + depth / m - depth / far */
     int64_t depth_far;   /* depth / far, Q.8 */
     sheen_q24_t near, far;
+    int16_t view_x, view_y;   /* 1/64 px: half the viewport's width and height, INNER_VIEW at the most */
     sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
     struct scaled fixed;      /* its reciprocal; `depth` then is a unit's steps of z16 */
     unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
@@ -65,7 +68,8 @@ struct transform {
     sheen_q24_t t[3];
 };
 
-int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned height);
+/* width, height: the viewport's, px. */
+int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
 int sheen_transform_begin(struct transform *t, const struct sheen_mesh *mesh, const struct sheen_pose *pose);
 void sheen_transform_point(const struct transform *t, const int16_t position[3], sheen_q24_t eye[3]);
 void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v);
