@@ -4,7 +4,8 @@
  *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 512, 4, 0, 80) / 8];
  *
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
- * buffers 1; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each.
+ * buffers 1; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each, and
+ * on 565 further ramps SHEEN_STORE(ramps - 1, SHEEN_BYTES_RAMP).
  * The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H
@@ -15,21 +16,22 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 472
-#define SHEEN_BYTES_DRAW 192
+#define SHEEN_BYTES_FRAME 488
+#define SHEEN_BYTES_DRAW 208
 #define SHEEN_BYTES_WORKER 152
-#define SHEEN_BYTES_SETUP 144
+#define SHEEN_BYTES_SETUP 168
 #else
-#define SHEEN_BYTES_FRAME 400
-#define SHEEN_BYTES_DRAW 172
+#define SHEEN_BYTES_FRAME 408
+#define SHEEN_BYTES_DRAW 184
 #define SHEEN_BYTES_WORKER 128
-#define SHEEN_BYTES_SETUP 128
+#define SHEEN_BYTES_SETUP 152
 #endif
 #define SHEEN_BYTES_VERTEX 12
 #define SHEEN_BYTES_ENTRY 4
 #define SHEEN_BYTES_PIECE 56
 #define SHEEN_BYTES_BAND 20
 #define SHEEN_BYTES_SPAN 4
+#define SHEEN_BYTES_RAMP 2100
 #define SHEEN_BYTES_CLIPPING 648
 
 #define SHEEN_STORE(count, bytes) (((size_t)(count) * (bytes) + 7) / 8 * 8)
@@ -51,7 +53,7 @@
      SHEEN_BIT_STORE(SHEEN_BANDS(height, band_rows)) + SHEEN_STORE(draws, SHEEN_BYTES_DRAW) +                          \
      SHEEN_STORE(vertices, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +                           \
      SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
-     SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +                                                                            \
+     ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_RAMP) : 0) + SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +               \
      SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
 #endif

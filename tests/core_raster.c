@@ -30,40 +30,43 @@ void core_raster_begin(struct core_raster *r, int width, int height)
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, 0, 0);
 }
 
-int core_raster_set_up(struct core_raster *r, int from, struct core_setup *to)
+unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struct span *spans, struct core_setup *to)
 {
     struct surface_corners c = {.at.triangle = 0};
     struct gradients g;
-    int flat;
 
     for (int k = 0; k < 3; k++) {
-        c.at.v[k] = &r->vertex[k];
-        c.at.normal[k] = r->mesh.normals != NULL ? r->mesh.normals + 3 * k : NULL;
+        int corner = (3 - k) % 3; /* meshes are counterclockwise */
+        c.at.v[k] = &r->vertex[corner];
+        c.at.normal[k] = r->mesh.normals != NULL ? r->mesh.normals + 3 * corner : NULL;
     }
     if (twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) == 0)
         return 0; /* such triangles are never listed */
     to->s.draw = &r->draw;
-    if (!sheen_triangle_begin(&r->screen, from, &c, &g, &flat, &to->s))
-        return 0;
-    r->draw.shader->setup(&to->s, &c, flat ? NULL : &g);
-    return 1;
+    unsigned rows = sheen_triangle_begin(&r->screen, rect, spans, &c, &g, &to->s);
+    if (rows > 0)
+        r->draw.shader->setup(&to->s, &c, c.flat ? NULL : &g);
+    return rows;
 }
 
 int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, struct sheen_rect rect, struct span *spans,
                       int *first)
 {
     struct core_setup setup;
-    int16_t first_row = 0;
+    struct sheen_rect upper = rect;
 
     for (int k = 0; k < 3; k++) {
         r->vertex[k].x = (int16_t)(t->x[k] - r->screen.centre_x);
         r->vertex[k].y = (int16_t)(t->y[k] - r->screen.centre_y);
         r->vertex[k].z = 1000;
+        r->vertex[k].flags = t->x[k] < 64 * rect.x0 || t->x[k] > 64 * rect.x1 ? OFF_VIEW : 0;
     }
     *first = rect.y0;
-    if (!core_raster_set_up(r, rect.y0, &setup))
+    /* two bands, the first of which may have nothing of it */
+    upper.y1 = (int16_t)((rect.y0 + rect.y1) / 2);
+    unsigned rows = core_raster_set_up(r, upper, spans, &setup);
+    if (rows == 0 && (rows = core_raster_set_up(r, rect, spans, &setup)) == 0)
         return 0;
-    unsigned rows = sheen_spans(&r->screen, &setup.s, rect, spans, &first_row);
-    *first = first_row;
-    return (int)rows;
+    *first = setup.s.row - (int)rows;
+    return (int)(rows + sheen_spans(&setup.s, rect, spans + rows));
 }

@@ -26,8 +26,8 @@ struct core_setup {
 /* A picture of width x height px, flat shading without lights. */
 void core_raster_begin(struct core_raster *r, int width, int height);
 
-/* Set the triangle up from row `from` on, whole; 0 where it has no row there, or no area. */
-int core_raster_set_up(struct core_raster *r, int from, struct core_setup *to);
+/* Set the triangle up from the rectangle's rows on; the number of its rows there, whose spans are filled. */
+unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struct span *spans, struct core_setup *to);
 
 /*
  * The spans of a triangle in the rectangle, corners in 1/64 px of the picture, within +-511 px of its centre;

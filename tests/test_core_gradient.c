@@ -1,8 +1,10 @@
 /*
  * test_core_gradient.c - planes and second differences over triangles against double precision, at every covered pixel.
  *
- * Tolerances. A plane: 1 raw step, 1/2 a step for each pixel walked from corner 0 in x and in y, and of the largest
- * difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent for each pixel walked. What Phong
+ * Tolerances. A plane of 31 bits: 1 raw step, 1/2 a step for each pixel walked from corner 0 in x and in y, and of the
+ * largest difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent - 16 for each pixel walked. One
+ * of 15 bits: of that difference 2^-15 (the seed), as much more as a needle's steps are larger, and 2^-exponent for
+ * each pixel, and 2^(7 - exponent) of the differences' unit where corner 0 lies in its pixel. What Phong
  * adds: L.N and V.N the same, of a difference below 4. D = N.N: 16 raw steps of UQ1.31, 1/2 for each of x, y, x^2/2,
  * xy and y^2/2 walked from the pixel nearest to the picture's middle, and twice |N| times what N is off by.
  */
@@ -93,6 +95,23 @@ static void each_pixel(const struct shape2 *s, void (*at)(void *, int, int, cons
         }
 }
 
+/* As set-up makes them; 0 where the triangle is too flat. */
+static int gradients_of(const struct shape2 *s, struct gradients *g)
+{
+    const int32_t corner[2] = {s->x[0], s->y[0]};
+    uint32_t all = 0;
+
+    for (int i = 0; i < 2; i++) {
+        const int32_t *at = i == 0 ? s->x : s->y;
+        g->to1[i] = at[1] - at[0];
+        g->to2[i] = at[2] - at[0];
+        all |= magnitude32(g->to1[i]) | magnitude32(g->to2[i]);
+    }
+    g->bits = 32 - clz32(all);
+    g->area = (uint32_t)s->area;
+    return sheen_gradients(g, corner);
+}
+
 /* ---- planes ---- */
 
 struct plane_case {
@@ -102,12 +121,15 @@ struct plane_case {
     struct plane plane;
     int32_t value[3];
     unsigned up;
+    int narrow;
     double largest; /* difference, raw steps with `up` more bits */
 };
 
-static double plane_slack(const struct gradients *g, double largest, double dx, double dy)
+static double plane_slack(const struct gradients *g, double largest, double dx, double dy, int narrow)
 {
-    return 1 + (dx + dy) / 2 + largest * (0x1p-29 + (dx + dy) * ldexp(1, -(int)g->exponent));
+    return 1 + (dx + dy) / 2 + (narrow ? ldexp(1, 16 + 7 - g->exponent) : 0) +
+           largest * (narrow ? ldexp(1, g->stretch - 14) + (dx + dy) * ldexp(1, -g->exponent)
+                             : 0x1p-29 + (dx + dy) * ldexp(1, -g->exponent - 16));
 }
 
 static void note_plane(void *ctx, int px, int py, const double *b)
@@ -117,8 +139,8 @@ static void note_plane(void *ctx, int px, int py, const double *b)
     double exact = (b[0] * c->value[0] + b[1] * c->value[1] + b[2] * c->value[2]) * ldexp(1, (int)c->up);
     int32_t off = (int32_t)(plane_at(&c->plane, px, py) - (uint32_t)(int64_t)rint(exact)); /* modulo 2^32 */
 
-    worst_note(c->worst, off / plane_slack(c->g, c->largest, dx, dy), "pixel %d %d, corner 0 at %d %d, exponent %u", px,
-               py, c->shape->x[0], c->shape->y[0], c->g->exponent);
+    worst_note(c->worst, off / plane_slack(c->g, c->largest, dx, dy, c->narrow),
+               "pixel %d %d, corner 0 at %d %d, exponent %d", px, py, c->shape->x[0], c->shape->y[0], c->g->exponent);
 }
 
 static void test_planes(void **unused)
@@ -134,17 +156,24 @@ static void test_planes(void **unused)
         struct gradients g;
         if (!random_shape(&shape, &state, i))
             continue;
-        if (!sheen_gradients(&g, shape.x, shape.y, (uint32_t)shape.area)) {
+        if (!gradients_of(&shape, &g)) {
             flat++;
             continue;
         }
         struct plane_case c = {.worst = &worst, .shape = &shape, .g = &g, .up = ups[i % 3]};
         for (int k = 0; k < 3; k++)
-            c.value[k] = c.up == 16 ? (int32_t)(stage_random(&state) >> 16)
+            c.value[k] = c.up == 16 ? (int32_t)(stage_random(&state) >> 17)
                                     : (int32_t)(stage_random(&state) >> (1 + stage_random(&state) % 20));
         for (int k = 1; k < 3; k++)
             c.largest = fmax(c.largest, fabs((double)c.value[k] - c.value[0]) * ldexp(1, (int)c.up));
         c.plane = sheen_gradient_plane(&g, c.value, c.up);
+        each_pixel(&shape, note_plane, &c);
+        c.narrow = !g.wide;
+        for (int k = 0; k < 3; k++)
+            c.value[k] = c.value[k] >> 16;
+        c.largest = fmax(fabs((double)c.value[1] - c.value[0]), fabs((double)c.value[2] - c.value[0])) * 0x1p16;
+        c.up = 16;
+        c.plane = sheen_plane(&g, (uint32_t)c.value[0] << 16, c.value[1] - c.value[0], c.value[2] - c.value[0], 16);
         each_pixel(&shape, note_plane, &c);
     }
     worst_assert(&worst, 1, "planes in tolerances");
@@ -166,12 +195,12 @@ static void test_what_is_too_flat(void **unused)
         double longest = 0;
         for (int k = 0; k < 3; k++)
             longest = fmax(longest, hypot(shape.x[(k + 1) % 3] - shape.x[k], shape.y[(k + 1) % 3] - shape.y[k]));
-        int made = sheen_gradients(&g, shape.x, shape.y, (uint32_t)shape.area);
+        int made = gradients_of(&shape, &g);
         refused += !made;
         if (!made)
             assert_true(shape.area / longest < 1); /* 1/64 px */
         else
-            assert_in_range(g.exponent, MIN_EXPONENT, 55);
+            assert_in_range(g.exponent, 4, 24 + 15);
     }
     assert_true(refused > 10);
 }
@@ -182,12 +211,13 @@ static void test_what_is_too_flat(void **unused)
 static void test_range_of_gradients(void **unused)
 {
     uint32_t state = 5;
-    unsigned lowest = 99, highest = 0;
+    int lowest = 99, highest = 0;
     int32_t most = 0;
 
     (void)unused;
     for (int i = 0; i < 400000; i++) {
-        int32_t x[3], y[3];
+        struct shape2 shape;
+        int32_t *x = shape.x, *y = shape.y;
         for (int k = 0; k < 3; k++) {
             x[k] = min32(65408, (int32_t)(stage_random(&state) % 80000) >> (i % 2 == 0 ? 0 : i / 2 % 17));
             y[k] = min32(65408, (int32_t)(stage_random(&state) % 80000) >> (i % 2 == 0 ? 0 : i / 2 % 17));
@@ -198,44 +228,60 @@ static void test_range_of_gradients(void **unused)
         }
         int64_t area = (int64_t)(x[1] - x[0]) * (y[2] - y[0]) - (int64_t)(y[1] - y[0]) * (x[2] - x[0]);
         struct gradients g;
-        if (area <= 0 || !sheen_gradients(&g, x, y, (uint32_t)area))
+        shape.area = (double)area;
+        if (area <= 0 || !gradients_of(&shape, &g))
             continue;
         for (int k = 0; k < 2; k++)
             most = max32(most, max32(abs(g.b1[k]), abs(g.b2[k])));
         lowest = g.exponent < lowest ? g.exponent : lowest;
         highest = g.exponent > highest ? g.exponent : highest;
     }
-    print_message("           exponent %u..%u, |b| at most 2^31 - %d\n", lowest, highest, INT32_MAX - most + 1);
-    assert_true(lowest == MIN_EXPONENT && highest == 40);
-    assert_true(most <= INT32_MAX - 32767);
+    print_message("           exponent %d..%d, |b| at most %d\n", lowest, highest, most);
+    assert_true(lowest == 4 && highest == 24);
+    assert_true(most < 1 << 15);
 }
 
-/* The steepest that may come, with every sign; the exact value fits a long double's 64 bits but for some rounding. */
+/* The steepest that may come: needles across the guard bands, the smallest areas, and the largest values. */
 static void test_steepest_slopes(void **unused)
 {
     static const unsigned ups[3] = {0, 1, 16};
     static const int32_t last[3] = {INT32_MAX, INT32_MAX, 65535};
+    uint32_t state = 7;
+    double steepest = 0;
 
     (void)unused;
-    for (int i = 0; i < 3 * 16 * 4; i++) {
-        int u = i % 3, signs = i / 3 % 16, b = INT32_MAX - 32767;
-        struct gradients g = {.b1 = {(signs & 1) != 0 ? b : -b, b},
-                              .b2 = {(signs & 2) != 0 ? b : -b, b},
-                              .exponent = i / 48 % 2 == 0 ? MIN_EXPONENT : 40,
-                              .centre = {i / 96 == 0 ? -31 : 32, 32}};
-        const int32_t value[3] = {(signs & 4) != 0 ? last[u] : 0, (signs & 4) != 0 ? 0 : last[u],
-                                  (signs & 8) != 0 ? 0 : last[u]};
-        long double scale = ldexpl(1, (int)ups[u] - (int)g.exponent), d[2];
+    for (int i = 0; i < 20000; i++) {
+        int u = i % 3, values = i / 3 % 8;
+        int32_t length = (int32_t)(stage_random(&state) % 65408) + 1, across = 1 + (int32_t)(stage_random(&state) % 64);
+        struct shape2 shape = {{i % 2 == 0 ? 0 : 65408, 0, 0}, {0, 0, 0}, 0};
+        struct gradients g;
+        shape.x[1] = shape.x[0] + (i % 2 == 0 ? length : -length);
+        shape.x[2] = shape.x[0] + (int32_t)(stage_random(&state) % 3) - 1;
+        shape.y[2] = i % 2 == 0 ? across : -across;
+        if (i % 4 == 3) { /* area 1 / 4096 px^2 */
+            length = length % 40 + 1;
+            shape = (struct shape2){{0, length, length + 1}, {0, length - 1, length}, 0};
+        }
+        shape.area = (double)(shape.x[1] - shape.x[0]) * (shape.y[2] - shape.y[0]) -
+                     (double)(shape.y[1] - shape.y[0]) * (shape.x[2] - shape.x[0]);
+        if (!gradients_of(&shape, &g))
+            continue;
+        const int32_t value[3] = {values & 1 ? last[u] : 0, values & 2 ? last[u] : 0, values & 4 ? last[u] : 0};
+        long double scale = ldexpl(64, (int)ups[u]) / g.area, d[2];
+        long double d1 = (long double)value[1] - value[0], d2 = (long double)value[2] - value[0];
+        long double slack = 2 + ldexpl(last[u], (int)ups[u] - g.exponent - 16 + 1);
         struct slope s;
         sheen_slope(&g, value, ups[u], &s);
-        for (int k = 0; k < 2; k++)
-            d[k] =
-                ((long double)(value[1] - value[0]) * g.b1[k] + (long double)(value[2] - value[0]) * g.b2[k]) * scale;
-        assert_true(fabsl((long double)s.dx - d[0]) <= 1 && fabsl((long double)s.dy - d[1]) <= 1);
+        d[0] = (d1 * g.to2[1] - d2 * g.to1[1]) * scale;
+        d[1] = (d2 * g.to1[0] - d1 * g.to2[0]) * scale;
+        slack += (fabsl(d[0]) + fabsl(d[1])) * 0x1p-28L;
+        assert_true(fabsl((long double)s.dx - d[0]) <= slack && fabsl((long double)s.dy - d[1]) <= slack);
         long double exact = ldexpl(value[0], (int)ups[u]) + (d[0] * g.centre[0] + d[1] * g.centre[1]) / 64;
-        assert_true(fabsl((long double)s.value - exact) <= 2);
-        assert_true(fabsl(d[0]) <= 0x1p44L && fabsl(d[1]) <= 0x1p44L);
+        assert_true(fabsl((long double)s.value - exact) <= 2 * slack + 2);
+        steepest = fmax(steepest, fmax(fabs((double)d[0]), fabs((double)d[1])));
     }
+    print_message("           steepest 2^%.1f\n", log2(steepest));
+    assert_true(steepest <= 0x1p44 && steepest > 0x1p41);
 }
 
 /* ---- what Phong needs ---- */
@@ -261,7 +307,7 @@ static void note_phong(void *ctx, int px, int py, const double *b)
         view += n[i] * l->view[i];
         square += n[i] * n[i];
     }
-    double slack = 4 * plane_slack(&c->g, 2 * ONE / 4, dx, dy);
+    double slack = 4 * plane_slack(&c->g, 2 * ONE / 4, dx, dy, 0);
     const struct phong_setup *phong = (const struct phong_setup *)(const void *)&c->setup;
     int32_t ln = (int32_t)plane_at(&phong->light, px, py), nv = (int32_t)plane_at(&phong->view, px, py);
     int32_t d = (int32_t)(quadric_at(&phong->square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
@@ -334,8 +380,9 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
 {
     int16_t normals[9];
     struct shape2 shape;
+    struct span spans[HEIGHT];
 
-    if (!random_shape(&shape, state, i) || !sheen_gradients(&c->g, shape.x, shape.y, (uint32_t)shape.area))
+    if (!random_shape(&shape, state, i) || !gradients_of(&shape, &c->g))
         return;
     for (int k = 0; k < 3; k++) { /* clockwise is what set-up orders corners to: corner 0 stays the first */
         r->vertex[k].x = (int16_t)(shape.x[k] - WIDTH * 32);
@@ -347,7 +394,8 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
     for (int k = 0; k < 9; k++) /* a back face: set-up takes them negated */
         normals[k] = (int16_t)-normals[k];
     r->mesh.normals = normals;
-    if (!core_raster_set_up(r, 0, &c->setup) || c->setup.s.way != SHEEN_WAY_PHONG_ROOT || !scale_normals(c, &shape))
+    if (core_raster_set_up(r, r->screen.viewport, spans, &c->setup) == 0 || c->setup.s.way != SHEEN_WAY_PHONG_ROOT ||
+        !scale_normals(c, &shape))
         return;
     each_pixel(&shape, note_phong, c);
 }

@@ -28,6 +28,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
     c->buffers = (uint8_t)or_default(c->buffers, 1);
     c->workers = (uint8_t)or_default(c->workers, 1);
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
+    c->max_ramps = (uint8_t)or_default(c->max_ramps, 1);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
     return c->buffers > 2                             ? SHEEN_ABOUT_BUFFERS
            : c->workers > MAX_WORKERS                 ? SHEEN_ABOUT_WORKERS
@@ -50,7 +51,7 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    sizeof(struct worker) == SHEEN_BYTES_WORKER && SETUP_BYTES == SHEEN_BYTES_SETUP &&
                    sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
                    sizeof(struct piece) == SHEEN_BYTES_PIECE && sizeof(struct band) == SHEEN_BYTES_BAND &&
-                   sizeof(struct span) == SHEEN_BYTES_SPAN &&
+                   sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct ramp) == SHEEN_BYTES_RAMP &&
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
 
@@ -74,6 +75,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->band = take(base, &used, f->max_bands, SHEEN_BYTES_BAND);
     f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
     f->draw = take(base, &used, c->max_draws, SHEEN_BYTES_DRAW);
+    f->ramp = take(base, &used, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_ramps, SHEEN_BYTES_RAMP);
     f->vertex = take(base, &used, c->max_vertices, SHEEN_BYTES_VERTEX);
     f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);
     f->piece = take(base, &used, c->max_clipped, SHEEN_BYTES_PIECE);

@@ -93,28 +93,29 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 
 /* ---- drawing ---- */
 
-/* Prepare entry e from row `from` on; 0 where it has no row left. */
-static int set_up(const struct sheen_frame *f, const struct draw_record *d, uint32_t e, int32_t from, struct setup *s)
+/* Prepare entry e, from the tile's rows on: its spans there; 0 where it has none. */
+static int set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t, const struct draw_record *d,
+                  uint32_t e, struct setup *s)
 {
     struct surface_corners c;
     struct gradients g;
-    int flat;
 
     sheen_entry_corners(f, d, e, &c.at);
     s->entry = (uint16_t)e;
     s->draw = &d->as;
-    if (!sheen_triangle_begin(&f->screen, from, &c, &g, &flat, s))
+    t->rows = sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);
+    if (t->rows == 0)
         return 0;
-    d->as.shader->setup(s, &c, flat ? NULL : &g);
+    t->first_row = (int16_t)(s->row - (int32_t)t->rows);
+    d->as.shader->setup(s, &c, c.flat ? NULL : &g);
     return 1;
 }
 
-static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, struct setup *s)
+static void draw_rows(struct worker *w, const struct tile *t, const struct setup *s)
 {
-    t->rows = sheen_spans(&f->screen, s, t->rect, w->spans, &t->first_row);
     w->stats.spans += t->rows;
-    for (unsigned i = 0; i < t->rows; i++)
-        if (SHEEN_STATS && w->spans[i].x1 > w->spans[i].x0)
+    for (unsigned i = 0; SHEEN_STATS && i < t->rows; i++)
+        if (w->spans[i].x1 > w->spans[i].x0)
             w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
     s->rows(t, s);
 }
@@ -132,6 +133,8 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
 
     if (carried) {
         s = slot_of(w, slot);
+        t->first_row = s->row;
+        t->rows = sheen_spans(s, t->rect, w->spans);
     } else {
         slot = w->first_free;
         uint8_t next_free = NO_SLOT;
@@ -139,14 +142,14 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
             s = slot_of(w, slot);
             next_free = s->next;
         }
-        *going_on = set_up(f, d, e, t->rect.y0, s);
+        *going_on = set_up(f, w, t, d, e, s);
         s->next = next_free; /* set-up leaves the slot where it was: free */
         if (!*going_on)
             return link;
         w->stats.setups++;
         w->by_way[s->way]++;
     }
-    draw_rows(f, w, t, s);
+    draw_rows(w, t, s);
     *going_on = s->row < s->end_row;
     if (*going_on && !carried && slot != NO_SLOT) { /* free list -> carried list */
         w->first_free = s->next;
@@ -195,6 +198,7 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
                      .pitch = (unsigned)(rect.x1 - rect.x0),
                      .pixels = w->pixels[w->buffer],
                      .depth = w->depth,
+                     .to_pixel = (char *)w->pixels[w->buffer] - (char *)w->depth,
                      .format = &f->format,
                      .dither = f->view.dither,
                      .centre_x = target_x(f, 0),

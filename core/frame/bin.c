@@ -112,20 +112,21 @@ void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c)
 {
+    static const uint8_t order[3] = {0, 2, 1}; /* meshes are counterclockwise */
     uint32_t id = f->entry[entry].triangle;
 
     if (f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0) {
         const struct piece *piece = &f->piece[id];
         c->triangle = piece->triangle;
         for (int k = 0; k < 3; k++) {
-            c->v[k] = &piece->corner[k];
-            c->normal[k] = piece->normal[k];
+            c->v[k] = &piece->corner[order[k]];
+            c->normal[k] = piece->normal[order[k]];
         }
         return;
     }
     c->triangle = (uint16_t)id;
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(d->as.mesh, 3 * id + k);
+        uint32_t index = mesh_index(d->as.mesh, 3 * id + order[k]);
         c->v[k] = &f->vertex[d->first_vertex + index];
         c->normal[k] = d->as.mesh->normals != NULL ? d->as.mesh->normals + 3 * index : NULL;
     }

@@ -102,6 +102,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                                 .weight_shift = (uint8_t)projection.weight_shift,
                                 .flat_weight = view->affine || projection.orthographic != 0};
     f->vertices = f->entries = f->pieces = f->draws = 0;
+    f->ramps = 0;
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
     bands_begin(f);
@@ -217,11 +218,31 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
     return SHEEN_OK;
 }
 
+/* The ramp of these colours, one that has none of this frame's, or NULL: depends on the frame's draws alone. */
+static const uint16_t *ramp_of(struct sheen_frame *f, const struct colour_terms *terms)
+{
+    unsigned i = 0;
+
+    if (f->format.grey || f->view.dither)
+        return NULL;
+    while (i < f->ramps && !sheen_ramp_is_of(&f->ramp[i], terms))
+        i++;
+    if (i == f->ramps) {
+        if (f->ramps == f->config.max_ramps)
+            return NULL;
+        f->ramps++;
+        if (!sheen_ramp_is_of(&f->ramp[i], terms)) /* it often is, from the last frame */
+            sheen_ramp_make(&f->ramp[i], terms, &f->format);
+    }
+    return f->ramp[i].pixel;
+}
+
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
     struct sheen_stats stats = f->stats;
     uint32_t entries = f->entries, pieces = f->pieces;
+    unsigned ramps = f->ramps;
     struct draw_record *d = &f->draw[f->draws];
 
     if (f->state != OPEN)
@@ -236,14 +257,18 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.power = power_of(object->material->shine);
     d->as.two_sided = object->two_sided;
     d->as.strong = object->material->specular > SHEEN_Q16(0.5);
+    d->as.dither = f->view.dither != 0;
+    d->as.is_565 = !f->format.grey;
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
     d->first_vertex = f->vertices;
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
+    d->as.ramp = ramp_of(f, &d->as.colour);
     transform_mesh(f, object->mesh, &t, f->vertex + d->first_vertex);
     error = draw_triangles(f, d, &t);
     if (error < 0) {
         f->pieces = pieces;
+        f->ramps = ramps;
         f->stats = stats;
         sheen_bin_rollback(f, entries);
         return error;

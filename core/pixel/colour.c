@@ -6,6 +6,11 @@
  */
 #include "pixel.h"
 
+static uint32_t max_u32(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
 /*
  * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
  * UQ0.16 and their sum exactly 1.0.
@@ -35,6 +40,32 @@ static uint32_t colour_share(uint8_t colour)
 static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
 {
     return ((uint64_t)format->scale[k] * colour_share(colour) * intensity) >> 16;
+}
+
+/* The intensity, UQ1.15, at which the factor gives `level`, with the draw's fraction; 2047 at the most. */
+static uint16_t intensity_of(uint32_t level, uint32_t factor)
+{
+    uint32_t intensity = level / (factor + 1);
+
+    return (uint16_t)(intensity < 2047 ? intensity : 2047);
+}
+
+/* What set-up needs of them: how much of an intensity shows. */
+static void colour_sensitivity(struct colour_terms *t, int grey)
+{
+    uint32_t diffuse = 0, specular = 0, most = 0;
+
+    t->dominant = 3;
+    for (uint8_t k = 0; k < 3; k++) {
+        diffuse = grey ? diffuse + t->b[k] : max_u32(diffuse, t->b[k]);
+        specular = grey ? specular + t->c[k] : max_u32(specular, t->c[k]);
+        if (!grey && (uint32_t)t->b[k] + t->c[k] >= most) {
+            most = (uint32_t)t->b[k] + t->c[k];
+            t->dominant = k;
+        }
+    }
+    t->eighth = intensity_of(1u << (t->fraction - 3), diffuse);
+    t->dim = intensity_of(1u << (t->fraction - 5), specular);
 }
 
 /*
@@ -70,6 +101,7 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
         t->c[k] = (uint16_t)((c[k] + (1ull << (drop_factor - 1))) >> drop_factor);
         t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
     }
+    colour_sensitivity(t, format->grey);
 }
 
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])

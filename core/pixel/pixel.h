@@ -108,7 +108,10 @@ struct colour_terms {
     uint16_t b[3], c[3];
     uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
     uint8_t fraction;
-    uint8_t clamp; /* some normal may give more */
+    uint8_t clamp;    /* some normal may give more */
+    uint8_t dominant; /* the channel that changes most; 3: their sum does, on grey */
+    uint16_t dim;     /* specular intensities, UQ1.15, that give at most 1/32 level */
+    uint16_t eighth;  /* a diffuse one that gives at most 1/8 level */
 };
 
 static inline uint32_t colour_channel(const struct colour_terms *t, int k, const struct lit *lit)
@@ -134,6 +137,24 @@ static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
     return sheen_thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
 }
 
+/*
+ * Finished pixels of a 565 target over the diffuse intensity, without highlight or dither: entry i + RAMP_GUARD is the
+ * middle of i / 2^RAMP_BITS and the next; the guards take what rounding puts below 0 or above 1.
+ */
+#define RAMP_BITS 10
+#define RAMP_GUARD 8
+#define RAMP_PIXELS (RAMP_GUARD + (1 << RAMP_BITS) + RAMP_GUARD)
+
+struct ramp {
+    uint16_t pixel[RAMP_PIXELS]; /* in the target's order */
+    uint32_t a[3];               /* what it was made from, of struct colour_terms */
+    uint16_t b[3];
+    uint16_t fraction; /* 0: not made yet */
+};
+
+int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t);
+void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const struct pixel_format *format);
+
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
@@ -155,6 +176,7 @@ struct tile {
     unsigned pitch;         /* px */
     void *pixels;           /* uint16_t, or uint8_t on grey */
     uint16_t *depth;
+    intptr_t to_pixel; /* on 565: bytes from a pixel's depth to its colour */
     const struct pixel_format *format;
     unsigned dither;
     int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */

@@ -47,7 +47,7 @@ static void polygon_normal(const struct sheen_mesh *mesh, uint32_t triangle, int
         normal[i] = (int16_t)(known ? min32(asr32(unit[i] + (1 << 14), 15), 32767) : 0);
 }
 
-static void flat_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+static void flat_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     int16_t normal[3];
     struct lit lit;

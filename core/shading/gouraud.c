@@ -24,63 +24,24 @@ static void corner_lit(const struct setup *s, const struct surface_corners *c, i
     sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
 }
 
-/* Of the corners' channels: the largest difference, in 1/16 level, 0xffff at the most; and whether one exceeds 1.0. */
-struct survey {
-    uint32_t difference;
-    int over;
-};
-
-static struct survey survey_of(const struct colour_terms *terms, const struct lit lit[3])
+/* The largest difference between the corners in the channel that changes most, 1/16 level, 0xffff at the most. */
+static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[2])
 {
-    struct survey survey = {0, 0};
+    uint32_t most = magnitude32(d[0]);
 
-    for (int i = 0; i < 3; i++) {
-        uint32_t least = UINT32_MAX, most = 0;
-        for (int k = 0; k < 3; k++) {
-            uint32_t channel = colour_channel(terms, i, &lit[k]);
-            least = channel < least ? channel : least;
-            most = channel > most ? channel : most;
-        }
-        uint32_t difference = ((most - least) >> (terms->fraction - 4)) + 1;
-        survey.difference = difference > survey.difference ? difference : survey.difference;
-        survey.over |= terms->clamp && most > terms->top[i];
-    }
-    survey.difference = survey.difference > 0xffff ? 0xffff : survey.difference;
-    return survey;
+    most = magnitude32(d[1]) > most ? magnitude32(d[1]) : most;
+    most = magnitude32(d[1] - d[0]) > most ? magnitude32(d[1] - d[0]) : most;
+    most = (most >> (terms->fraction - 20)) + 1;
+    return most > 0xffff ? 0xffff : most;
 }
 
-/*
- * Linear on the screen in place of in space is off by at most
- * dI (sqrt q - 1) / (sqrt q + 1) <= dI (q - 1) / 4, q the ratio of the weights;
- * through the edges' middles by about dI (q - 1)^2 / 32. Both stay under 1/32 level.
- * Range: difference < 2^16 in 1/16 level, spread <= 2^16 in 1/65536.
- */
-static enum sheen_way way_of(const struct setup *s, const struct surface_corners *c, uint32_t difference)
+/* Through the edges' middles quadratic is off by about dI (q - 1)^2 / 32. Range: 2^16 in 1/16 level, spread < 2^14. */
+static int quadratic_will_do(const struct setup *s, const struct surface_corners *c, uint32_t difference)
 {
     uint32_t spread = sheen_weight_spread(c);
 
-    if (c->flat_weight || (difference * spread >> 17 == 0 && way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR)))
-        return SHEEN_WAY_GOURAUD_LINEAR;
-    if (spread < 16384 && difference * (spread * spread >> 16) >> 20 == 0 &&
-        way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC))
-        return SHEEN_WAY_GOURAUD_QUADRATIC;
-    return SHEEN_WAY_GOURAUD_QUOTIENT;
-}
-
-/* Linear channels; fast: + 1/2 once for all pixels. */
-static void linear(struct setup *s, const struct gradients *g, const struct lit lit[3])
-{
-    struct linear_setup *l = (struct linear_setup *)s;
-    const struct colour_terms *terms = &s->draw->colour;
-
-    s->rows = sheen_linear_rows;
-    for (int i = 0; i < 3; i++) {
-        int32_t value[3]; /* < 2^31 */
-        for (int k = 0; k < 3; k++)
-            value[k] = (int32_t)colour_channel(terms, i, &lit[k]);
-        l->channel[i] = sheen_gradient_plane(g, value, 0);
-        l->channel[i].base += s->fast ? 1u << (terms->fraction - 1) : 0;
-    }
+    return spread < 16384 && difference * (spread * spread >> 16) >> 20 == 0 &&
+           way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC);
 }
 
 /* Channels and 1 times weight. */
@@ -138,8 +99,44 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     return 1;
 }
 
-static void gouraud_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+/* Differences of the channel that changes most, of corners 1 and 2 to 0, in 2^16 steps. */
+static void dominant_differences(const struct colour_terms *terms, uint32_t channel[3][3], int32_t d[2])
 {
+    d[0] = d[1] = 0;
+    for (unsigned i = 0; i < 3; i++) {
+        if (terms->dominant != 3 && terms->dominant != i)
+            continue;
+        d[0] += cut_difference(channel[i][1], channel[i][0]);
+        d[1] += cut_difference(channel[i][2], channel[i][0]);
+    }
+}
+
+/* With a highlight, or where the draw has no ramp. */
+static void channels(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
+{
+    const struct colour_terms *terms = &s->draw->colour;
+    uint32_t channel[3][3];
+    int32_t d[2];
+
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            channel[i][k] = colour_channel(terms, i, &lit[k]);
+    dominant_differences(terms, channel, d);
+    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->fraction - 18))) {
+        sheen_setup_linear(s, g, channel);
+        return;
+    }
+    sheen_weigh(c);
+    s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
+    s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
+    if (!quadratic_will_do(s, c, difference_of(terms, d)) || !quadratic(s, c, g, lit))
+        quotient_planes(s, c, g, lit);
+}
+
+static void gouraud_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    const struct draw *d = s->draw;
+    const uint32_t dim = d->colour.dim;
     struct lit lit[3];
 
     for (int k = 0; k < 3; k++)
@@ -150,13 +147,14 @@ static void gouraud_setup(struct setup *s, const struct surface_corners *c, cons
         sheen_setup_constant(s, &mean);
         return;
     }
-    struct survey survey = survey_of(&s->draw->colour, lit);
-    s->way = (uint8_t)way_of(s, c, survey.difference);
-    s->fast = s->draw->early && !survey.over;
-    if (s->way == SHEEN_WAY_GOURAUD_LINEAR)
-        linear(s, g, lit);
-    else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT || !quadratic(s, c, g, lit))
-        quotient_planes(s, c, g, lit);
+    s->way = SHEEN_WAY_GOURAUD_LINEAR;
+    const uint32_t diffuse[3] = {lit[0].diffuse, lit[1].diffuse, lit[2].diffuse};
+    if (d->ramp != NULL && lit[0].specular <= dim && lit[1].specular <= dim && lit[2].specular <= dim &&
+        way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) &&
+        sheen_straight(c, (int32_t)(diffuse[1] - diffuse[0]), (int32_t)(diffuse[2] - diffuse[0]), d->colour.eighth))
+        sheen_setup_ramp(s, g, diffuse);
+    else
+        channels(s, c, g, lit);
 }
 
 /* A vertex keeps its intensities. */

@@ -160,10 +160,11 @@ static APART int linear_normals(struct setup *s, const struct surface_corners *c
     return 1;
 }
 
-static void phong_setup(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+static void phong_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     unsigned lights = s->draw->light.count;
 
+    sheen_weigh(c);
     if (g == NULL || lights == 0 || (!(lights == 1 && sheen_phong_nodes(s, c, g)) && !linear_normals(s, c, g)))
         sheen_setup_mean_normal(s, c);
 }

@@ -113,20 +113,15 @@ static int nearly_linear(const struct setup *s, const struct nodes *diffuse)
 /* Channels at the corners, interpolated like Gouraud's. */
 static APART void linear_channels(struct setup *s, const struct gradients *g, const struct nodes *diffuse)
 {
-    struct linear_setup *l = (struct linear_setup *)s;
-    const struct colour_terms *terms = &s->draw->colour;
+    uint32_t channel[3][3];
 
     s->way = SHEEN_WAY_PHONG_LINEAR;
-    s->rows = sheen_linear_rows;
-    for (int i = 0; i < 3; i++) {
-        int32_t channel[3];
-        for (int k = 0; k < 3; k++) {
-            struct lit lit = {(uint32_t)((diffuse->corner[k] + (1 << 14)) >> 15), 0};
-            channel[k] = (int32_t)colour_channel(terms, i, &lit);
-        }
-        l->channel[i] = sheen_gradient_plane(g, channel, 0);
-        l->channel[i].base += s->fast ? 1u << (terms->fraction - 1) : 0;
+    for (int k = 0; k < 3; k++) {
+        const struct lit lit = {(uint32_t)((diffuse->corner[k] + (1 << 14)) >> 15), 0};
+        for (int i = 0; i < 3; i++)
+            channel[i][k] = colour_channel(&s->draw->colour, i, &lit);
     }
+    sheen_setup_linear(s, g, channel);
 }
 
 /* 1 - R.V at six nodes, Q2.29: lv1 - (L.N)(V.N). */

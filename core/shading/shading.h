@@ -18,7 +18,7 @@
  */
 struct sheen_shader {
     void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
-    void (*setup)(struct setup *s, const struct surface_corners *c, const struct gradients *g);
+    void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
     uint8_t needs_normals; /* 1: the mesh has to have vertex normals */
     uint8_t unit_normals;  /* 1: corners of pieces need unit normals */
 };

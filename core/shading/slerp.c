@@ -249,7 +249,7 @@ static void slerp_rows(const struct tile *t, const struct setup *setup)
 
 /* ---- set-up ---- */
 
-static void slerp_setup(struct setup *setup, const struct surface_corners *c, const struct gradients *g)
+static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
 {
     struct slerp_setup *s = (struct slerp_setup *)setup;
     int32_t unit[3][3]; /* by corner and component, Q1.30 */
@@ -258,6 +258,7 @@ static void slerp_setup(struct setup *setup, const struct surface_corners *c, co
         sheen_setup_mean_normal(setup, c);
         return;
     }
+    sheen_weigh(c);
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
             int32_t component = max32(c->at.normal[k][i], -32767);

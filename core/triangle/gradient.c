@@ -1,38 +1,61 @@
 /*
  * gradient.c - planes over a triangle: from three values to a value and two steps.
  *
- * One reciprocal of the area serves all attributes of a triangle.
+ * One reciprocal of the area serves all attributes of a triangle. Its seed's 15 bits do, and products of 32, but for
+ * needles, whose steps are much larger than what they make up over the triangle, and for triangles of 256 px.
  */
 #include "triangle.h"
 
-/*
- * b1x = 64 (y2 - y0) / area and so on, coordinates in 1/64 px, area in 1/4096
- * px^2 and > 0 for corners that run clockwise on the screen (y down).
- * Range: differences <= 65,408 (2 * 511 px), so `bits`, their length, is at most
- * 16; a difference times the reciprocal is at most (2^bits - 1) 2^32, and a b
- * (1 - 2^-16) 2^31.
- * Returns 0 where the triangle is too flat, see MIN_EXPONENT.
- */
-int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3], uint32_t area)
+/* x / 2^shift, rounded; shift < 0: modulo 2^32. */
+static inline uint32_t scaled_step(int32_t x, int shift)
 {
-    int32_t x1 = x[1] - x[0], y1 = y[1] - y[0], x2 = x[2] - x[0], y2 = y[2] - y[0];
-    uint32_t all = magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2);
-    unsigned bits = 32 - clz32(all), zeros = clz32(area);
-    int64_t scale = sheen_reciprocal(area << zeros); /* 1/area = scale * 2^(zeros - 63) */
+    return shift > 0 ? (uint32_t)asr32(asr32(x, (unsigned)(shift - 1)) + 1, 1) : (uint32_t)x << -shift;
+}
 
-    if (56 - MIN_EXPONENT < zeros + bits)
+/*
+ * b1x = 64 (y2 - y0) / area and so on, coordinates in 1/64 px, area in 1/4096 px^2 and > 0 for corners that run
+ * clockwise on the screen (y down).
+ * Range: a difference is below 2^bits, so a product with the seed, of 16 bits, is below 2^30 once both are cut to 30.
+ * Returns 0 where the triangle is too flat, see FLATTEST.
+ */
+int sheen_gradients(struct gradients *g, const int32_t corner[2])
+{
+    unsigned zeros = clz32(g->area), cut = g->bits > NARROW_BITS ? g->bits - NARROW_BITS : 0, shift = g->bits + 1 - cut;
+    int32_t seed = (int32_t)(reciprocal_seed(g->area << zeros) >> cut), half = 1 << (shift - 1);
+
+    if (zeros + g->bits > FLATTEST)
         return 0;
-    g->exponent = 56 - zeros - bits;
-    g->stretch = (int)(2 * bits + zeros) - 32;
-    g->b1[0] = (int32_t)round_shift64(y2 * scale, bits + 1);
-    g->b1[1] = (int32_t)round_shift64(-x2 * scale, bits + 1);
-    g->b2[0] = (int32_t)round_shift64(-y1 * scale, bits + 1);
-    g->b2[1] = (int32_t)round_shift64(x1 * scale, bits + 1);
-    g->origin[0] = asr32(x[0], SUBPIXEL_BITS);
-    g->origin[1] = asr32(y[0], SUBPIXEL_BITS);
-    g->centre[0] = g->origin[0] * SUBPIXEL_ONE + SUBPIXEL_HALF - x[0];
-    g->centre[1] = g->origin[1] * SUBPIXEL_ONE + SUBPIXEL_HALF - y[0];
+    g->exponent = 40 - (int)(zeros + g->bits);
+    g->stretch = (int)(2 * g->bits + zeros) - 32;
+    g->wide = g->bits > NARROW_BITS || g->stretch > WIDEST_STRETCH;
+    g->b1[0] = asr32(g->to2[1] * seed + half, shift);
+    g->b1[1] = asr32(half - g->to2[0] * seed, shift);
+    g->b2[0] = asr32(half - g->to1[1] * seed, shift);
+    g->b2[1] = asr32(g->to1[0] * seed + half, shift);
+    for (int i = 0; i < 2; i++) {
+        g->origin[i] = asr32(corner[i], SUBPIXEL_BITS);
+        g->centre[i] = SUBPIXEL_HALF - (corner[i] & (SUBPIXEL_ONE - 1));
+    }
     return 1;
+}
+
+/* The steps with 31 bits: raw / 2^exponent. */
+struct wide_steps {
+    int32_t b1[2], b2[2];
+    unsigned exponent; /* 20..40 */
+};
+
+/* Range: differences <= 65,408 (2 * 511 px), bits <= 16; a difference times the reciprocal <= (2^bits - 1) 2^32. */
+static void wide_steps_of(const struct gradients *g, struct wide_steps *w)
+{
+    unsigned zeros = clz32(g->area), shift = g->bits + 1;
+    int64_t scale = sheen_reciprocal(g->area << zeros); /* 1/area = scale * 2^(zeros - 63) */
+
+    w->exponent = 56 - zeros - g->bits;
+    w->b1[0] = (int32_t)round_shift64(g->to2[1] * scale, shift);
+    w->b1[1] = (int32_t)round_shift64(-g->to2[0] * scale, shift);
+    w->b2[0] = (int32_t)round_shift64(-g->to1[1] * scale, shift);
+    w->b2[1] = (int32_t)round_shift64(g->to1[0] * scale, shift);
 }
 
 /*
@@ -43,11 +66,13 @@ int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3],
  */
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s)
 {
+    struct wide_steps w;
     int64_t d1 = (int64_t)value[1] - value[0], d2 = (int64_t)value[2] - value[0];
-    unsigned shift = g->exponent - up;
 
-    s->dx = round_shift64(d1 * g->b1[0] + d2 * g->b2[0], shift);
-    s->dy = round_shift64(d1 * g->b1[1] + d2 * g->b2[1], shift);
+    wide_steps_of(g, &w);
+    unsigned shift = w.exponent - up;
+    s->dx = round_shift64(d1 * w.b1[0] + d2 * w.b2[0], shift);
+    s->dy = round_shift64(d1 * w.b1[1] + d2 * w.b2[1], shift);
     s->value =
         value[0] * ((int64_t)1 << up) + round_shift64(s->dx * g->centre[0] + s->dy * g->centre[1], SUBPIXEL_BITS);
 }
@@ -58,6 +83,39 @@ struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s)
     struct plane p = {(uint32_t)s->value, (uint32_t)s->dx, (uint32_t)s->dy};
 
     p.base -= (uint32_t)g->origin[0] * p.dx + (uint32_t)g->origin[1] * p.dy;
+    return p;
+}
+
+struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up)
+{
+    struct slope s;
+
+    sheen_slope(g, value, up, &s);
+    return sheen_slope_plane(g, &s);
+}
+
+static APART struct plane wide_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
+{
+    const int32_t value[3] = {0, d1, d2};
+    struct plane p = sheen_gradient_plane(g, value, up);
+
+    p.base += base;
+    return p;
+}
+
+/*
+ * Range: a step of f is at most 2^15 2^15 in each of its two products, and half of that times half a pixel 2^30 in all.
+ * Beyond 32 bits a step wraps only where pixel centres lie so close that modulo 2^32 it is right.
+ */
+struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
+{
+    if (g->wide)
+        return wide_plane(g, base, d1, d2, up);
+    int32_t dx = d1 * g->b1[0] + d2 * g->b2[0], dy = d1 * g->b1[1] + d2 * g->b2[1];
+    int32_t to_centre = asr32(dx, SUBPIXEL_BITS + 1) * g->centre[0] + asr32(dy, SUBPIXEL_BITS + 1) * g->centre[1];
+    int shift = g->exponent - (int)up;
+    struct plane p = {0, scaled_step(dx, shift), scaled_step(dy, shift)};
+    p.base = base + scaled_step(to_centre, shift - 1) - (uint32_t)g->origin[0] * p.dx - (uint32_t)g->origin[1] * p.dy;
     return p;
 }
 
@@ -74,12 +132,4 @@ struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx,
 
     q.base = base + x * dx + y * dy + pairs(ox) * dxx + x * y * dxy + pairs(oy) * dyy;
     return q;
-}
-
-struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up)
-{
-    struct slope s;
-
-    sheen_slope(g, value, up, &s);
-    return sheen_slope_plane(g, &s);
 }

@@ -9,11 +9,11 @@
 #include "triangle.h"
 
 /* Steps of the barycentric coordinates keep 14 bits: value = raw / 2^scale. */
-#define STEP_SHIFT 17
+#define STEP_SHIFT 1
 /* Steps up to 4 a px; smaller triangles take the exact way. */
 #define LOWEST_SCALE 12
 /* So do needles: a product of coordinates is off by about 2^-14 (extent * step)^2, extent * step < 2^(stretch + 1). */
-#define WIDEST_STRETCH 3
+#define QUADRIC_STRETCH 3
 
 /* x * 2^shift, rounded where shift < 0; modulo 2^32 where bits leave at the top. */
 static uint32_t shifted(int32_t x, int shift)
@@ -29,7 +29,7 @@ int sheen_node_products(struct node_products *p, const struct gradients *g)
     int32_t bx[3], by[3], b[3]; /* of the three coordinates: steps, and values at the origin pixel, Q18.13 */
 
     p->scale = (int)g->exponent - STEP_SHIFT;
-    if (p->scale < LOWEST_SCALE || g->stretch > WIDEST_STRETCH)
+    if (p->scale < LOWEST_SCALE || g->stretch > QUADRIC_STRETCH)
         return 0;
     bx[1] = asr32(g->b1[0], STEP_SHIFT);
     by[1] = asr32(g->b1[1], STEP_SHIFT);

@@ -1,89 +1,12 @@
 /*
- * setup.c - three vertices to edges, depth and the set-up of their shading.
+ * setup.c - three vertices to edges, gradients and depth.
  */
 #include "triangle.h"
 
-/*
- * Start an edge from (xa, ya) down to (xb, yb), 1/64 px, ya < yb, at pixel row
- * `row`, at or below the first one whose centre the edge reaches. The column is
- * that of the first pixel centre at or right of the crossing, exactly:
- *   column = ceil((xa - 32 + (64 row + 32 - ya) (xb - xa) / (yb - ya)) / 64).
- * Range: height, |width| <= 65,408 (corners lie within +-511 px of the viewport's centre), rows skipped at most
- * height / 64 + 1, so `part` is at most 63 height + 63 (height - 1) + 64 (height / 64 + 1) (height - 1): 0.999 * 2^32.
- */
-static void edge_begin(struct edge *e, int32_t xa, int32_t ya, int32_t xb, int32_t yb, int32_t row)
-{
-    int32_t height = yb - ya, width = xb - xa;
-    int32_t first = first_centre(ya), skipped = row - first;
-    int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - ya; /* 0..63 */
-    int32_t step = width / height, carry = width % height;
-
-    if (carry < 0) {
-        step--;
-        carry += height;
-    }
-    e->size = (uint32_t)height << SUBPIXEL_BITS;
-    e->step = step;
-    e->carry = (uint32_t)carry << SUBPIXEL_BITS;
-
-    int32_t start = xa - SUBPIXEL_HALF + rest * step; /* 1/64 px, without the remainder's part */
-    uint32_t part =
-        (uint32_t)(start & 63) * (uint32_t)height + (uint32_t)rest * (uint32_t)carry + (uint32_t)skipped * e->carry;
-    e->column = asr32(start, SUBPIXEL_BITS) + skipped * step;
-    if (part >= e->size) {
-        uint32_t whole = part / e->size;
-        e->column += (int32_t)whole;
-        part -= whole * e->size;
-    }
-    e->error = (int32_t)part;
-    if (part > 0) {
-        e->column++;
-        e->error -= (int32_t)e->size;
-    }
-}
-
-/* Order three corners from top to bottom; returns 1 where that is an odd permutation. */
-static int sort_rows(const int32_t y[3], unsigned order[3])
-{
-    int odd = 0;
-
-    for (unsigned k = 0; k < 3; k++)
-        order[k] = k;
-    for (unsigned k = 0; k < 3; k++) {
-        unsigned i = k == 1 ? 1 : 0; /* compare 0-1, 1-2, 0-1 */
-        if (y[order[i + 1]] < y[order[i]]) {
-            unsigned swapped = order[i];
-            order[i] = order[i + 1];
-            order[i + 1] = swapped;
-            odd = !odd;
-        }
-    }
-    return odd;
-}
-
-/* Both edges at row s->row; the lower short edge waits in middle_*, bottom_*. */
-static void edges_begin(struct setup *s, const int32_t x[3], const int32_t y[3], const unsigned order[3])
-{
-    unsigned top = order[0], middle = order[1], bottom = order[2];
-    struct edge *longer = s->long_right ? &s->right : &s->left, *shorter = s->long_right ? &s->left : &s->right;
-
-    edge_begin(longer, x[top], y[top], x[bottom], y[bottom], s->row);
-    if (s->row < s->middle_row)
-        edge_begin(shorter, x[top], y[top], x[middle], y[middle], s->row);
-    else
-        edge_begin(shorter, x[middle], y[middle], x[bottom], y[bottom], s->row);
-}
-
-/* The lower short edge takes over at row s->middle_row. */
-void sheen_triangle_lower_edge(const struct screen *screen, struct setup *s)
-{
-    edge_begin(s->long_right ? &s->left : &s->right, s->middle_x + screen->centre_x, s->middle_y + screen->centre_y,
-               s->bottom_x + screen->centre_x, s->bottom_y + screen->centre_y, s->row);
-}
-
 /* Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two. */
-static void weigh(const struct screen *screen, struct surface_corners *c)
+void sheen_weigh(struct surface_corners *c)
 {
+    const struct screen *screen = c->screen;
     uint32_t all = 0;
 
     c->flat_weight = screen->flat_weight;
@@ -98,59 +21,106 @@ static void weigh(const struct screen *screen, struct surface_corners *c)
         c->flat_weight = 1;
 }
 
-static struct plane depth_plane(const struct gradients *g, const struct surface_corners *c)
+/* The corners that follow corner 0, in the other order. */
+static void turn_over(struct corners *c, struct gradients *g)
 {
-    const int32_t z[3] = {c->at.v[0]->z, c->at.v[1]->z, c->at.v[2]->z};
+    const struct vertex *v = c->v[1];
+    const int16_t *normal = c->normal[1];
 
-    if (g != NULL)
-        return sheen_gradient_plane(g, z, 16);
-    struct plane constant = {(uint32_t)z[0] << 16, 0, 0};
-    return constant;
-}
-
-/* Put corners in clockwise order on the screen; returns twice the area, 1/4096 px^2. */
-static uint32_t orient(struct corners *c, uint8_t *back)
-{
-    int64_t area = twice_area(c->v[0], c->v[1], c->v[2]);
-
-    *back = area > 0;
-    if (area < 0) {
-        const struct vertex *v = c->v[1];
-        const int16_t *normal = c->normal[1];
-        c->v[1] = c->v[2];
-        c->normal[1] = c->normal[2];
-        c->v[2] = v;
-        c->normal[2] = normal;
-        area = -area;
+    c->v[1] = c->v[2];
+    c->normal[1] = c->normal[2];
+    c->v[2] = v;
+    c->normal[2] = normal;
+    for (int i = 0; i < 2; i++) {
+        int32_t to = g->to1[i];
+        g->to1[i] = g->to2[i];
+        g->to2[i] = to;
     }
-    return (uint32_t)area; /* <= (2 * 511 * 64)^2 < 2^32 */
 }
 
-int sheen_triangle_begin(const struct screen *screen, int32_t from, struct surface_corners *c, struct gradients *g,
-                         int *flat, struct setup *s)
+/* Differences to corner 0 and twice the area, 1/4096 px^2; corners come to run clockwise. */
+static void orient(struct surface_corners *c, struct gradients *g)
 {
-    int32_t x[3], y[3];
-    unsigned order[3];
+    const struct vertex *const *v = c->at.v;
+    const int32_t x1 = v[1]->x - v[0]->x, y1 = v[1]->y - v[0]->y, x2 = v[2]->x - v[0]->x, y2 = v[2]->y - v[0]->y;
+    int32_t low;
 
-    uint32_t area = orient(&c->at, &c->back);
+    g->to1[0] = x1;
+    g->to1[1] = y1;
+    g->to2[0] = x2;
+    g->to2[1] = y2;
+    g->bits = 32 - clz32(magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2));
+    if (g->bits <= NARROW_BITS) {
+        low = x1 * y2 - y1 * x2;
+        c->back = low < 0;
+    } else {
+        int64_t area = (int64_t)x1 * y2 - (int64_t)y1 * x2; /* |area| <= (2 * 511 * 64)^2 < 2^32 */
+        low = (int32_t)(uint32_t)(uint64_t)area;
+        c->back = area < 0;
+    }
+    g->area = c->back ? 0u - (uint32_t)low : (uint32_t)low;
+    if (c->back)
+        turn_over(&c->at, g);
+}
+
+/* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
+static void edges_begin(struct setup *s, int32_t at[3][2], const struct edge_rows *to, struct span *spans)
+{
+    unsigned right = 0;
+
+    for (unsigned k = 0; k < 3; k++) {
+        const int32_t *from = at[k], *end = at[k == 2 ? 0 : k + 1];
+        if (end[1] > from[1]) {
+            right |= 1u << k;
+            sheen_edge_begin(&s->edge[k], from, end, to, &spans->x1);
+        } else {
+            sheen_edge_begin(&s->edge[k], end, from, to, &spans->x0);
+        }
+    }
+    s->right = right & 7u;
+}
+
+static void depth_plane(struct setup *s, const struct surface_corners *c, const struct gradients *g, int flat)
+{
+    int32_t z = c->at.v[0]->z, d1 = c->at.v[1]->z - z, d2 = c->at.v[2]->z - z;
+    unsigned up = 16;
+
+    s->depth = (struct plane){(uint32_t)z << 16, 0, 0};
+    if (flat)
+        return;
+    if ((uint32_t)(d1 + STEEPEST_DIFFERENCE) > 2 * STEEPEST_DIFFERENCE ||
+        (uint32_t)(d2 + STEEPEST_DIFFERENCE) > 2 * STEEPEST_DIFFERENCE) {
+        d1 = asr32(d1, 1);
+        d2 = asr32(d2, 1);
+        up = 17;
+    }
+    s->depth = sheen_plane(g, (uint32_t)z << 16, d1, d2, up);
+}
+
+unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
+                              struct surface_corners *c, struct gradients *g, struct setup *s)
+{
+    int32_t at[3][2], top = INT32_MAX, bottom = INT32_MIN;
+
+    orient(c, g);
+    c->screen = screen;
     for (int k = 0; k < 3; k++) {
-        x[k] = c->at.v[k]->x + screen->centre_x;
-        y[k] = c->at.v[k]->y + screen->centre_y;
+        at[k][0] = c->at.v[k]->x + screen->centre_x;
+        at[k][1] = c->at.v[k]->y + screen->centre_y;
+        top = min32(top, at[k][1]);
+        bottom = max32(bottom, at[k][1]);
     }
-    s->long_right = sort_rows(y, order) != 0; /* clockwise: top, middle, bottom even = middle on the right */
-    s->row = (int16_t)max32(first_centre(y[order[0]]), from);
-    s->middle_row = (int16_t)first_centre(y[order[1]]);
-    s->end_row = (int16_t)min32(first_centre(y[order[2]]), screen->viewport.y1);
-    if (s->row >= s->end_row)
+    int32_t row = max32(first_centre(top), rect.y0), end_row = min32(first_centre(bottom), screen->viewport.y1);
+    const struct edge_rows to = {row, min32(end_row, rect.y1)};
+    s->row = (int16_t)to.end;
+    s->end_row = (int16_t)end_row;
+    if (row >= to.end)
         return 0;
-    const struct vertex *middle = c->at.v[order[1]], *bottom = c->at.v[order[2]];
-    s->middle_x = middle->x;
-    s->middle_y = middle->y;
-    s->bottom_x = bottom->x;
-    s->bottom_y = bottom->y;
-    edges_begin(s, x, y, order);
-    *flat = !sheen_gradients(g, x, y, area);
-    weigh(screen, c);
-    s->depth = depth_plane(*flat ? NULL : g, c);
-    return 1;
+    s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0;
+    edges_begin(s, at, &to, spans);
+    if (s->beyond)
+        sheen_clip_spans(spans, (unsigned)(to.end - row), rect);
+    c->flat = !sheen_gradients(g, at[0]);
+    depth_plane(s, c, g, c->flat);
+    return (unsigned)(to.end - row);
 }

@@ -1,35 +1,26 @@
 /*
- * spans.c - the rows of a triangle: edges stepped exactly, one span a row.
+ * spans.c - the next rows of a triangle that began in a band above.
  */
 #include "triangle.h"
 
-/* To the next row: floor division with remainder, carried on. */
-static inline void edge_step(struct edge *e)
+void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
 {
-    e->column += e->step;
-    e->error += (int32_t)e->carry; /* in (-size, size), size < 2^23 */
-    if (e->error > 0) {
-        e->column++;
-        e->error -= (int32_t)e->size;
+    for (unsigned row = 0; row < rows; row++) {
+        spans[row].x0 = (int16_t)max32(spans[row].x0, rect.x0);
+        spans[row].x1 = (int16_t)min32(spans[row].x1, rect.x1);
     }
 }
 
-unsigned sheen_spans(const struct screen *screen, struct setup *s, struct sheen_rect rect, struct span *spans,
-                     int16_t *first_row)
+unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)
 {
-    int32_t end = min32(s->end_row, rect.y1);
-    unsigned rows = 0;
+    const struct edge_rows to = {s->row, min32(s->end_row, rect.y1)};
 
-    *first_row = s->row;
-    while (s->row < end) {
-        spans[rows].x0 = (int16_t)max32(s->left.column, rect.x0);
-        spans[rows].x1 = (int16_t)min32(s->right.column, rect.x1);
-        rows++;
-        s->row++;
-        edge_step(&s->left);
-        edge_step(&s->right);
-        if (s->row == s->middle_row && s->row < s->end_row)
-            sheen_triangle_lower_edge(screen, s);
-    }
-    return rows;
+    if (to.row >= to.end)
+        return 0;
+    for (int k = 0; k < 3; k++)
+        sheen_edge_go_on(&s->edge[k], &to, s->right >> k & 1 ? &spans->x1 : &spans->x0);
+    s->row = (int16_t)to.end;
+    if (s->beyond)
+        sheen_clip_spans(spans, (unsigned)(to.end - to.row), rect);
+    return (unsigned)(to.end - to.row);
 }

@@ -17,8 +17,11 @@ struct draw {
     struct lighting light;
     struct colour_terms colour;
     struct power power;
+    const uint16_t *ramp; /* its first entry, a guard; NULL: there is none */
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
+    uint8_t dither;
+    uint8_t is_565; /* the target's pixels are */
     uint8_t early;  /* 565 without dither: the half of the one rounding can be added in advance */
     uint8_t forced; /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
 };
@@ -40,13 +43,11 @@ struct screen {
 
 /* ---- set-up: three vertices -> edges and gradients ---- */
 
-/* Where an edge crosses pixel rows: the first column whose centre is at or right of it. */
+/* Where an edge crosses pixel rows: edge.c. */
 struct edge {
-    int32_t column; /* px */
-    int32_t step;   /* px a row, rounded down */
-    uint32_t carry; /* what is left of a row's step, in 1/size px */
-    int32_t error;  /* in (-size, 0]: the crossing lies -error / size px before the column */
-    uint32_t size;  /* 64 * the edge's height in 1/64 px; < 2^23 */
+    int64_t at;         /* Q31.32 px in the next row; the whole part is the first column whose centre is at or right */
+    int64_t step;       /* a row */
+    int16_t first, end; /* rows */
 };
 
 /* base + x * dx + y * dy modulo 2^32, x and y target pixels. */
@@ -66,17 +67,17 @@ struct quadric {
  */
 struct setup {
     uint16_t entry;
-    uint8_t next;                     /* slot in the worker's list */
-    uint8_t way;                      /* enum sheen_way */
-    int16_t row, middle_row, end_row; /* next row to do; where the short edges meet; one past the last */
-    unsigned long_right : 1;          /* the long edge is the right one */
-    unsigned fast : 1;                /* 565, no dither, no clamp: rounding is in the planes */
-    unsigned detail : 8;              /* the way's own */
-    struct edge left, right;
-    int16_t middle_x, middle_y, bottom_x, bottom_y; /* the lower short edge, as in struct vertex */
+    uint8_t next;         /* slot in the worker's list */
+    uint8_t way;          /* enum sheen_way */
+    int16_t row, end_row; /* next row to do; one past the last */
+    unsigned right : 3;   /* a bit an edge: 1 where it bounds the right */
+    unsigned beyond : 1;  /* columns may leave the tile */
+    unsigned fast : 1;    /* 565, no dither, no clamp: rounding is in the planes */
+    unsigned detail : 8;  /* the way's own */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
     struct plane depth; /* UQ16.16 of z16 */
+    struct edge edge[3];
 };
 
 #define SETUP_BYTES (sizeof(struct setup) + 48)
@@ -103,9 +104,11 @@ struct corners {
 /* Corners in the order of the gradients, and what shading needs of them. */
 struct surface_corners {
     struct corners at;
-    uint32_t weight[3];  /* UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
+    uint32_t weight[3]; /* sheen_weigh: UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
+    const struct screen *screen;
     uint8_t back;        /* a back face: normals are negated */
-    uint8_t flat_weight; /* all weights are equal */
+    uint8_t flat;        /* too flat for gradients */
+    uint8_t flat_weight; /* sheen_weigh: all weights are equal */
 };
 
 /*
@@ -113,15 +116,25 @@ struct surface_corners {
  * coordinates b1, b2 of corners 1 and 2, f = f0 + b1 (f1 - f0) + b2 (f2 - f0).
  */
 struct gradients {
-    int32_t b1[2], b2[2]; /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| <= 2^31 - 2^15 */
-    unsigned exponent;    /* MIN_EXPONENT..40 */
-    int stretch;          /* logarithm of extent^2 / area, within 1 below and 2 above; a needle's is large */
-    int32_t centre[2];    /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
-    int32_t origin[2];    /* the origin pixel: the one that holds corner 0 */
+    int32_t to1[2], to2[2]; /* from corner 0 to corners 1 and 2, 1/64 px */
+    uint32_t area;          /* twice, 1/4096 px^2; > 0 */
+    unsigned bits;          /* length of the longest difference, 1..16 */
+    int32_t b1[2], b2[2];   /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^15 */
+    int exponent;           /* 4..24 */
+    int stretch;            /* logarithm of extent^2 / area, within 1 below and 2 above; a needle's is large */
+    unsigned wide;          /* planes take steps of 31 bits */
+    int32_t centre[2];      /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
+    int32_t origin[2];      /* the origin pixel: the one that holds corner 0 */
 };
 
-/* Gradients reach 2^11 a px (a triangle 1/2048 px high); what is flatter is shaded with one colour. */
-#define MIN_EXPONENT 20
+#define NARROW_BITS 14   /* 256 px */
+#define WIDEST_STRETCH 5 /* of triangles whose planes 15 bits do for */
+
+/* Of zeros + bits: gradients reach 2^11 a px (a triangle 1/2048 px high); what is flatter is shaded with one colour. */
+#define FLATTEST 36
+
+/* |f1 - f0| and |f2 - f0| in sheen_plane */
+#define STEEPEST_DIFFERENCE 32768
 
 /* An attribute's value at the origin pixel's centre and its steps a px, before they are cut to 32 bits. */
 struct slope {
@@ -153,30 +166,46 @@ struct middles {
 int sheen_node_products(struct node_products *p, const struct gradients *g);
 void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
                         struct quadric *q);
+void sheen_weigh(struct surface_corners *c);
 void sheen_middles(const struct surface_corners *c, struct middles *m);
 struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy);
 /* Largest of the weights over the smallest, less 1: UQ16.16, 65535 at the most. */
 uint32_t sheen_weight_spread(const struct surface_corners *c);
 
-int sheen_gradients(struct gradients *g, const int32_t x[3], const int32_t y[3], uint32_t area);
+int sheen_gradients(struct gradients *g, const int32_t corner[2]);
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s);
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s);
 struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up);
+/* base: f at corner 0, with `up` more fraction bits than the differences d1, d2, at most STEEPEST_DIFFERENCE. */
+struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up);
 
 /* ---- set-up and rows ---- */
 
 /*
- * setup.c: edges, depth, gradients and weights from row `from` on, in *s and *c; 0 where there is no row left.
- * c->at is given. *flat becomes 1 where the triangle is too flat for gradients, *g then is not set.
+ * setup.c: edges, depth and gradients of a triangle from the rectangle's rows on; its spans there are filled.
+ * c->at is given, clockwise where it is a front face; without OFF_VIEW it keeps within the rectangle's columns.
+ * Number of rows, 0 where there is none; s->row is the next one.
  */
-int sheen_triangle_begin(const struct screen *screen, int32_t from, struct surface_corners *c, struct gradients *g,
-                         int *flat, struct setup *s);
-void sheen_triangle_lower_edge(const struct screen *screen, struct setup *s);
+unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
+                              struct surface_corners *c, struct gradients *g, struct setup *s);
 
-/* spans.c: the rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] is *first_row. */
-unsigned sheen_spans(const struct screen *screen, struct setup *s, struct sheen_rect rect, struct span *spans,
-                     int16_t *first_row);
+/* Rows of a tile: spans[0] is row `row`. */
+struct edge_rows {
+    int32_t row, end;
+};
+
+/*
+ * edge.c: the columns of the edge from its upper end down, 1/64 px on the target, in `to`; each is every second
+ * int16_t from *column on. Then what is left of them below.
+ */
+void sheen_edge_begin(struct edge *e, const int32_t upper[2], const int32_t lower[2], const struct edge_rows *to,
+                      int16_t *column);
+void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column);
+
+/* spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row. */
+unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans);
+void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect);
 
 /* One colour: what flat shading and degenerate triangles use. */
 struct constant_setup {
@@ -190,13 +219,30 @@ void sheen_setup_constant(struct setup *s, const struct lit *lit);
 void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c);
 void sheen_constant_rows(const struct tile *t, const struct setup *s);
 
-/* Channels that are linear on the screen. */
+/* linear.c: channels, or the diffuse intensity, that are linear on the screen. */
 struct linear_setup {
     struct setup s;
-    struct plane channel[3]; /* with the draw's fraction; fast: + 1/2 */
+    struct plane channel[3]; /* with the draw's fraction; fast: 565 whose corners do not exceed 1.0 */
 };
 
+struct ramp_setup {
+    struct setup s;
+    struct plane diffuse; /* UQ1.30, RAMP_GUARD entries added */
+};
+
+/* 1 where perspective shows by less than 1/8 of `unit`, in d1 and d2, f's differences of corners 1 and 2 to 0. */
+int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit);
+int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin);
+void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3]);
+void sheen_setup_ramp(struct setup *s, const struct gradients *g, const uint32_t diffuse[3]);
 void sheen_linear_rows(const struct tile *t, const struct setup *s);
+void sheen_ramp_rows(const struct tile *t, const struct setup *s);
+
+/* Of channels below 2^31, in 2^16 steps: STEEPEST_DIFFERENCE at the most. */
+static inline int32_t cut_difference(uint32_t f, uint32_t f0)
+{
+    return asr32((int32_t)(f - f0) + (1 << 15), 16);
+}
 
 /* Intensities that are quadratic on the screen; detail: power, L.N may lie below 1/8. */
 struct quadric_setup {
