@@ -98,7 +98,6 @@ static void each_pixel(const struct shape2 *s, void (*at)(void *, int, int, cons
 /* As set-up makes them; 0 where the triangle is too flat. */
 static int gradients_of(const struct shape2 *s, struct gradients *g)
 {
-    const int32_t corner[2] = {s->x[0], s->y[0]};
     uint32_t all = 0;
 
     for (int i = 0; i < 2; i++) {
@@ -109,7 +108,7 @@ static int gradients_of(const struct shape2 *s, struct gradients *g)
     }
     g->bits = 32 - clz32(all);
     g->area = (uint32_t)s->area;
-    return sheen_gradients(g, corner);
+    return sheen_gradients(g, s->x[0], s->y[0]);
 }
 
 /* ---- planes ---- */

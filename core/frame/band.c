@@ -73,11 +73,24 @@ static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
     return rect_empty(r) ? r : sheen_rect_intersection(align_rect(f, r), strip);
 }
 
+/* count pixels of two bytes, at least; the buffer has room for a whole number of words and is aligned to one. */
+static void fill(uint32_t *words, size_t count, uint16_t pixel)
+{
+    uint32_t pair = pixel | (uint32_t)pixel << 16, *end = words + (count + 1) / 2, *blocks = words + (count / 16) * 8;
+
+    for (; words != blocks; words += 8) {
+        words[0] = words[1] = words[2] = words[3] = pair;
+        words[4] = words[5] = words[6] = words[7] = pair;
+    }
+    while (words != end)
+        *words++ = pair;
+}
+
 static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 {
     size_t count = (size_t)t->pitch * (size_t)(t->rect.y1 - t->rect.y0);
 
-    memset(t->depth, DEPTH_FAR & 0xff, count * sizeof *t->depth);
+    fill((uint32_t *)(void *)t->depth, count, DEPTH_FAR);
     if (f->view.underlay != NULL) {
         const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
         f->view.underlay(f->view.ctx, &canvas);
@@ -87,8 +100,7 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
     if (t->format->grey)
         memset(t->pixels, background, count);
     else
-        for (size_t i = 0; i < count; i++)
-            ((uint16_t *)t->pixels)[i] = background;
+        fill(t->pixels, count, background);
 }
 
 /* ---- drawing ---- */

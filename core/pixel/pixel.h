@@ -122,7 +122,11 @@ static inline uint32_t colour_channel(const struct colour_terms *t, int k, const
 /* A 565 value in the target's byte order. */
 static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 {
+#ifdef __GNUC__
+    return swap ? __builtin_bswap16((uint16_t)value) : (uint16_t)value;
+#else
     return (uint16_t)(swap ? (value << 8 | value >> 8) : value);
+#endif
 }
 
 /*
@@ -244,23 +248,28 @@ SPECIALISED uint32_t clamped(uint32_t x, uint32_t top)
     return x > top ? top : x;
 }
 
-/* The one rounding: floor(channel + threshold), each channel at most 1.0. */
-SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
-                             uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)
+/* The one rounding: floor(channel + threshold), each channel at most 1.0; what is constant of a draw is given. */
+SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
+                             uint32_t r, uint32_t g, uint32_t b, unsigned grey, unsigned fraction, unsigned swap)
 {
-    uint32_t threshold = (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift;
-    unsigned fraction = terms->fraction;
-
     SHEEN_TEST_TAP(t, at, r, g, b, fraction);
     r = clamped(r, terms->top[0]) + threshold;
     g = clamped(g, terms->top[1]);
     b = clamped(b, terms->top[2]);
-    if (t->format->grey) {
+    if (grey) {
         ((uint8_t *)t->pixels)[at] = (uint8_t)((r + g + b) >> fraction);
         return;
     }
     uint32_t value = (r >> fraction) << 11 | ((g + threshold) >> fraction) << 5 | (b + threshold) >> fraction;
-    ((uint16_t *)t->pixels)[at] = pixel_order(value, t->format->swap);
+    ((uint16_t *)t->pixels)[at] = pixel_order(value, swap);
+}
+
+SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
+                             uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)
+{
+    uint32_t threshold = (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift;
+
+    put_clamped(t, terms, threshold, at, r, g, b, t->format->grey, terms->fraction, t->format->swap);
 }
 
 /* floor of channels that rounding was added to and that no corner takes above the highest level. */

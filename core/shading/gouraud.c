@@ -8,20 +8,30 @@ SETUP_FITS(struct linear_setup);
 SETUP_FITS(struct quadric_setup);
 SETUP_FITS(struct quotient_setup);
 
-/* Intensities at a corner: lit when the mesh was drawn, or now for back faces. */
-static void corner_lit(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
+/* Intensities at a corner of a back face, which vertices do not keep. */
+static APART void light_back(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
 {
-    const struct vertex *v = c->at.v[k];
-
-    if (!c->back || (v->flags & LIT_AS_SEEN) != 0) {
-        lit->diffuse = v->kept[0];
-        lit->specular = v->kept[1];
-        return;
-    }
     const int16_t *n = c->at.normal[k];
     const int16_t negated[3] = {(int16_t)-max32(n[0], -32767), (int16_t)-max32(n[1], -32767),
                                 (int16_t)-max32(n[2], -32767)};
+
     sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
+}
+
+/* At the corners; returns the largest specular one. */
+static uint32_t corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3])
+{
+    uint32_t most = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct vertex *v = c->at.v[k];
+        lit[k].diffuse = v->kept[0];
+        lit[k].specular = v->kept[1];
+        if (c->back && (v->flags & LIT_AS_SEEN) == 0)
+            light_back(s, c, k, &lit[k]);
+        most = lit[k].specular > most ? lit[k].specular : most;
+    }
+    return most;
 }
 
 /* The largest difference between the corners in the channel that changes most, 1/16 level, 0xffff at the most. */
@@ -99,6 +109,13 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     return 1;
 }
 
+static void corner_channels(const struct colour_terms *terms, const struct lit lit[3], uint32_t channel[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            channel[i][k] = colour_channel(terms, i, &lit[k]);
+}
+
 /* Differences of the channel that changes most, of corners 1 and 2 to 0, in 2^16 steps. */
 static void dominant_differences(const struct colour_terms *terms, uint32_t channel[3][3], int32_t d[2])
 {
@@ -111,21 +128,15 @@ static void dominant_differences(const struct colour_terms *terms, uint32_t chan
     }
 }
 
-/* With a highlight, or where the draw has no ramp. */
-static void channels(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
+/* Linear on the screen is not good enough. */
+static APART void curved(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct colour_terms *terms = &s->draw->colour;
     uint32_t channel[3][3];
     int32_t d[2];
 
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            channel[i][k] = colour_channel(terms, i, &lit[k]);
+    corner_channels(terms, lit, channel);
     dominant_differences(terms, channel, d);
-    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->fraction - 18))) {
-        sheen_setup_linear(s, g, channel);
-        return;
-    }
     sheen_weigh(c);
     s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
@@ -133,14 +144,27 @@ static void channels(struct setup *s, struct surface_corners *c, const struct gr
         quotient_planes(s, c, g, lit);
 }
 
+/* With a highlight, without a ramp, or where one number alone does not do: channels, to 1/16 level. */
+static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
+{
+    const struct colour_terms *terms = &s->draw->colour;
+    uint32_t channel[3][3];
+    int32_t d[2];
+
+    corner_channels(terms, lit, channel);
+    dominant_differences(terms, channel, d);
+    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->fraction - 18)))
+        sheen_setup_linear(s, g, channel);
+    else
+        curved(s, c, g, lit);
+}
+
 static void gouraud_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const struct draw *d = s->draw;
-    const uint32_t dim = d->colour.dim;
     struct lit lit[3];
+    uint32_t specular = corners_lit(s, c, lit);
 
-    for (int k = 0; k < 3; k++)
-        corner_lit(s, c, k, &lit[k]);
     if (g == NULL) {
         struct lit mean = {(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse) / 3,
                            (lit[0].specular + lit[1].specular + lit[2].specular) / 3};
@@ -148,13 +172,15 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
         return;
     }
     s->way = SHEEN_WAY_GOURAUD_LINEAR;
-    const uint32_t diffuse[3] = {lit[0].diffuse, lit[1].diffuse, lit[2].diffuse};
-    if (d->ramp != NULL && lit[0].specular <= dim && lit[1].specular <= dim && lit[2].specular <= dim &&
-        way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) &&
-        sheen_straight(c, (int32_t)(diffuse[1] - diffuse[0]), (int32_t)(diffuse[2] - diffuse[0]), d->colour.eighth))
-        sheen_setup_ramp(s, g, diffuse);
+    if (d->ramp == NULL || specular > d->colour.dim) {
+        glossy(s, c, g, lit);
+        return;
+    }
+    int32_t d1 = (int32_t)(lit[1].diffuse - lit[0].diffuse), d2 = (int32_t)(lit[2].diffuse - lit[0].diffuse);
+    if (way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth))
+        sheen_setup_ramp(s, g, lit[0].diffuse, d1, d2);
     else
-        channels(s, c, g, lit);
+        glossy(s, c, g, lit);
 }
 
 /* A vertex keeps its intensities. */

@@ -37,19 +37,29 @@ static inline struct course by_division(int32_t width, int32_t height, int32_t r
     }
     uint32_t size = (uint32_t)height, high = ((uint32_t)part << 16) / size;
     uint32_t low = ((((uint32_t)part << 16) - high * size) << 16) / size;
-    struct course c = {0, (int64_t)((uint64_t)(uint32_t)whole << 32 | high << 16 | low)};
-    c.start = asr64(rest * c.step, SUBPIXEL_BITS) - 1;
+    uint32_t part_of_px = high << 16 | low;
+    int64_t start = (int64_t)(((uint64_t)(uint32_t)(rest * whole) << 32) + (uint64_t)part_of_px * (uint32_t)rest);
+    struct course c = {asr64(start, SUBPIXEL_BITS) - 1, (int64_t)((uint64_t)(uint32_t)whole << 32 | part_of_px)};
     return c;
 }
 
+/* The same of a short edge, Q6.25 px. */
+struct short_course {
+    int32_t start, step;
+};
+
 /*
- * The same for |width|, height < SHORT with the seed of a reciprocal and one residual, in 2^-25 px: 32 rows at most,
- * off by less than 2^-18 px in all. Below 1 px of height there is one row at most and a slope that wraps is not used.
+ * For |width|, height < SHORT with the seed of a reciprocal and one residual: 32 rows at most, off by less than
+ * 2^-18 px in all. Below 1 px of height there is one row at most and a slope that wraps is not used.
  */
-static inline struct course by_reciprocal(int32_t width, int32_t height, int32_t rest)
+static inline struct short_course by_reciprocal(int32_t width, int32_t height, int32_t rest)
 {
-    unsigned up = clz32((uint32_t)height); /* 21..31 */
-    int32_t seed = (int32_t)reciprocal_seed((uint32_t)height << up), product = width * seed;
+    unsigned up = 21; /* to 31 */
+    uint32_t normal = (uint32_t)height << up;
+
+    for (; (normal & 0x80000000u) == 0; normal <<= 1) /* shorter than the call that clz32 is here */
+        up++;
+    int32_t seed = (int32_t)reciprocal_seed(normal), product = width * seed;
     int32_t slope = up <= 27 ? asr32(product, 27 - up) : (int32_t)((uint32_t)product << (up - 27)); /* Q.20 */
     int32_t left = (int32_t)(((uint32_t)width << 20) - (uint32_t)slope * (uint32_t)height);
     int32_t more = asr32(asr32(left, 2) * (seed >> 1), 39 - up); /* Q.25 */
@@ -57,44 +67,119 @@ static inline struct course by_reciprocal(int32_t width, int32_t height, int32_t
 
     slope += asr32(more, 5);
     int32_t start = rest * asr32(slope, 6) + (rest * (slope & 63) >> 6); /* Q.20, below 32 px */
-    struct course c = {(int64_t)(start * 32 - 128) * 128, (int64_t)step * 128};
+    struct short_course c = {start * 32 - 128, step};
     return c;
 }
 
-/* The edge's next `rows` columns, every second int16_t from *column on; returns where it goes on. */
+/* The edge's next `rows` columns, one at least, every second int16_t from *column on; returns where it goes on. */
 static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *column)
 {
-    for (int16_t *end = column + 2 * rows; column != end; column += 2) {
+    do {
         *column = (int16_t)asr64(at, 32);
+        column += 2;
         at += step;
-        OPAQUE(column); /* else gcc multiplies for what `at` becomes */
-    }
+        OPAQUE(rows); /* else gcc multiplies for what `at` becomes */
+    } while (--rows != 0);
     return at;
 }
 
-void sheen_edge_begin(struct edge *e, const int32_t upper[2], const int32_t lower[2], const struct edge_rows *to,
-                      int16_t *column)
+/* The same along a short edge, from column `whole` on. */
+static inline int32_t short_columns(int32_t at, int32_t step, int32_t whole, int32_t rows, int16_t *column)
 {
-    int32_t width = lower[0] - upper[0], height = lower[1] - upper[1];
-    int32_t first = first_centre(upper[1]), end = first_centre(lower[1]), from = max32(first, to->row);
-    int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper[1]; /* 0..63 */
+    const int16_t *end = column + 2 * rows;
 
-    e->first = (int16_t)first;
-    e->end = (int16_t)end;
-    if (from >= end)
-        return;
-    struct course c = SHEEN_NO_DIVIDER && height < SHORT && (uint32_t)(width + SHORT - 1) < 2 * SHORT - 1
-                          ? by_reciprocal(width, height, rest)
-                          : by_division(width, height, rest);
-    c.start += (int64_t)(upper[0] + SUBPIXEL_HALF) * (1 << 26); /* the whole part is the column */
-    if (from != first)
-        c.start += (from - first) * c.step;
-    if (from < to->end)
-        c.start = columns(c.start, c.step, min32(end, to->end) - from, column + 2 * (from - to->row));
-    if (end > to->end) {
+    do {
+        *column = (int16_t)(whole + asr32(at, 25));
+        column += 2;
+        at = (int32_t)((uint32_t)at + (uint32_t)step);
+        OPAQUE(column);
+    } while (column != end);
+    return at;
+}
+
+/* An edge on its way. */
+struct edge_job {
+    int32_t x, width, height, rest; /* from the upper end, 1/64 px; rest: down to its first row, 0..63 */
+    int32_t skipped, rows;          /* rows before `to`, and in it */
+    int16_t *column;
+};
+
+/* Its columns; what is left goes to *e, NULL: nothing is. */
+static inline void long_edge(const struct edge_job *j, struct edge *e)
+{
+    struct course c = by_division(j->width, j->height, j->rest);
+
+    c.start += (int64_t)(j->x + SUBPIXEL_HALF) * (1 << 26); /* the whole part is the column */
+    if (j->skipped != 0)
+        c.start += j->skipped * c.step;
+    if (j->rows > 0)
+        c.start = columns(c.start, c.step, j->rows, j->column);
+    if (e != NULL) {
         e->at = c.start;
         e->step = c.step;
     }
+}
+
+static inline void short_edge(const struct edge_job *j, struct edge *e)
+{
+    struct short_course c = by_reciprocal(j->width, j->height, j->rest);
+    int32_t x = j->x + SUBPIXEL_HALF, whole = asr32(x, SUBPIXEL_BITS);
+
+    c.start += (x & (SUBPIXEL_ONE - 1)) << 19;
+    c.start += j->skipped * c.step;
+    if (j->rows > 0)
+        c.start = short_columns(c.start, c.step, whole, j->rows, j->column);
+    if (e != NULL) {
+        e->at = (int64_t)whole * ((int64_t)1 << 32) + (int64_t)c.start * 128;
+        e->step = (int64_t)c.step * 128;
+    }
+}
+
+/*
+ * The edge from `upper` down to `lower`: its columns in `to`, and *e for what is left of them. whole: `to` has all rows
+ * of the triangle; *e then is not used.
+ */
+static inline void edge_begin(struct edge *e, const struct screen_corner *upper, const struct screen_corner *lower,
+                              const struct edge_rows *to, int16_t *column)
+{
+    int32_t first = upper->row, end = lower->row, row = to->row;
+    struct edge_job j = {upper->x, lower->x - upper->x, lower->y - upper->y, 0, 0, end - first, NULL};
+
+    if (to->whole) {
+        e = NULL;
+    } else {
+        e->first = (int16_t)first;
+        e->end = (int16_t)end;
+        j.skipped = max32(row - first, 0);
+        j.rows = min32(end, to->end) - first - j.skipped;
+        if (end <= to->end)
+            e = NULL;
+    }
+    if (end <= first + j.skipped)
+        return;
+    j.rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y;
+    j.column = column + 2 * (first + j.skipped - row);
+    if (SHEEN_NO_DIVIDER && j.height < SHORT && (uint32_t)(j.width + SHORT - 1) < 2 * SHORT - 1)
+        short_edge(&j, e);
+    else
+        long_edge(&j, e);
+}
+
+/* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
+unsigned sheen_edges_begin(struct edge edge[3], const struct screen_corner at[3], const struct edge_rows *to,
+                           struct span *spans)
+{
+    const struct screen_corner *from = &at[2];
+    unsigned right = 0;
+
+    for (unsigned k = 0; k < 3; k++) { /* edges 20, 01, 12 */
+        const struct screen_corner *end = &at[k];
+        unsigned down = end->y > from->y;
+        right |= down << k;
+        edge_begin(&edge[k], down ? from : end, down ? end : from, to, down ? &spans->x1 : &spans->x0);
+        from = end;
+    }
+    return right;
 }
 
 void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column)

@@ -18,7 +18,7 @@ static inline uint32_t scaled_step(int32_t x, int shift)
  * Range: a difference is below 2^bits, so a product with the seed, of 16 bits, is below 2^30 once both are cut to 30.
  * Returns 0 where the triangle is too flat, see FLATTEST.
  */
-int sheen_gradients(struct gradients *g, const int32_t corner[2])
+int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 {
     unsigned zeros = clz32(g->area), cut = g->bits > NARROW_BITS ? g->bits - NARROW_BITS : 0, shift = g->bits + 1 - cut;
     int32_t seed = (int32_t)(reciprocal_seed(g->area << zeros) >> cut), half = 1 << (shift - 1);
@@ -32,10 +32,10 @@ int sheen_gradients(struct gradients *g, const int32_t corner[2])
     g->b1[1] = asr32(half - g->to2[0] * seed, shift);
     g->b2[0] = asr32(half - g->to1[1] * seed, shift);
     g->b2[1] = asr32(g->to1[0] * seed + half, shift);
-    for (int i = 0; i < 2; i++) {
-        g->origin[i] = asr32(corner[i], SUBPIXEL_BITS);
-        g->centre[i] = SUBPIXEL_HALF - (corner[i] & (SUBPIXEL_ONE - 1));
-    }
+    g->origin[0] = asr32(x, SUBPIXEL_BITS);
+    g->origin[1] = asr32(y, SUBPIXEL_BITS);
+    g->centre[0] = SUBPIXEL_HALF - (x & (SUBPIXEL_ONE - 1));
+    g->centre[1] = SUBPIXEL_HALF - (y & (SUBPIXEL_ONE - 1));
     return 1;
 }
 

@@ -1,9 +1,12 @@
 /*
  * linear.c - set-up of what is linear on the screen (lecture, "Gouraud Shading").
  */
+#include <string.h>
+
 #include "triangle.h"
 
 SETUP_FITS(struct linear_setup);
+SETUP_FITS(struct packed_setup);
 SETUP_FITS(struct ramp_setup);
 
 /*
@@ -26,13 +29,12 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
     return most >> 6 <= (weight >> 6) * unit;
 }
 
-void sheen_setup_ramp(struct setup *s, const struct gradients *g, const uint32_t diffuse[3])
+void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
     struct ramp_setup *r = (struct ramp_setup *)s;
-    int32_t d1 = (int32_t)(diffuse[1] - diffuse[0]), d2 = (int32_t)(diffuse[2] - diffuse[0]);
 
     s->rows = sheen_ramp_rows;
-    r->diffuse = sheen_plane(g, (diffuse[0] << 15) + ((uint32_t)RAMP_GUARD << (30 - RAMP_BITS)), d1, d2, 15);
+    r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)RAMP_GUARD << (30 - RAMP_BITS)), d1, d2, 15);
 }
 
 /* 1 where a corner's channel lies within `margin` of 1.0 or beyond, or of 0, unless it is the same at all corners. */
@@ -50,20 +52,44 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
     return leave != 0;
 }
 
+/* Exact at the origin pixel, whatever band is drawn. */
+static void pack_planes(struct packed_setup *p, const struct gradients *g, const struct plane channel[3], uint32_t half)
+{
+    const unsigned fraction = p->s.draw->colour.fraction;
+    const int32_t x = g->origin[0], y = g->origin[1];
+    const uint32_t dx[3] = {channel[0].dx, channel[1].dx, channel[2].dx};
+    const uint32_t dy[3] = {channel[0].dy, channel[1].dy, channel[2].dy};
+    const uint32_t value[3] = {plane_at(&channel[0], x, y) + half, plane_at(&channel[1], x, y) + half,
+                               plane_at(&channel[2], x, y) + half};
+    const struct packed at = pack_channels(value, fraction), by_x = pack_channels(dx, fraction);
+    const struct packed by_y = pack_channels(dy, fraction);
+
+    p->red_blue = (struct plane){at.red_blue, by_x.red_blue, by_y.red_blue};
+    p->green = (struct plane){at.green, by_x.green, by_y.green};
+    p->red_blue.base -= (uint32_t)x * by_x.red_blue + (uint32_t)y * by_y.red_blue;
+    p->green.base -= (uint32_t)x * by_x.green + (uint32_t)y * by_y.green;
+    p->s.rows = sheen_packed_rows;
+}
+
 /*
  * channel: by component and corner. A difference is cut to 15 bits, 2^-10 level. fast: no sum with a threshold leaves
  * a word's field, whatever the planes have rounded, below 1/32 level.
  */
 void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3])
 {
-    struct linear_setup *l = (struct linear_setup *)s;
     const struct colour_terms *terms = &s->draw->colour;
+    struct plane plane[3];
     const uint32_t margin = s->draw->dither ? 1u << (terms->fraction - 5) : 0;
 
     for (int i = 0; i < 3; i++) {
         const uint32_t *f = channel[i];
-        l->channel[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
+        plane[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
     }
     s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
+    if (s->fast && g->bits <= SUBPIXEL_BITS + COLUMN_BITS) {
+        pack_planes((struct packed_setup *)s, g, plane, s->draw->dither ? 0 : 1u << (terms->fraction - 1));
+        return;
+    }
+    memcpy(((struct linear_setup *)s)->channel, plane, sizeof plane);
     s->rows = sheen_linear_rows;
 }

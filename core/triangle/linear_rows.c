@@ -47,25 +47,6 @@ void sheen_ramp_rows(const struct tile *t, const struct setup *s)
 
 /* ---- three channels in two words ---- */
 
-/*
- * Red and blue share a word: 2^16 red + blue, each UQ5.11, as an exact sum, so that what blue borrows red
- * gives back; green is UQ6.26. Steps of 11 fraction bits are off by 2^-12 a px: every COLUMN px the run is made anew.
- */
-#define COLUMN 32
-
-struct packed {
-    uint32_t red_blue, green;
-};
-
-SPECIALISED struct packed pack(const uint32_t channel[3], unsigned fraction)
-{
-    const unsigned down = fraction - 11;
-    const int32_t red = (int32_t)channel[0] + (1 << (down - 1)), blue = (int32_t)channel[2] + (1 << (down - 1));
-    struct packed p = {((uint32_t)asr32(red, down) << 16) + (uint32_t)asr32(blue, down), channel[1] << (26 - fraction)};
-
-    return p;
-}
-
 /* Of the thresholds' 1/128 levels. */
 SPECIALISED struct packed pack_threshold(uint32_t threshold)
 {
@@ -74,17 +55,27 @@ SPECIALISED struct packed pack_threshold(uint32_t threshold)
     return p;
 }
 
+/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
 SPECIALISED uint16_t packed_pixel(struct packed p, unsigned swap)
 {
-    return pixel_order((p.red_blue >> 27) << 11 | (p.green >> 26) << 5 | (p.red_blue >> 11 & 31u), swap);
+    uint32_t red_blue = p.red_blue & 0xf800f800u;
+
+    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
 }
 
+/* What a run takes along. */
+struct packed_step {
+    uint32_t z;
+    struct packed colour;
+};
+
 /* thresholds: of the row, NULL: none, rounding is in the words. x: where the run begins. */
-SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, uint32_t count, uint32_t z, uint32_t dz,
-                            struct packed at, struct packed step, const uint8_t *thresholds, unsigned swap)
+SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, uint32_t count, uint32_t z,
+                            struct packed at, const struct packed_step *step, const uint8_t *thresholds, unsigned swap)
 {
     const uint16_t *end = depth + count;
     const intptr_t to_pixel = t->to_pixel;
+    const uint32_t dz = step->z, red_blue = step->colour.red_blue, green = step->colour.green;
 
     do {
         if (nearer(t, depth, z)) {
@@ -99,17 +90,54 @@ SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, u
         depth++;
         x++;
         z += dz;
-        at.red_blue += step.red_blue;
-        at.green += step.green;
+        at.red_blue += red_blue;
+        at.green += green;
     } while (depth != end);
 }
 
-SPECIALISED void packed_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
+SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s, unsigned dither, unsigned swap)
+{
+    const struct plane depth = s->s.depth, red_blue = s->red_blue, green = s->green;
+    const struct packed_step step = {depth.dx, {red_blue.dx, green.dx}};
+    const struct span *span = t->spans, *end = span + t->rows;
+    uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy;
+    struct packed at = {red_blue.base + y * red_blue.dy, green.base + y * green.dy};
+    uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
+
+    do {
+        int32_t x = span->x0, count = span->x1 - x;
+        uint32_t ux = (uint32_t)x;
+        const struct packed first = {at.red_blue + ux * red_blue.dx, at.green + ux * green.dx};
+        if (count > 0)
+            packed_run(t, line + x, ux, (uint32_t)count, z + ux * depth.dx, first, &step,
+                       dither ? threshold_row(1, (int32_t)y) : NULL, swap);
+        line += t->pitch;
+        y++;
+        z += depth.dy;
+        at.red_blue += red_blue.dy;
+        at.green += green.dy;
+    } while (++span != end);
+}
+
+void sheen_packed_rows(const struct tile *t, const struct setup *s)
+{
+    const struct packed_setup *p = (const struct packed_setup *)s;
+
+    if (t->dither)
+        packed_rows(t, p, 1, t->format->swap);
+    else if (FAST_LOOPS && t->format->swap)
+        packed_rows(t, p, 0, 1);
+    else
+        packed_rows(t, p, 0, t->format->swap);
+}
+
+/* Wide triangles: packed anew every COLUMN px. */
+SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
 {
     const struct plane *c = l->channel;
     const unsigned fraction = l->s.draw->colour.fraction;
     const uint32_t steps[3] = {c[0].dx, c[1].dx, c[2].dx}, half = dither ? 0 : 1u << (fraction - 1);
-    const struct packed step = pack(steps, fraction);
+    const struct packed_step step = {l->s.depth.dx, pack_channels(steps, fraction)};
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
@@ -119,30 +147,32 @@ SPECIALISED void packed_rows(const struct tile *t, const struct linear_setup *l,
             uint32_t channel[3] = {plane_at(&c[0], x, y) + half, plane_at(&c[1], x, y) + half,
                                    plane_at(&c[2], x, y) + half};
             packed_run(t, t->depth + tile_offset(t, x, y), (uint32_t)x, (uint32_t)(end - x),
-                       plane_at(&l->s.depth, x, y), l->s.depth.dx, pack(channel, fraction), step, thresholds, swap);
+                       plane_at(&l->s.depth, x, y), pack_channels(channel, fraction), &step, thresholds, swap);
             x = end;
         }
     }
 }
 
-/* ---- any format ---- */
+/* ---- any format, clamped ---- */
 
-static void general_rows(const struct tile *t, const struct linear_setup *l)
+/* As put_general, with its constants in registers: bytes may be anything's, so stores would have them read again. */
+SPECIALISED void clamped_rows(const struct tile *t, const struct linear_setup *l, unsigned grey)
 {
     const struct colour_terms *terms = &l->s.draw->colour;
     const struct plane *c = l->channel;
+    const unsigned fraction = terms->fraction, swap = t->format->swap;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        struct rounding rounding = rounding_of(t, terms, y);
+        const struct rounding rounding = rounding_of(t, terms, y);
         uint32_t at = tile_offset(t, x, y), z = plane_at(&l->s.depth, x, y);
-        uint32_t channel[3] = {plane_at(&c[0], x, y), plane_at(&c[1], x, y), plane_at(&c[2], x, y)};
-        for (; x < x1; x++, at++, z += l->s.depth.dx) {
-            if (nearer(t, t->depth + at, z))
-                put_general(t, terms, rounding, at, x, not_negative(channel[0]), not_negative(channel[1]),
-                            not_negative(channel[2]));
-            for (int k = 0; k < 3; k++)
-                channel[k] += c[k].dx;
+        uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
+        for (; x < x1; x++, at++, z += l->s.depth.dx, r += c[0].dx, g += c[1].dx, b += c[2].dx) {
+            if (!nearer(t, t->depth + at, z))
+                continue;
+            uint32_t threshold = (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift;
+            put_clamped(t, terms, threshold, at, not_negative(r), not_negative(g), not_negative(b), grey, fraction,
+                        swap);
         }
     }
 }
@@ -151,12 +181,14 @@ void sheen_linear_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
 
-    if (!s->fast)
-        general_rows(t, l);
+    if (!s->fast && FAST_LOOPS && !t->format->grey)
+        clamped_rows(t, l, 0);
+    else if (!s->fast)
+        clamped_rows(t, l, t->format->grey);
     else if (t->dither)
-        packed_rows(t, l, 1, t->format->swap);
+        column_rows(t, l, 1, t->format->swap);
     else if (FAST_LOOPS && t->format->swap)
-        packed_rows(t, l, 0, 1);
+        column_rows(t, l, 0, 1);
     else
-        packed_rows(t, l, 0, t->format->swap);
+        column_rows(t, l, 0, t->format->swap);
 }

@@ -63,23 +63,6 @@ static void orient(struct surface_corners *c, struct gradients *g)
         turn_over(&c->at, g);
 }
 
-/* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
-static void edges_begin(struct setup *s, int32_t at[3][2], const struct edge_rows *to, struct span *spans)
-{
-    unsigned right = 0;
-
-    for (unsigned k = 0; k < 3; k++) {
-        const int32_t *from = at[k], *end = at[k == 2 ? 0 : k + 1];
-        if (end[1] > from[1]) {
-            right |= 1u << k;
-            sheen_edge_begin(&s->edge[k], from, end, to, &spans->x1);
-        } else {
-            sheen_edge_begin(&s->edge[k], end, from, to, &spans->x0);
-        }
-    }
-    s->right = right & 7u;
-}
-
 static void depth_plane(struct setup *s, const struct surface_corners *c, const struct gradients *g, int flat)
 {
     int32_t z = c->at.v[0]->z, d1 = c->at.v[1]->z - z, d2 = c->at.v[2]->z - z;
@@ -100,27 +83,27 @@ static void depth_plane(struct setup *s, const struct surface_corners *c, const 
 unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
                               struct surface_corners *c, struct gradients *g, struct setup *s)
 {
-    int32_t at[3][2], top = INT32_MAX, bottom = INT32_MIN;
+    struct screen_corner at[3];
 
     orient(c, g);
     c->screen = screen;
     for (int k = 0; k < 3; k++) {
-        at[k][0] = c->at.v[k]->x + screen->centre_x;
-        at[k][1] = c->at.v[k]->y + screen->centre_y;
-        top = min32(top, at[k][1]);
-        bottom = max32(bottom, at[k][1]);
+        at[k].x = c->at.v[k]->x + screen->centre_x;
+        at[k].y = c->at.v[k]->y + screen->centre_y;
+        at[k].row = first_centre(at[k].y);
     }
-    int32_t row = max32(first_centre(top), rect.y0), end_row = min32(first_centre(bottom), screen->viewport.y1);
-    const struct edge_rows to = {row, min32(end_row, rect.y1)};
+    int32_t top = min32(at[0].row, min32(at[1].row, at[2].row)), bottom = max32(at[0].row, max32(at[1].row, at[2].row));
+    int32_t end_row = min32(bottom, screen->viewport.y1);
+    const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1), top >= rect.y0 && bottom <= rect.y1};
     s->row = (int16_t)to.end;
     s->end_row = (int16_t)end_row;
-    if (row >= to.end)
+    if (to.row >= to.end)
         return 0;
+    s->right = (uint8_t)sheen_edges_begin(s->edge, at, &to, spans);
     s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0;
-    edges_begin(s, at, &to, spans);
     if (s->beyond)
-        sheen_clip_spans(spans, (unsigned)(to.end - row), rect);
-    c->flat = !sheen_gradients(g, at[0]);
+        sheen_clip_spans(spans, (unsigned)(to.end - to.row), rect);
+    c->flat = !sheen_gradients(g, at[0].x, at[0].y);
     depth_plane(s, c, g, c->flat);
-    return (unsigned)(to.end - row);
+    return (unsigned)(to.end - to.row);
 }

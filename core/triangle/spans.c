@@ -13,7 +13,7 @@ void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
 
 unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)
 {
-    const struct edge_rows to = {s->row, min32(s->end_row, rect.y1)};
+    const struct edge_rows to = {s->row, min32(s->end_row, rect.y1), 0};
 
     if (to.row >= to.end)
         return 0;

@@ -70,10 +70,10 @@ struct setup {
     uint8_t next;         /* slot in the worker's list */
     uint8_t way;          /* enum sheen_way */
     int16_t row, end_row; /* next row to do; one past the last */
-    unsigned right : 3;   /* a bit an edge: 1 where it bounds the right */
-    unsigned beyond : 1;  /* columns may leave the tile */
-    unsigned fast : 1;    /* 565, no dither, no clamp: rounding is in the planes */
-    unsigned detail : 8;  /* the way's own */
+    uint8_t right;        /* a bit an edge: 1 where it bounds the right */
+    uint8_t beyond;       /* columns may leave the tile */
+    uint8_t fast;         /* loops may do without clamp: see the ways */
+    uint8_t detail;       /* the way's own */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
     struct plane depth; /* UQ16.16 of z16 */
@@ -173,7 +173,8 @@ struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx,
 /* Largest of the weights over the smallest, less 1: UQ16.16, 65535 at the most. */
 uint32_t sheen_weight_spread(const struct surface_corners *c);
 
-int sheen_gradients(struct gradients *g, const int32_t corner[2]);
+/* (x, y): corner 0 on the target, 1/64 px. */
+int sheen_gradients(struct gradients *g, int32_t x, int32_t y);
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s);
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s);
 struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up);
@@ -193,14 +194,21 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
 /* Rows of a tile: spans[0] is row `row`. */
 struct edge_rows {
     int32_t row, end;
+    int whole; /* the triangle has no other rows */
+};
+
+/* A corner on the target, 1/64 px, and the first row whose centre is at or below it. */
+struct screen_corner {
+    int32_t x, y, row;
 };
 
 /*
- * edge.c: the columns of the edge from its upper end down, 1/64 px on the target, in `to`; each is every second
- * int16_t from *column on. Then what is left of them below.
+ * edge.c: the edges of clockwise corners, columns in `to` written to spans[0], which is row to->row, and on. Returns a
+ * bit an edge, 1 where it bounds the right. Then what is left of an edge below, each in every second int16_t from
+ * *column on.
  */
-void sheen_edge_begin(struct edge *e, const int32_t upper[2], const int32_t lower[2], const struct edge_rows *to,
-                      int16_t *column);
+unsigned sheen_edges_begin(struct edge edge[3], const struct screen_corner at[3], const struct edge_rows *to,
+                           struct span *spans);
 void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column);
 
 /* spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row. */
@@ -225,6 +233,32 @@ struct linear_setup {
     struct plane channel[3]; /* with the draw's fraction; fast: 565 whose corners do not exceed 1.0 */
 };
 
+/*
+ * Red and blue share a word: 2^16 red + blue, each UQ5.11, as an exact sum, so that what blue borrows red
+ * gives back; green is UQ6.26. Steps of 11 fraction bits are off by 2^-12 a px: good for COLUMN px.
+ */
+#define COLUMN_BITS 5
+#define COLUMN (1 << COLUMN_BITS)
+
+struct packed {
+    uint32_t red_blue, green;
+};
+
+static inline struct packed pack_channels(const uint32_t channel[3], unsigned fraction)
+{
+    const unsigned down = fraction - 11;
+    const int32_t half = 1 << (down - 1), red = (int32_t)channel[0] + half, blue = (int32_t)channel[2] + half;
+    struct packed p = {((uint32_t)asr32(red, down) << 16) + (uint32_t)asr32(blue, down), channel[1] << (26 - fraction)};
+
+    return p;
+}
+
+/* Channels of a triangle within COLUMN px: struct packed as planes, 1/2 added where nothing is dithered. */
+struct packed_setup {
+    struct setup s;
+    struct plane red_blue, green;
+};
+
 struct ramp_setup {
     struct setup s;
     struct plane diffuse; /* UQ1.30, RAMP_GUARD entries added */
@@ -234,8 +268,10 @@ struct ramp_setup {
 int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit);
 int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin);
 void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3]);
-void sheen_setup_ramp(struct setup *s, const struct gradients *g, const uint32_t diffuse[3]);
+/* diffuse: at corner 0, UQ1.15; d1, d2: what corners 1 and 2 have more. */
+void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
 void sheen_linear_rows(const struct tile *t, const struct setup *s);
+void sheen_packed_rows(const struct tile *t, const struct setup *s);
 void sheen_ramp_rows(const struct tile *t, const struct setup *s);
 
 /* Of channels below 2^31, in 2^16 steps: STEEPEST_DIFFERENCE at the most. */
