@@ -110,9 +110,10 @@ struct sheen_mesh {
  * linked where they are named; sheen_shine_make() makes any other.
  */
 struct sheen_shine {
-    uint16_t power[SHEEN_POWER_ENTRIES + 1]; /* UQ1.15 s^n over u = 1 - s in [0, 2^-shift] */
-    uint8_t shininess;                       /* n, 1..128 */
-    uint8_t shift;                           /* 0..3 */
+    /* s^n over u = 1 - s in [0, 2^-shift]: UQ1.15 << 16 | what it falls by to the next entry; 1.0 once more in front */
+    uint32_t power[SHEEN_POWER_ENTRIES + 1];
+    uint8_t shininess; /* n, 1..128 */
+    uint8_t shift;     /* 0..3 */
 };
 
 extern const struct sheen_shine sheen_shine_4, sheen_shine_8, sheen_shine_16, sheen_shine_32, sheen_shine_64,

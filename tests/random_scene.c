@@ -105,9 +105,9 @@ static void random_material(struct ref_scene *scene, enum random_kind kind, uint
 void random_scene(struct random_scene *to, const struct random_meshes *meshes, uint32_t number)
 {
     static const int size[3][2] = {{240, 240}, {320, 240}, {240, 320}};
-    static const enum sheen_way first[4] = {SHEEN_WAY_FLAT, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_PHONG_LINEAR,
+    static const enum sheen_way first[4] = {SHEEN_WAY_FLAT, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_PHONG_QUADRATIC,
                                             SHEEN_WAY_SLERP};
-    static const unsigned ways[4] = {1, 3, 4, 1};
+    static const unsigned ways[4] = {1, 3, 3, 1};
     uint32_t state = (number + 1) * 2654435761u;
 
     *to = (struct random_scene){.kind = RANDOM_KNOWN};

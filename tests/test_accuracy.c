@@ -24,7 +24,7 @@ enum variant {
 static const char *const variant_name[] = {"", "lights", "ortho"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
-#define FORCED 7
+#define FORCED 5
 static const struct forced {
     enum ref_shading shading;
     enum sheen_way way, exact;
@@ -33,9 +33,7 @@ static const struct forced {
     {REF_GOURAUD, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud linear"},
     {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUADRATIC, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quadratic"},
     {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUOTIENT, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quotient"},
-    {REF_PHONG, SHEEN_WAY_PHONG_LINEAR, SHEEN_WAY_PHONG_ROOT, "phong linear"},
     {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic"},
-    {REF_PHONG, SHEEN_WAY_PHONG_BLOCKS, SHEEN_WAY_PHONG_ROOT, "phong blocks"},
     {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root"},
 };
 
@@ -62,7 +60,8 @@ static bool obeyed(const struct core_stats *stats, const struct forced *f, const
     for (int way = 0; way < SHEEN_WAYS; way++) {
         bool flat_weight =
             way == SHEEN_WAY_GOURAUD_LINEAR; /* a triangle at right angles to the view: linear is exact */
-        if (way != SHEEN_WAY_FLAT && way != (int)f->way && way != (int)f->exact && !flat_weight)
+        bool needle = f->shading == REF_PHONG && way == SHEEN_WAY_PHONG_LIGHTS; /* what N.N would be off for */
+        if (way != SHEEN_WAY_FLAT && way != (int)f->way && way != (int)f->exact && !flat_weight && !needle)
             right = right && stats->by_way[way] == 0;
     }
     if (!right)

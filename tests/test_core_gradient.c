@@ -4,9 +4,9 @@
  * Tolerances. A plane of 31 bits: 1 raw step, 1/2 a step for each pixel walked from corner 0 in x and in y, and of the
  * largest difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent - 16 for each pixel walked. One
  * of 15 bits: of that difference 2^-15 (the seed), as much more as a needle's steps are larger, and 2^-exponent for
- * each pixel, and 2^(7 - exponent) of the differences' unit where corner 0 lies in its pixel. What Phong
- * adds: L.N and V.N the same, of a difference below 4. D = N.N: 16 raw steps of UQ1.31, 1/2 for each of x, y, x^2/2,
- * xy and y^2/2 walked from the pixel nearest to the picture's middle, and twice |N| times what N is off by.
+ * each pixel, and 2^(7 - exponent) of the differences' unit where corner 0 lies in its pixel. What Phong adds: L.N and
+ * V.N over the root of N.N, 4 + 5 |Ni - Nj|^2 + 2^-18 (x^2 + |x y| + y^2) raw steps of Q0.15 over N.N, x and y walked
+ * from corner 0, as much more as a needle's steps are larger.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -286,36 +286,40 @@ static void test_steepest_slopes(void **unused)
 /* ---- what Phong needs ---- */
 
 struct phong_case {
-    struct worst *dot, *square;
+    struct worst *cosine;
     struct core_raster *raster;
     struct core_setup setup;
     struct gradients g;
-    int middle[2];  /* px: of the box around the triangle what is nearest to the picture's middle */
-    double n[3][3]; /* corner normals times weight as the core rounds them, 1.0 is 1.0 */
+    double n[3][3]; /* corner normals times weight */
+    double apart;   /* the largest |Ni - Nj|^2 */
 };
+
+/* v.N over |N| of the walks against that of the interpolated normal; Q0.15 steps. */
+static void note_cosine(struct phong_case *c, double dot, double square, double walked, const int32_t v[3],
+                        const double n[3], const char *which)
+{
+    double exact = 0, length = 0, slack = (4 + walked + 5 * c->apart) * fmax(1, ldexp(1, c->g.stretch));
+
+    for (int i = 0; i < 3; i++) {
+        exact += n[i] * v[i] / ONE;
+        length += n[i] * n[i];
+    }
+    double off = dot / sqrt(square / 2 * ONE) - exact / sqrt(length);
+    worst_note(c->cosine, off * 32768 * length / slack, "%s, stretch %d, N.N %.3f", which, c->g.stretch, length);
+}
 
 static void note_phong(void *ctx, int px, int py, const double *b)
 {
     struct phong_case *c = ctx;
     const struct lighting *l = &c->raster->draw.light;
-    double dx = abs(px - c->g.origin[0]) + 1, dy = abs(py - c->g.origin[1]) + 1, n[3], light = 0, view = 0, square = 0;
-
-    for (int i = 0; i < 3; i++) {
-        n[i] = b[0] * c->n[0][i] + b[1] * c->n[1][i] + b[2] * c->n[2][i];
-        light += n[i] * l->to[0][i];
-        view += n[i] * l->view[i];
-        square += n[i] * n[i];
-    }
-    double slack = 4 * plane_slack(&c->g, 2 * ONE / 4, dx, dy, 0);
     const struct phong_setup *phong = (const struct phong_setup *)(const void *)&c->setup;
-    int32_t ln = (int32_t)plane_at(&phong->light, px, py), nv = (int32_t)plane_at(&phong->view, px, py);
-    int32_t d = (int32_t)(quadric_at(&phong->square, px, py) - (uint32_t)(int64_t)rint(square * 2 * ONE));
-    worst_note(c->dot, (ln - light) / slack, "L.N at %d %d", px, py);
-    worst_note(c->dot, (nv - view) / slack, "V.N at %d %d", px, py);
-    dx = abs(px - c->middle[0]) + 1;
-    dy = abs(py - c->middle[1]) + 1;
-    double walked = 16 + (dx + dy + dx * dx / 2 + dx * dy + dy * dy / 2) / 2;
-    worst_note(c->square, d / (walked + 4 * sqrt(square) * slack), "D at %d %d, exponent %u", px, py, c->g.exponent);
+    double n[3], d = quadric_at(&phong->square, px - phong->x, py - phong->y);
+
+    for (int i = 0; i < 3; i++)
+        n[i] = b[0] * c->n[0][i] + b[1] * c->n[1][i] + b[2] * c->n[2][i];
+    double dx = px - phong->x, dy = py - phong->y, walked = ldexp(dx * dx + fabs(dx * dy) + dy * dy, -18);
+    note_cosine(c, (int32_t)plane_at(&phong->light, px, py), d, walked, l->to[0], n, "L.N");
+    note_cosine(c, (int32_t)plane_at(&phong->view, px, py), d, walked, l->view, n, "V.N");
 }
 
 /* Corner normals within `spread` of one direction; weights as setup.c makes them of z16. */
@@ -339,40 +343,9 @@ static void random_corners(struct core_raster *r, struct phong_case *c, int16_t 
         for (int i = 0; i < 3; i++)
             normals[3 * k + i] = (int16_t)lrint(n[i] / sqrt(length) * 32767);
     }
-    int exponent;
-    (void)frexp(most, &exponent); /* the largest in [1/2, 1), then 16 bits, halves up */
-    for (int k = 0; k < 3; k++) {
-        double w = r->screen.flat_weight ? 65536 : floor(ldexp(weight[k], 16 - exponent) + 0.5);
+    for (int k = 0; k < 3; k++)
         for (int i = 0; i < 3; i++)
-            c->n[k][i] = floor(normals[3 * k + i] * w / 4) * 0x1p-29;
-    }
-}
-
-/* Set-up halves normals until no part of one changes by 2 a px or more: only slivers. 0 where rounding decides. */
-static int scale_normals(struct phong_case *c, const struct shape2 *s)
-{
-    double steepest = 0;
-
-    for (int i = 0; i < 3; i++) {
-        double d1 = c->n[1][i] - c->n[0][i], d2 = c->n[2][i] - c->n[0][i];
-        double x1 = s->x[1] - s->x[0], y1 = s->y[1] - s->y[0], x2 = s->x[2] - s->x[0], y2 = s->y[2] - s->y[0];
-        steepest = fmax(steepest, fmax(fabs(d1 * y2 - d2 * y1), fabs(d2 * x1 - d1 * x2)) * 64 / s->area);
-    }
-    for (; steepest > 1.999; steepest /= 2) {
-        if (steepest < 2.001)
-            return 0;
-        for (int k = 0; k < 9; k++)
-            c->n[k / 3][k % 3] = floor(c->n[k / 3][k % 3] * (ONE / 4)) / (ONE / 2);
-    }
-    return 1;
-}
-
-/* low..high: 1/64 px; the pixel in it that is nearest to `centre`. */
-static int nearest_pixel(const int32_t at[3], int centre)
-{
-    double low = fmin(at[0], fmin(at[1], at[2])), high = fmax(at[0], fmax(at[1], at[2]));
-
-    return (int)floor(fmax(low, fmin(high, 64. * centre)) / 64);
+            c->n[k][i] = normals[3 * k + i] / 32767. * (r->screen.flat_weight ? 1 : weight[k] / most);
 }
 
 static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t *state, int i)
@@ -387,14 +360,18 @@ static void note_triangle(struct core_raster *r, struct phong_case *c, uint32_t 
         r->vertex[k].x = (int16_t)(shape.x[k] - WIDTH * 32);
         r->vertex[k].y = (int16_t)(shape.y[k] - HEIGHT * 32);
     }
-    c->middle[0] = nearest_pixel(shape.x, WIDTH / 2);
-    c->middle[1] = nearest_pixel(shape.y, HEIGHT / 2);
     random_corners(r, c, normals, state, i % 3 == 0 ? 0.05 : i % 3 == 1 ? 0.3 : 1);
     for (int k = 0; k < 9; k++) /* a back face: set-up takes them negated */
         normals[k] = (int16_t)-normals[k];
     r->mesh.normals = normals;
-    if (core_raster_set_up(r, r->screen.viewport, spans, &c->setup) == 0 || c->setup.s.way != SHEEN_WAY_PHONG_ROOT ||
-        !scale_normals(c, &shape))
+    for (int k = 0; k < 3; k++) {
+        double apart = 0;
+        for (int j = 0; j < 3; j++)
+            apart += pow((normals[3 * k + j] - normals[3 * ((k + 1) % 3) + j]) / 32767., 2);
+        c->apart = fmax(c->apart, apart);
+        sheen_keep_cosines(&r->draw, normals + 3 * k, r->vertex[k].kept);
+    }
+    if (core_raster_set_up(r, r->screen.viewport, spans, &c->setup) == 0 || c->setup.s.way != SHEEN_WAY_PHONG_ROOT)
         return;
     each_pixel(&shape, note_phong, c);
 }
@@ -412,7 +389,7 @@ static void note_light(struct core_raster *r, uint32_t *state)
 
 static void test_phong_set_up(void **unused)
 {
-    struct worst dot = {0}, square = {0};
+    struct worst cosine = {0};
     static struct core_raster r;
     uint32_t state = 3;
 
@@ -426,13 +403,12 @@ static void test_phong_set_up(void **unused)
     r.screen.weight_shift = (uint8_t)projection.weight_shift;
     r.screen.weight_offset = projection.weight_offset;
     for (int i = 0; i < TRIANGLES; i++) {
-        struct phong_case c = {.dot = &dot, .square = &square, .raster = &r};
+        struct phong_case c = {.cosine = &cosine, .raster = &r};
         r.screen.flat_weight = i % 2 == 0;
         note_light(&r, &state);
         note_triangle(&r, &c, &state, i);
     }
-    worst_assert(&dot, 1, "L.N and V.N in tolerances");
-    worst_assert(&square, 1, "N.N in tolerances");
+    worst_assert(&cosine, 1, "L.N and V.N in tolerances");
 }
 
 int main(void)

@@ -58,7 +58,8 @@ static void shoot(const struct ref_scene *scene)
     assert_int_equal(accuracy_shoot(&shot, scene, &picture, sphere.mesh, 1 + SHEEN_WAY_PHONG_ROOT), SHEEN_OK);
     ref_picture_free(&picture);
     assert_true(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] > 500);
-    assert_int_equal(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] + shot.stats.by_way[SHEEN_WAY_FLAT],
+    assert_int_equal(shot.stats.by_way[SHEEN_WAY_PHONG_ROOT] + shot.stats.by_way[SHEEN_WAY_PHONG_LIGHTS] +
+                         shot.stats.by_way[SHEEN_WAY_FLAT],
                      shot.stats.frame.setups);
 }
 

@@ -264,6 +264,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->first_vertex = f->vertices;
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
     d->as.ramp = ramp_of(f, &d->as.colour);
+    sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
     transform_mesh(f, object->mesh, &t, f->vertex + d->first_vertex);
     error = draw_triangles(f, d, &t);
     if (error < 0) {

@@ -2,7 +2,7 @@
  * colour.c - intensities to channels of the target.
  *
  * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
- * carry 10 fraction bits, one less for each doubling of the intensities above 1.
+ * carry 9 fraction bits on 565, one less for each doubling of the intensities above 2.
  */
 #include "pixel.h"
 
@@ -94,6 +94,8 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
             headroom++;
     }
     t->fraction = (uint8_t)(31u - format->level_bits - headroom);
+    if (!format->grey && t->fraction > LOOP_FRACTION)
+        t->fraction = LOOP_FRACTION;
     unsigned drop = 32u - t->fraction, drop_factor = drop + 15;
     for (int k = 0; k < 3; k++) {
         t->a[k] = (uint32_t)(a[k] >> drop);
@@ -102,6 +104,33 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
         t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
     }
     colour_sensitivity(t, format->grey);
+}
+
+void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
+                      const struct pixel_format *format, unsigned dither)
+{
+    const uint32_t faint = 1u << (t->fraction - 5), half = dither ? 0 : 1u << (t->fraction - 1);
+    uint32_t most = 0, low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
+
+    for (int k = 0; k < 3; k++)
+        most = format->grey ? most + t->c[k] : t->c[k] > most ? t->c[k] : most;
+    while (low <
+           high) { /* the first entry that is too faint; they fall. Range: c < 2^16, grey's sum with 2^15 < 2^31 */
+        uint32_t middle = (low + high) / 2;
+        if (most * (power->table[middle + 1] >> 16) < faint)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    power->limit = low << (POWER_STEP - power->up);
+    for (int k = 0; k < 3; k++) {
+        q->ab[2 * k] = t->a[k] + half;
+        q->ab[2 * k + 1] = t->b[k];
+        q->c[k] = t->c[k];
+    }
+    q->power_end = low > 0 ? (low << POWER_STEP) + POWER_GUARD : 0;
+    q->power = power->table;
+    q->usable = FAST_LOOPS && !format->grey && t->fraction == LOOP_FRACTION;
 }
 
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])

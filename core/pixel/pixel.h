@@ -4,6 +4,8 @@
 #ifndef SHEEN_PIXEL_H
 #define SHEEN_PIXEL_H
 
+#include <stddef.h>
+
 #include "../math/fixed.h"
 #include "../math/newton.h"
 #include "../sheen.h"
@@ -37,39 +39,47 @@ struct lit {
     uint32_t diffuse, specular; /* UQ1.15, 0..32768 */
 };
 
-/* A material's power table, ready for a loop. */
+/*
+ * A material's power table, ready for a loop. Its argument is u = 1 - s with 2^30 at the table's end, and an entry
+ * more: what rounding takes below 0 finds the first entry once more.
+ */
 struct power {
-    const uint16_t *table;
-    uint8_t shift;     /* 18..21: an entry is 2^shift of u in Q2.29 */
+    const uint32_t *table;
+    uint32_t limit;    /* u in Q2.29 from which on there is no highlight; 0: there is none at all */
+    uint8_t up;        /* 1..4: the argument is u in Q2.29 << up, + POWER_GUARD */
     uint8_t shininess; /* n */
 };
 
-/* Of a material without highlight any table will do: its terms are 0. */
+#define POWER_STEP 22 /* of the argument, an entry is 2^22 */
+#define POWER_GUARD (1u << POWER_STEP)
+
 static inline struct power power_of(const struct sheen_shine *shine)
 {
-    struct power p = {sheen_root_table, 21, 1};
+    struct power p = {NULL, 0, 1, 1};
 
     if (shine != NULL) {
         p.table = shine->power;
-        p.shift = (uint8_t)(21u - shine->shift);
+        p.limit = 1u << (29u - shine->shift);
+        p.up = (uint8_t)(1u + shine->shift);
         p.shininess = shine->shininess;
     }
     return p;
 }
 
-/*
- * s^n for u = 1 - s in Q2.29, u any int32: UQ1.15.
- * Range: index < 256; drop <= 32768 and the fraction < 2^16, so the product fits 32 bits unsigned.
- */
+/* s^n, UQ1.15, of an argument before the table's end. Range: drop < 2^15, so the product fits 32 bits. */
+static inline uint32_t power_entry(const uint32_t *table, uint32_t at)
+{
+    uint32_t entry = table[at >> POWER_STEP], drop = entry & 0xffffu;
+
+    return (entry - drop * (at >> (POWER_STEP - 16) & 0xffffu)) >> 16;
+}
+
+/* s^n for u = 1 - s in Q2.29, u any int32: UQ1.15. */
 static inline uint32_t power_at(struct power p, int32_t u)
 {
-    uint32_t at = (uint32_t)max32(u, 0), index = at >> p.shift;
+    uint32_t at = (uint32_t)max32(u, 0);
 
-    if (index >= SHEEN_POWER_ENTRIES)
-        return 0;
-    uint32_t entry = p.table[index], drop = entry - p.table[index + 1];
-    uint32_t fraction = (at >> (p.shift - 16u)) & 0xffffu;
-    return entry - ((drop * fraction + 0x8000u) >> 16);
+    return at < p.limit ? power_entry(p.table, (at << p.up) + POWER_GUARD) : 0;
 }
 
 #define FADED (1 << 12) /* UQ1.15: at L.N = 1/8 and beyond a highlight is whole */
@@ -78,11 +88,14 @@ static inline uint32_t power_at(struct power p, int32_t u)
  * A light's highlight at L.N = ln > 0, UQ1.15: s^n times min(1, 8 L.N), so that it ends at
  * L.N = 0 without a jump. Range: 2^15 * 2^12.
  */
+static inline uint32_t faded(uint32_t power, uint32_t ln)
+{
+    return ln < FADED ? (power * ln + FADED / 2) >> 12 : power;
+}
+
 static inline uint32_t highlight_at(struct power p, int32_t u, uint32_t ln)
 {
-    uint32_t power = power_at(p, u);
-
-    return ln < FADED ? (power * ln + FADED / 2) >> 12 : power;
+    return faded(power_at(p, u), ln);
 }
 
 /* ---- colour: intensities -> channels of the target ---- */
@@ -112,6 +125,19 @@ struct colour_terms {
     uint8_t dominant; /* the channel that changes most; 3: their sum does, on grey */
     uint16_t dim;     /* specular intensities, UQ1.15, that give at most 1/32 level */
     uint16_t eighth;  /* a diffuse one that gives at most 1/8 level */
+};
+
+/*
+ * The same for loops on 565, in the order in which they are loaded, for LOOP_FRACTION bits: by channel a and b, then c.
+ * Where nothing dithers the half of the one rounding is in a.
+ */
+#define LOOP_FRACTION 24 /* of 565 whose channels stay below 2.0 */
+
+struct loop_terms {
+    uint32_t ab[6], c[3];
+    uint32_t power_end;    /* the power table's argument from which on there is no highlight */
+    const uint32_t *power; /* the table */
+    uint8_t usable;        /* 1: the target and the colours are such */
 };
 
 static inline uint32_t colour_channel(const struct colour_terms *t, int k, const struct lit *lit)
@@ -162,6 +188,9 @@ void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const stru
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
+/* Ends the power table where a highlight gives less than 1/32 level, and fills in *q. */
+void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
+                      const struct pixel_format *format, unsigned dither);
 /* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
 /* Grey levels of a tile, a byte each, to the target's packing, in place. */
@@ -276,6 +305,31 @@ SPECIALISED void put_general(const struct tile *t, const struct colour_terms *te
 SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, unsigned swap)
 {
     return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
+}
+
+/*
+ * A 565 pixel in the machine's order: L.N in UQ1.15, the highlight's intensity or none (a constant 0), and what is
+ * added to each channel before the one rounding. Range: channels stay below 2^32: below 2.0 and a threshold.
+ */
+SPECIALISED uint32_t loop_pixel(const struct loop_terms *q, uint32_t lit, uint32_t specular, uint32_t threshold)
+{
+    uint32_t r = q->ab[0] + q->ab[1] * lit + threshold, g = q->ab[2] + q->ab[3] * lit + threshold;
+    uint32_t b = q->ab[4] + q->ab[5] * lit + threshold;
+
+    if (specular != 0) {
+        r += q->c[0] * specular;
+        g += q->c[1] * specular;
+        b += q->c[2] * specular;
+    }
+    r >>= LOOP_FRACTION;
+    g >>= LOOP_FRACTION;
+    b >>= LOOP_FRACTION;
+    if ((r | g >> 1 | b) > 31) {
+        r = r < 31 ? r : 31;
+        g = g < 63 ? g : 63;
+        b = b < 31 ? b : 31;
+    }
+    return (r << 6 | g) << 5 | b;
 }
 
 /* max(0, x) for a sum that rounding may have taken below 0. */

@@ -23,7 +23,7 @@ static uint32_t raised(uint32_t s, unsigned n)
 }
 
 /* s^n at entry i of a table of that shift, UQ0.32. i <= SHEEN_POWER_ENTRIES. */
-static uint32_t power_entry(unsigned i, unsigned shift, unsigned n)
+static uint32_t power_exact(unsigned i, unsigned shift, unsigned n)
 {
     uint64_t u = (uint64_t)i << (24 - shift);
 
@@ -48,14 +48,17 @@ int sheen_shine_make(struct sheen_shine *shine, unsigned shininess)
         shift++;
     shine->shininess = (uint8_t)shininess;
     shine->shift = (uint8_t)shift;
+    shine->power[0] = 1u << 15;
     for (unsigned i = 0; i < SHEEN_POWER_ENTRIES; i++) {
-        uint32_t after = power_entry(i + 1, shift, shininess);
+        uint32_t after = power_exact(i + 1, shift, shininess);
         uint32_t bent = i > 0 ? (before - here - (here - after)) / 12 : 0; /* falls, and ever less */
         uint32_t power = here > bent ? here - bent : 0;
-        shine->power[i] = (uint16_t)((power >> 17) + (power >> 16 & 1u));
+        power = (power >> 17) + (power >> 16 & 1u);
+        shine->power[i] = shine->power[i] << 16 | (shine->power[i] - power); /* the one before */
+        shine->power[i + 1] = power;
         before = here;
         here = after;
     }
-    shine->power[SHEEN_POWER_ENTRIES] = 0;
+    shine->power[SHEEN_POWER_ENTRIES] = shine->power[SHEEN_POWER_ENTRIES] << 16 | shine->power[SHEEN_POWER_ENTRIES];
     return SHEEN_OK;
 }

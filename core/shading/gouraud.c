@@ -3,10 +3,13 @@
  * among linear on the screen, quadratic, and Blinn's quotient.
  */
 #include "gouraud.h"
+#include "../triangle/quadric.h"
 
 SETUP_FITS(struct linear_setup);
 SETUP_FITS(struct quadric_setup);
 SETUP_FITS(struct quotient_setup);
+
+#define STEEPEST_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
 
 /* Intensities at a corner of a back face, which vertices do not keep. */
 static APART void light_back(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
@@ -45,13 +48,15 @@ static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[
     return most > 0xffff ? 0xffff : most;
 }
 
-/* Through the edges' middles quadratic is off by about dI (q - 1)^2 / 32. Range: 2^16 in 1/16 level, spread < 2^14. */
-static int quadratic_will_do(const struct setup *s, const struct surface_corners *c, uint32_t difference)
+/*
+ * Through the edges' middles quadratic is off by about dI (q - 1)^2 / 32, q - 1 the lean. Range: difference < 2^16 in
+ * 1/16 level, lean <= 2^16.
+ */
+static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
 {
-    uint32_t spread = sheen_weight_spread(c);
+    uint32_t most = (magnitude32(lean[0]) | magnitude32(lean[1]) | magnitude32(lean[2])) >> 2;
 
-    return spread < 16384 && difference * (spread * spread >> 16) >> 20 == 0 &&
-           way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC);
+    return difference * (most * most >> 16) >> 20 == 0;
 }
 
 /* Channels and 1 times weight. */
@@ -74,38 +79,36 @@ static APART void quotient_planes(struct setup *s, const struct surface_corners 
     q->weight = sheen_gradient_plane(g, value, 1);
 }
 
-/* An intensity's quadric, Q1.30, rounding added: an edge's excess is (4 share - 2) (first - second). */
-static void intensity_quadric(const struct gradients *g, const struct node_products *p, const struct middles *m,
-                              struct nodes *n, struct quadric *q)
+/* An intensity's quadric, Q1.30 and half a step of UQ1.15. Range: lean <= 2^16, so its half times 2^15. */
+static void intensity_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
+                              const int32_t f[3])
 {
-    n->excess[0] = 8 * mul_16_32(m->share[0] - 16384, n->corner[0] - n->corner[1]);
-    n->excess[1] = 8 * mul_16_32(m->share[1] - 16384, n->corner[0] - n->corner[2]);
-    n->excess[2] = 8 * mul_16_32(m->share[2] - 16384, n->corner[1] - n->corner[2]);
-    sheen_node_quadric(g, p, n, q);
-    q->base += 1u << 14;
+    const int32_t k[3] = {asr32((lean[0] >> 1) * (f[0] - f[1]), 16), asr32((lean[1] >> 1) * (f[0] - f[2]), 16),
+                          asr32((lean[2] >> 1) * (f[1] - f[2]), 16)};
+
+    sheen_corner_quadric(q, steps, ((uint32_t)f[0] << 15) + (1u << 14), 2 * (f[1] - f[0]), 2 * (f[2] - f[0]), k);
 }
 
-/* Returns 0 where the triangle is too small for node products. */
+/* Returns 0 where the triangle is too small or a needle, or 1/m too uneven. difference: between corners, 1/16 level. */
 static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                           const struct lit lit[3])
+                           const struct lit lit[3], uint32_t difference)
 {
     struct quadric_setup *q = (struct quadric_setup *)s;
-    int highlight = (lit[0].specular | lit[1].specular | lit[2].specular) != 0;
-    struct node_products products;
-    struct middles middles;
-    struct nodes n;
+    const int32_t diffuse[3] = {(int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse};
+    const int32_t specular[3] = {(int32_t)lit[0].specular, (int32_t)lit[1].specular, (int32_t)lit[2].specular};
+    struct quadric_steps steps;
+    int32_t lean[3];
 
-    if (!sheen_node_products(&products, g))
+    if (g->wide || !sheen_leans(lean, c, STEEPEST_LEAN) || !quadratic_will_do(lean, difference) ||
+        !sheen_quadric_steps(&steps, g))
         return 0;
-    sheen_middles(c, &middles);
-    for (int k = 0; k < 3; k++)
-        n.corner[k] = (int32_t)(lit[k].diffuse << 15);
-    intensity_quadric(g, &products, &middles, &n, &q->diffuse);
-    s->rows = highlight ? sheen_quadric_rows_specular : sheen_quadric_rows_diffuse;
-    for (int k = 0; k < 3; k++)
-        n.corner[k] = (int32_t)(lit[k].specular << 15);
-    if (highlight)
-        intensity_quadric(g, &products, &middles, &n, &q->second);
+    s->rows = sheen_quadric_rows;
+    s->detail = (specular[0] | specular[1] | specular[2]) != 0 ? SECOND_SPECULAR : SECOND_NONE;
+    q->x = (int16_t)g->origin[0];
+    q->y = (int16_t)g->origin[1];
+    intensity_quadric(&q->diffuse, &steps, lean, diffuse);
+    if (s->detail != SECOND_NONE)
+        intensity_quadric(&q->second, &steps, lean, specular);
     return 1;
 }
 
@@ -140,7 +143,7 @@ static APART void curved(struct setup *s, struct surface_corners *c, const struc
     sheen_weigh(c);
     s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
-    if (!quadratic_will_do(s, c, difference_of(terms, d)) || !quadratic(s, c, g, lit))
+    if (!way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
         quotient_planes(s, c, g, lit);
 }
 

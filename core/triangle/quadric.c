@@ -1,106 +1,141 @@
 /*
- * quadric.c - a quadratic function over a triangle from six nodes: the
- * corners and the middles of the edges, so that triangles that share an edge agree
- * along it.
+ * quadric.c - a quadratic function over a triangle from its corners and from what it has more at the middles of the
+ * edges, so that triangles that share an edge agree along it.
  *
- * Excesses are small, so 15 bits of them and of the products do: 32-bit arithmetic
- * throughout, off by less than a hundredth of the excess.
+ * With barycentric coordinates b and f's excess k = 4 middle - 2 (end + end) on an edge,
+ *   f = plane through the corners + k01 b0 b1 + k02 b0 b2 + k12 b1 b2.
+ * Steps of b have 15 bits, their products 20, excesses 8: 32-bit arithmetic throughout.
  */
-#include "triangle.h"
+#include "quadric.h"
 
-/* Steps of the barycentric coordinates keep 14 bits: value = raw / 2^scale. */
-#define STEP_SHIFT 1
-/* Steps up to 4 a px; smaller triangles take the exact way. */
-#define LOWEST_SCALE 12
-/* So do needles: a product of coordinates is off by about 2^-14 (extent * step)^2, extent * step < 2^(stretch + 1). */
-#define QUADRIC_STRETCH 3
+#define LOWEST_SCALE 12 /* steps up to 8 a px */
+/* A product of coordinates is off by about 2^-20 (extent * step)^2, and extent * step < 2^(stretch + 1). */
+#define QUADRIC_STRETCH 6
+#define MOST_EXCESS 203 /* of k: ten products below 2^20 and one k stay below 2^31 */
+#define MOST_SLOPE 16383
 
-/* x * 2^shift, rounded where shift < 0; modulo 2^32 where bits leave at the top. */
-static uint32_t shifted(int32_t x, int shift)
+int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
 {
-    return shift >= 0 ? (uint32_t)x << shift : (uint32_t)asr32(asr32(x, (unsigned)(-shift - 1)) + 1, 1);
-}
+    const int32_t px = g->b1[0], py = g->b1[1], qx = g->b2[0], qy = g->b2[1];
 
-/* The ends of edges 01, 02, 12. */
-static const uint8_t first_end[3] = {0, 0, 1}, second_end[3] = {1, 2, 2};
-
-int sheen_node_products(struct node_products *p, const struct gradients *g)
-{
-    int32_t bx[3], by[3], b[3]; /* of the three coordinates: steps, and values at the origin pixel, Q18.13 */
-
-    p->scale = (int)g->exponent - STEP_SHIFT;
-    if (p->scale < LOWEST_SCALE || g->stretch > QUADRIC_STRETCH)
+    if (g->exponent < LOWEST_SCALE || g->stretch > QUADRIC_STRETCH)
         return 0;
-    bx[1] = asr32(g->b1[0], STEP_SHIFT);
-    by[1] = asr32(g->b1[1], STEP_SHIFT);
-    bx[2] = asr32(g->b2[0], STEP_SHIFT);
-    by[2] = asr32(g->b2[1], STEP_SHIFT);
-    bx[0] = -bx[1] - bx[2];
-    by[0] = -by[1] - by[2];
-    for (int k = 1; k < 3; k++) /* |b| <= 4: below 2^15 */
-        b[k] = (int32_t)shifted(bx[k] * g->centre[0] + by[k] * g->centre[1], 13 - SUBPIXEL_BITS - p->scale);
-    b[0] = (1 << 13) - b[1] - b[2];
-
-    for (int e = 0; e < 3; e++) { /* Range: |bx|, |by| <= 2^15 for coordinate 0, 2^14 for the others */
-        int i = first_end[e], j = second_end[e];
-        p->xx[e] = asr32(bx[i] * bx[j], 14);
-        p->yy[e] = asr32(by[i] * by[j], 14);
-        p->xy[e] = asr32(bx[i] * by[j], 14) + asr32(by[i] * bx[j], 14);
-        p->x[e] = asr32(b[i] * bx[j], 15) + asr32(b[j] * bx[i], 15);
-        p->y[e] = asr32(b[i] * by[j], 15) + asr32(b[j] * by[i], 15);
-        p->constant[e] = asr32(b[i] * b[j], 13);
-    }
+    p->g = g;
+    p->b1b1[0] = asr32(px * px, 10);
+    p->b1b1[1] = asr32(px * py, 9);
+    p->b1b1[2] = asr32(py * py, 10);
+    p->b1b2[0] = asr32(px * qx, 10);
+    p->b1b2[1] = asr32(px * qy, 10) + asr32(py * qx, 10);
+    p->b1b2[2] = asr32(py * qy, 10);
+    p->b2b2[0] = asr32(qx * qx, 10);
+    p->b2b2[1] = asr32(qx * qy, 9);
+    p->b2b2[2] = asr32(qy * qy, 10);
     return 1;
 }
 
-/* Sum of excess (Q16.15, 13 bits) times product (16 bits): below 2^31. */
-static int32_t weighted(const int32_t excess[3], const int32_t product[3])
+/* x * 2^-shift, rounded; modulo 2^32 where bits leave at the top. */
+static inline int32_t shifted(int32_t x, int shift)
 {
-    return excess[0] * product[0] + excess[1] * product[1] + excess[2] * product[2];
+    return shift > 0 ? asr32(asr32(x, (unsigned)min32(shift, 31) - 1) + 1, 1) : (int32_t)((uint32_t)x << -shift);
 }
 
-void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
-                        struct quadric *q)
+/* Bits to drop so that no more than `most` is left. */
+static inline unsigned surplus(uint32_t all, uint32_t most)
 {
-    struct slope plane;
-    int32_t k[3];
-    int second = 29 - 2 * p->scale, first = 17 - p->scale; /* to Q1.30 */
+    unsigned drop = 0;
 
-    sheen_slope(g, n->corner, 0, &plane);
-    for (int e = 0; e < 3; e++)
-        k[e] = asr32(n->excess[e] + (1 << 14), 15);
-    int32_t xx = weighted(k, p->xx), xy = weighted(k, p->xy), yy = weighted(k, p->yy);
-    uint32_t qxx = shifted(xx, second), qyy = shifted(yy, second);
-
-    *q = sheen_quadric(g->origin, (uint32_t)plane.value + shifted(weighted(k, p->constant), 2),
-                       (uint32_t)plane.dx + shifted(weighted(k, p->x), first) + qxx,
-                       (uint32_t)plane.dy + shifted(weighted(k, p->y), first) + qyy, shifted(xx, second + 1),
-                       shifted(xy, second), shifted(yy, second + 1));
+    while (all >> drop > most)
+        drop++;
+    return drop;
 }
 
-/* At an edge's middle on the screen the first end counts w1 / (w1 + w2). */
-void sheen_middles(const struct surface_corners *c, struct middles *m)
+static inline int32_t rounded(int32_t x, unsigned drop)
 {
-    for (int e = 0; e < 3; e++) {
-        m->share[e] = 1 << 14;
-        if (c->flat_weight)
-            continue;
-        uint32_t first = c->weight[first_end[e]] >> 1, sum = first + (c->weight[second_end[e]] >> 1);
-        unsigned zeros = clz32(sum | 1u);
-        m->share[e] = (int32_t)(((first << zeros) >> 16) * reciprocal_seed(sum << zeros) >> 16);
+    return drop > 0 ? asr32(asr32(x, drop - 1) + 1, 1) : x;
+}
+
+/* By how much sums of that size, shifted so, would leave 30 bits; of triangles of about a pixel. */
+static int room_of(uint32_t all, int shift)
+{
+    return max32(0, 2 - (int)clz32(all) - shift);
+}
+
+void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                          const int32_t k[3])
+{
+    const struct gradients *g = p->g;
+    unsigned drop = surplus(magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]), MOST_EXCESS);
+    unsigned cut = surplus(magnitude32(d1 + k[0]) | magnitude32(d2 + k[1]), MOST_SLOPE);
+    int second = 2 * g->exponent - 24 - (int)drop, first = g->exponent - 14 - (int)cut, room = 0;
+    const int32_t k01 = rounded(k[0], drop), k02 = rounded(k[1], drop), k12 = rounded(k[2], drop);
+    const int32_t mixed = k12 - k01 - k02, a = rounded(d1 + k[0], cut), b = rounded(d2 + k[1], cut);
+    /* half of the second differences; what cancels may exceed 31 bits on the way */
+    int32_t xx = mixed * p->b1b2[0] - k01 * p->b1b1[0] - k02 * p->b2b2[0];
+    int32_t xy = mixed * p->b1b2[1] - k01 * p->b1b1[1] - k02 * p->b2b2[1];
+    int32_t yy = mixed * p->b1b2[2] - k01 * p->b1b1[2] - k02 * p->b2b2[2];
+    int32_t x = a * g->b1[0] + b * g->b2[0], y = a * g->b1[1] + b * g->b2[1];
+
+    if (first < 0 || second < 2)
+        room = max32(room_of(magnitude32(xx) | magnitude32(xy) | magnitude32(yy), second),
+                     room_of(magnitude32(x) | magnitude32(y), first));
+    xx = shifted(xx, second + room);
+    xy = shifted(xy, second + room);
+    yy = shifted(yy, second + room);
+    x = shifted(x, first + room);
+    y = shifted(y, first + room);
+
+    /* from corner 0 to the first pixel's centre; Range: |centre| <= 32, and 30 bits */
+    const int32_t cx = g->centre[0], cy = g->centre[1];
+    int32_t tx = asr32(xx, 6) * cx + asr32(xy, 7) * cy, ty = asr32(yy, 6) * cy + asr32(xy, 7) * cx;
+    q->base = f0 + ((uint32_t)(asr32(x + tx, 6) * cx + asr32(y + ty, 6) * cy) << room);
+    q->dx = ((uint32_t)x + 2u * (uint32_t)tx + (uint32_t)xx) << room;
+    q->dy = ((uint32_t)y + 2u * (uint32_t)ty + (uint32_t)yy) << room;
+    q->dxx = (uint32_t)xx << (room + 1);
+    q->dxy = (uint32_t)xy << room;
+    q->dyy = (uint32_t)yy << (room + 1);
+}
+
+void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                        const int32_t k[3])
+{
+    unsigned drop = surplus(magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]), MOST_EXCESS);
+    int32_t high[3], low[3];
+    struct quadric rest;
+
+    for (int e = 0; e < 3; e++) { /* towards 0, so that no more bits are dropped of it */
+        int32_t whole = (int32_t)(magnitude32(k[e]) >> drop << drop);
+        high[e] = k[e] < 0 ? -whole : whole;
+        low[e] = k[e] - high[e];
     }
+    sheen_corner_quadric(q, p, f0, d1, d2, high);
+    sheen_corner_quadric(&rest, p, 0, 0, 0, low);
+    q->base += rest.base;
+    q->dx += rest.dx;
+    q->dy += rest.dy;
+    q->dxx += rest.dxx;
+    q->dxy += rest.dxy;
+    q->dyy += rest.dyy;
 }
 
-uint32_t sheen_weight_spread(const struct surface_corners *c)
+/*
+ * Weights' differences are those of z16 (vertex.h). The mean of the three stands for that of two.
+ * Range: |z - z| < 2^16, `over` at most 2^15; the mean is at least DEPTH_FAR.
+ */
+int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
 {
-    uint32_t low = c->weight[0], high = low;
+    const struct screen *screen = c->screen;
+    const int32_t z0 = c->at.v[0]->z, z1 = c->at.v[1]->z, z2 = c->at.v[2]->z;
+    const uint32_t third = (uint32_t)(z0 + z1 + z2) * 21845u >> 16, width = 2 * (uint32_t)most;
 
-    if (c->flat_weight)
-        return 0;
-    for (int k = 1; k < 3; k++) {
-        low = c->weight[k] < low ? c->weight[k] : low;
-        high = c->weight[k] > high ? c->weight[k] : high;
-    }
-    uint32_t over = high - low, unit = low >> 16; /* low < 2^32 */
-    return over >> 16 >= unit ? 65535 : over / (unit > 0 ? unit : 1);
+    lean[0] = lean[1] = lean[2] = 0;
+    if (screen->flat_weight)
+        return 1;
+    uint32_t mean = third + (screen->weight_offset >> screen->weight_shift);
+    unsigned zeros = clz32(mean);
+    int32_t over = (int32_t)(reciprocal_seed(mean << zeros) >> 1);
+    lean[0] = asr32((z0 - z1) * over, 28 - zeros);
+    lean[1] = asr32((z0 - z2) * over, 28 - zeros);
+    lean[2] = lean[1] - lean[0];
+    return (uint32_t)(lean[0] + most) <= width && (uint32_t)(lean[1] + most) <= width &&
+           (uint32_t)(lean[2] + most) <= width;
 }

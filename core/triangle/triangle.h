@@ -18,6 +18,7 @@ struct draw {
     struct colour_terms colour;
     struct power power;
     const uint16_t *ramp; /* its first entry, a guard; NULL: there is none */
+    struct loop_terms loop;
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
@@ -80,7 +81,7 @@ struct setup {
     struct edge edge[3];
 };
 
-#define SETUP_BYTES (sizeof(struct setup) + 48)
+#define SETUP_BYTES (sizeof(struct setup) + 56)
 #define SETUP_FITS(type) _Static_assert(sizeof(type) <= SETUP_BYTES, #type " is larger than a set-up's slot")
 
 static inline uint32_t plane_at(const struct plane *p, int32_t x, int32_t y)
@@ -141,33 +142,7 @@ struct slope {
     int64_t value, dx, dy;
 };
 
-/*
- * What six nodes add to the plane through the corners: with f's excess k = 4 middle -
- * 2 (end + end) on an edge, f = plane + k01 b0 b1 + k02 b0 b2 + k12 b1 b2. The nine
- * products of steps and six of first order, for one triangle and any f on it; quadric.c.
- */
-struct node_products {
-    int32_t xx[3], xy[3], yy[3]; /* by edge 01, 02, 12: value = raw / 2^(2 scale - 14) */
-    int32_t x[3], y[3];          /* value = raw / 2^(scale - 2) */
-    int32_t constant[3];         /* Q18.13 */
-    int scale;
-};
-
-/* A function's values at corners 0, 1, 2 and its excess on edges 01, 02, 12; same format, excess below 1/4 in Q1.30. */
-struct nodes {
-    int32_t corner[3], excess[3];
-};
-
-/* Ratios that the three edges' middles on the screen have in space: share of the first end, UQ1.15. */
-struct middles {
-    int32_t share[3];
-};
-
-int sheen_node_products(struct node_products *p, const struct gradients *g);
-void sheen_node_quadric(const struct gradients *g, const struct node_products *p, const struct nodes *n,
-                        struct quadric *q);
 void sheen_weigh(struct surface_corners *c);
-void sheen_middles(const struct surface_corners *c, struct middles *m);
 struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy);
 /* Largest of the weights over the smallest, less 1: UQ16.16, 65535 at the most. */
@@ -278,48 +253,6 @@ void sheen_ramp_rows(const struct tile *t, const struct setup *s);
 static inline int32_t cut_difference(uint32_t f, uint32_t f0)
 {
     return asr32((int32_t)(f - f0) + (1 << 15), 16);
-}
-
-/* Intensities that are quadratic on the screen; detail: power, L.N may lie below 1/8. */
-struct quadric_setup {
-    struct setup s;
-    struct quadric diffuse; /* Q1.30 */
-    struct quadric second;  /* specular: its intensity, Q1.30; power: 1 - R.V, Q2.29 */
-};
-
-void sheen_quadric_rows_diffuse(const struct tile *t, const struct setup *s);
-void sheen_quadric_rows_specular(const struct tile *t, const struct setup *s);
-void sheen_quadric_rows_power(const struct tile *t, const struct setup *s);
-
-/* A quadric along the rows of a triangle: value in column 0, first difference there in x and to the next row. */
-struct quadric_row {
-    uint32_t value, dx, dy, dxx, dxy, dyy;
-};
-
-SPECIALISED struct quadric_row quadric_row_at(const struct quadric *q, int32_t y)
-{
-    struct quadric_row r = {q->base + (uint32_t)y * q->dy + pairs(y) * q->dyy,
-                            q->dx + (uint32_t)y * q->dxy,
-                            q->dy + (uint32_t)y * q->dyy,
-                            q->dxx,
-                            q->dxy,
-                            q->dyy};
-
-    return r;
-}
-
-SPECIALISED void quadric_row_next(struct quadric_row *r)
-{
-    r->value += r->dy;
-    r->dy += r->dyy;
-    r->dx += r->dxy;
-}
-
-/* Where the run of pixels from column x begins: value and first difference. */
-SPECIALISED void quadric_run(const struct quadric_row *r, int32_t x, uint32_t *value, uint32_t *difference)
-{
-    *value = r->value + (uint32_t)x * r->dx + pairs(x) * r->dxx;
-    *difference = r->dx + (uint32_t)x * r->dxx;
 }
 
 #endif

@@ -28,7 +28,8 @@ def table(n):
         shift += 1
     exact = [raised(ONE - u, n) if (u := i << (24 - shift)) < ONE else 0 for i in range(ENTRIES + 1)]
     power = [exact[0]] + [max(0, b - (a - b - (b - c)) // 12) for a, b, c in zip(exact, exact[1:], exact[2:])]
-    return shift, [(p >> 17) + (p >> 16 & 1) for p in power] + [0]
+    entries = [1 << 15] + [(p >> 17) + (p >> 16 & 1) for p in power] + [0]
+    return shift, [a << 16 | (a - b) for a, b in zip(entries, entries[1:])]
 
 
 def rows(numbers, width=120, indent=8):

@@ -1,0 +1,71 @@
+/*
+ * quadric.h - private: functions that are quadratic on the screen, and the rows that step them.
+ */
+#ifndef SHEEN_QUADRIC_H
+#define SHEEN_QUADRIC_H
+
+#include "triangle.h"
+
+/* Products of the gradients' steps, xx, xy and yx, yy, for any function on a triangle: raw / 2^(2 exponent - 10). */
+struct quadric_steps {
+    const struct gradients *g;
+    int32_t b1b1[3], b1b2[3], b2b2[3];
+};
+
+/* 0 where the triangle is a needle or too small. */
+int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g);
+
+/*
+ * About the pixel that holds corner 0, modulo 2^32. f0: at corner 0, Q.30. d1, d2: what corners 1 and 2 have more,
+ * k: the excess on edges 01, 02, 12, all Q.16, below 2^19.
+ */
+void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                          const int32_t k[3]);
+
+/*
+ * What perspective does to an edge's middle: 2 (wi - wj) / (wi + wj) of edges 01, 02, 12, Q0.18; f linear in space has
+ * the excess lean (fi - fj). 0 where one exceeds `most`, below 2^17.
+ */
+int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
+
+/* Likewise to all bits of k, for about twice the time: where nearly all of f is in it. */
+void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                        const int32_t k[3]);
+
+/* n rows down from the pixel that it counts from; quadric_rows.c. */
+struct quadric sheen_quadric_from(const struct quadric *q, int32_t n);
+
+/* To the next row. */
+SPECIALISED void quadric_down(struct quadric *q)
+{
+    q->base += q->dy;
+    q->dy += q->dyy;
+    q->dx += q->dxy;
+}
+
+/* What the second quadric is. */
+enum second {
+    SECOND_NONE,     /* no highlight on this triangle */
+    SECOND_SPECULAR, /* the specular intensity, Q1.30 */
+    SECOND_POWER     /* 1 - R.V as the power table's argument */
+};
+
+struct quadric_setup {
+    struct setup s;                 /* detail: enum second */
+    int16_t x, y;                   /* the pixel that quadrics count from */
+    struct quadric diffuse, second; /* diffuse: L.N or an intensity, Q1.30 and half a step of UQ1.15 */
+};
+
+/* A run of pixels on its way: a pixel's value, what the next one has more, and what that has more each time. */
+struct shaded_run {
+    uint32_t z, dz;
+    uint32_t f, df, ddf; /* as quadric_setup's diffuse */
+    uint32_t u, du, ddu; /* and second */
+};
+
+/* quadric_rows.c */
+void sheen_quadric_rows(const struct tile *t, const struct setup *s);
+void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                      const struct shaded_run *run, enum second second);
+
+#endif

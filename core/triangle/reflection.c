@@ -1,0 +1,164 @@
+/*
+ * reflection.c - Phong where normals nearly agree: L.N and 1 - R.V quadratic over the triangle.
+ *
+ * What an edge's middle lies above the mean of its ends needs no root: with h = (1 - N1.N2) / 2 = |N1 - N2|^2 / 4 and
+ * d = (w1 - w2) / (w1 + w2), four times it is, of what is linear in space and of unit normals,
+ *   of L.N:      2 (1 / cos(t/2) - 1) (l1 + l2) + 2 d (l1 - l2),   2 / cos(t/2) - 2 = h + 3/4 h^2 + ...
+ *   of 1 - R.V:  2 (l1 - l2) (v1 - v2) - 2 (h + h^2) (l1 + l2) (v1 + v2) + 2 d (u1 - u2)
+ * in 32 bits, its factors 15 to 18 bits.
+ */
+#include "reflection.h"
+
+SETUP_FITS(struct quadric_setup);
+
+/* `apart` of 26 degrees, without a highlight; */
+#define WIDEST_DIFFUSE 217338131u
+/* with one 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2, as what it is off by grows with both. */
+static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {55039867u, 26439087u}};
+#define STEEPEST_LEAN 32768       /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
+
+void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
+{
+    const int32_t *const v[2] = {d->light.to[0], d->light.view};
+
+    for (int i = 0; i < 2; i++) {
+        int32_t dot = dot_q29(normal, v[i]); /* 1.0 is 32767 */
+        dot = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
+        kept[i] = (uint16_t)min32(max32(dot, -32767), 32767);
+    }
+}
+
+/* |a - b|^2, UQ2.30; of unit vectors it stays below 2^32. */
+static uint32_t square_apart(const int16_t *a, const int16_t *b)
+{
+    uint32_t x = (uint32_t)(a[0] - b[0]), y = (uint32_t)(a[1] - b[1]), z = (uint32_t)(a[2] - b[2]);
+
+    return x * x + y * y + z * z;
+}
+
+void sheen_face(struct facing *f, const struct surface_corners *c)
+{
+    const int16_t *const *n = c->at.normal;
+
+    for (int k = 0; k < 3; k++) {
+        const uint16_t *kept = c->at.v[k]->kept;
+        int32_t ln = (int16_t)kept[0], nv = (int16_t)kept[1];
+        f->ln[k] = c->back ? -ln : ln;
+        f->nv[k] = c->back ? -nv : nv;
+    }
+    f->h[0] = square_apart(n[0], n[1]);
+    f->h[1] = square_apart(n[0], n[2]);
+    f->h[2] = square_apart(n[1], n[2]);
+    f->apart = f->h[0] > f->h[1] ? f->h[0] : f->h[1];
+    f->apart = f->apart > f->h[2] ? f->apart : f->h[2];
+}
+
+static int32_t least3(const int32_t x[3])
+{
+    return min32(x[0], min32(x[1], x[2]));
+}
+
+static int32_t most3(const int32_t x[3])
+{
+    return max32(x[0], max32(x[1], x[2]));
+}
+
+/* Four times what an edge's middle lies above the mean of its ends, of L.N, Q.16. h, lean: Q0.18, below 2^14, 2^15. */
+static int32_t light_excess(const struct facing *f, int i, int j, int32_t h, int32_t lean)
+{
+    int32_t e = h + asr32(3 * h * h, 20);
+
+    return asr32(e * (f->ln[i] + f->ln[j]) + lean * (f->ln[i] - f->ln[j]), 17);
+}
+
+/* Likewise of 1 - R.V, Q.15; u: at the corners, Q2.29. */
+static int32_t reflected_excess(const struct facing *f, const int32_t u[3], int i, int j, int32_t h, int32_t lean)
+{
+    int32_t e = h + asr32(h * h, 18);
+    int32_t difference = asr32((f->ln[i] - f->ln[j]) * (f->nv[i] - f->nv[j]), 14);
+    int32_t sum = asr32(asr32(f->ln[i] + f->ln[j], 1) * asr32(f->nv[i] + f->nv[j], 1), 15); /* a quarter of it */
+
+    return difference - asr32(sum * e, 15) + asr32(asr32(u[i] - u[j], 14) * lean, 18);
+}
+
+/* A triangle's quadrics before they are brought to pixels. */
+struct excesses {
+    int32_t h[3], lean[3];   /* Q0.18 */
+    int32_t light[3];        /* Q.16 */
+    int32_t u[3], second[3]; /* 1 - R.V at the corners, Q2.29; its excess, Q.15 */
+};
+
+static void light_excesses(struct excesses *e, const struct facing *f)
+{
+    for (int k = 0; k < 3; k++)
+        e->h[k] = (int32_t)(f->h[k] >> 14);
+    e->light[0] = light_excess(f, 0, 1, e->h[0], e->lean[0]);
+    e->light[1] = light_excess(f, 0, 2, e->h[1], e->lean[1]);
+    e->light[2] = light_excess(f, 1, 2, e->h[2], e->lean[2]);
+}
+
+/* 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4. */
+static int has_highlight(struct excesses *e, const struct facing *f, const struct draw *d)
+{
+    const int32_t lv1 = d->light.lv1[0], limit = (int32_t)d->power.limit;
+
+    for (int k = 0; k < 3; k++)
+        e->u[k] = lv1 - f->ln[k] * f->nv[k];
+    if (limit == 0)
+        return 0;
+    int32_t least = least3(e->u), spread = most3(e->u) - least;
+    if (least - (int32_t)(f->apart + (f->apart >> 1) + (f->apart >> 4)) - asr32(spread, 3) >= limit)
+        return 0;
+    e->second[0] = reflected_excess(f, e->u, 0, 1, e->h[0], e->lean[0]);
+    e->second[1] = reflected_excess(f, e->u, 0, 2, e->h[1], e->lean[1]);
+    e->second[2] = reflected_excess(f, e->u, 1, 2, e->h[2], e->lean[2]);
+    return least + (min32(e->second[0], 0) + min32(e->second[1], 0) + min32(e->second[2], 0)) * (1 << 12) < limit;
+}
+
+/* 1 where a highlight is too sharp for the angle, or its argument may wrap. */
+static int too_sharp(const struct excesses *e, const struct facing *f, const struct draw *d)
+{
+    return f->apart > widest_highlight[d->strong][d->power.shininess > 32] ||
+           most3(e->u) >= (int32_t)(MOST_ARGUMENT >> d->power.up);
+}
+
+static void second_quadric(struct quadric *q, const struct quadric_steps *steps, const struct excesses *e, unsigned up)
+{
+    const int32_t to = 1 << up;
+    const int32_t k[3] = {e->second[0] * to, e->second[1] * to, e->second[2] * to};
+
+    sheen_corner_quadric(q, steps, ((uint32_t)e->u[0] << up) + POWER_GUARD, asr32(e->u[1] - e->u[0], 14 - up),
+                         asr32(e->u[2] - e->u[0], 14 - up), k);
+}
+
+int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                           const struct facing *f)
+{
+    struct quadric_setup *q = (struct quadric_setup *)s;
+    struct quadric_steps steps;
+    struct excesses e;
+
+    if (most3(f->ln) <= 0) { /* over the triangle L.N is a mean of the corners' but for a positive factor */
+        const struct lit dark = {0, 0};
+        sheen_setup_constant(s, &dark);
+        return 1;
+    }
+    if (f->apart > WIDEST_DIFFUSE || !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) ||
+        !sheen_leans(e.lean, c, STEEPEST_LEAN))
+        return 0;
+    light_excesses(&e, f);
+    int highlight = has_highlight(&e, f, s->draw);
+    if ((highlight && too_sharp(&e, f, s->draw)) || !sheen_quadric_steps(&steps, g))
+        return 0;
+    s->way = SHEEN_WAY_PHONG_QUADRATIC;
+    s->rows = sheen_quadric_rows;
+    s->detail = highlight ? SECOND_POWER : SECOND_NONE;
+    q->x = (int16_t)g->origin[0];
+    q->y = (int16_t)g->origin[1];
+    sheen_corner_quadric(&q->diffuse, &steps, ((uint32_t)f->ln[0] << 15) + (1u << 14), (f->ln[1] - f->ln[0]) * 2,
+                         (f->ln[2] - f->ln[0]) * 2, e.light);
+    if (highlight)
+        second_quadric(&q->second, &steps, &e, s->draw->power.up);
+    return 1;
+}

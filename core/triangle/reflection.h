@@ -1,0 +1,32 @@
+/*
+ * reflection.h - private: one light over a triangle whose corner normals nearly agree: L.N and 1 - R.V are quadratic
+ * on the screen. Of Phong, and of slerp, which it does not differ from by what a level shows up to CLOSE_ARCS.
+ */
+#ifndef SHEEN_REFLECTION_H
+#define SHEEN_REFLECTION_H
+
+#include "quadric.h"
+
+/* A light at the corners, as seen, and how far their normals are apart. */
+struct facing {
+    int32_t ln[3], nv[3]; /* L.N and N.V, Q0.15 */
+    uint32_t h[3];        /* |Ni - Nj|^2 of edges 01, 02, 12, UQ2.30: 2 - 2 cos; less than 4.0 */
+    uint32_t apart;       /* the largest of them */
+};
+
+#define CLOSE_ARCS 105105331u /* of `apart`: 18 degrees */
+
+/* What a vertex keeps, struct sheen_shader's light: L.N of the first light and N.V, int16_t Q0.15. */
+void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
+
+/* Of vertices that keep cosines, so not of pieces. */
+void sheen_face(struct facing *f, const struct surface_corners *c);
+
+/*
+ * Sets way, fast and rows, and what follows *s: out of the light one colour, else quadrics. 0: normals or weights are
+ * too far apart, or the triangle is a needle or too small; *s is as it was.
+ */
+int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                           const struct facing *f);
+
+#endif
