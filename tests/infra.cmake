@@ -23,7 +23,7 @@ sheen_script(seeded_house format COMMAND tests/checks/refuses "no row for floors
 # What each check must refuse, named in the first line of the file.
 file(GLOB seeds CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/checks/seeded/*.c)
 foreach(seed IN LISTS seeds)
-  cmake_path(GET seed STEM name)
+  get_filename_component(name ${seed} NAME_WE)
   set(part freestanding)
   if(name MATCHES "^layout_")
     set(part format)

@@ -1,3 +1,6 @@
 # What is installed, the two files, and the program of the README, as a stranger meets them.
 sheen_script(consumers cross COMMAND tests/packaging/consumers ${PROJECT_BINARY_DIR})
+sheen_script(cmake_floor format COMMAND tests/packaging/cmake_floor)
+sheen_script(seeded_cmake_floor format COMMAND tests/checks/refuses "7 too new in 1 files"
+  tests/packaging/cmake_floor tests/checks/seeded/new.cmake)
 sheen_script(readme_program format COMMAND tests/packaging/readme_program)
