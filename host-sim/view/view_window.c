@@ -1,31 +1,30 @@
 /*
- * view_window.c - the glass in a window, by SDL; the lines below it by cairo.
+ * view_window.c - the glass in a window, by SDL, with lines below it (view_letters.h).
  *
  * Everything is drawn into memory and copied to the window's surface, so that it
  * works with every video driver of SDL, also the one without a screen.
  */
 #include <SDL.h>
-#include <cairo.h>
-#include <fontconfig/fontconfig.h>
 #include <stdio.h>
 
 #include "view.h"
+#include "view_letters.h"
 
 enum {
     MARGIN = 16, /* px round the glass */
     LINE = 18,   /* px a line of text */
     LINES = 4,
-    TEXT_SIZE = 13,
     MIN_WIDTH = 800, /* px: the lines */
     MAX_ROOM_W = 960,
     MAX_ROOM_H = 720
 };
 
+#define BAND_RED 255, 89, 51
+
 struct window {
     struct sheen_viewer *viewer;
     SDL_Window *window;
-    cairo_surface_t *canvas;
-    int width, height; /* px of the canvas */
+    SDL_Surface *canvas; /* 0xRRGGBB */
 };
 
 static int sdl_problem(struct sheen_problem *problem)
@@ -81,44 +80,49 @@ static int fit(struct window *window, struct sheen_problem *problem)
     int width = (glass_w > MIN_WIDTH ? glass_w : MIN_WIDTH) + 2 * MARGIN;
     int height = (int)(viewer->table.choice.height * viewer->look.scale) + 2 * MARGIN + LINES * LINE;
 
-    if (window->canvas && window->width == width && window->height == height)
+    if (window->canvas && window->canvas->w == width && window->canvas->h == height)
         return SHEEN_OK;
-    if (window->canvas)
-        cairo_surface_destroy(window->canvas);
-    window->canvas = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    if (cairo_surface_status(window->canvas) != CAIRO_STATUS_SUCCESS)
+    SDL_FreeSurface(window->canvas);
+    window->canvas = SDL_CreateRGBSurfaceWithFormat(0, width, height, 32, SDL_PIXELFORMAT_RGB888);
+    if (!window->canvas)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "no window: not enough memory");
-    window->width = width;
-    window->height = height;
     SDL_SetWindowSize(window->window, width, height);
     return SHEEN_OK;
 }
 
+static void fill(const struct window *window, int x, int y, int width, int height)
+{
+    SDL_Rect rect = {x, y, width, height};
+
+    SDL_FillRect(window->canvas, &rect, SDL_MapRGB(window->canvas->format, BAND_RED));
+}
+
 /* The rows of the last band, marked beside the glass, and what it sent, framed on it. */
-static void mark_band(const struct window *window, cairo_t *cr, int left)
+static void mark_band(const struct window *window, int left)
 {
     const struct sheen_viewer *viewer = window->viewer;
     int scale = (int)viewer->look.scale, first, end;
     const struct sheen_rect *sent = &viewer->sent;
+    int x = left + sent->x0 * scale - 2, width = (sent->x1 - sent->x0) * scale + 4;
+    int y = MARGIN + sent->y0 * scale - 2, height = (sent->y1 - sent->y0) * scale + 4;
 
     if (viewer->shown_band < 0)
         return;
     sheen_viewer_rows(viewer, &first, &end);
-    cairo_set_source_rgb(cr, 1.0, 0.35, 0.2);
-    cairo_rectangle(cr, left - MARGIN / 2, MARGIN + first * scale, MARGIN / 4, (end - first) * scale);
-    cairo_fill(cr);
+    fill(window, left - MARGIN / 2, MARGIN + first * scale, MARGIN / 4, (end - first) * scale);
     if (sent->x0 >= sent->x1)
         return;
-    cairo_set_line_width(cr, 2);
-    cairo_rectangle(cr, left + sent->x0 * scale - 1, MARGIN + sent->y0 * scale - 1, (sent->x1 - sent->x0) * scale + 2,
-                    (sent->y1 - sent->y0) * scale + 2);
-    cairo_stroke(cr);
+    fill(window, x, y, width, 2);
+    fill(window, x, y + height - 2, width, 2);
+    fill(window, x, y, 2, height);
+    fill(window, x + width - 2, y, 2, height);
 }
 
-static void write_lines(const struct window *window, cairo_t *cr)
+static void write_lines(const struct window *window)
 {
     char lines[LINES][sizeof window->viewer->message + 16];
     const struct sheen_viewer *viewer = window->viewer;
+    SDL_Surface *canvas = window->canvas;
 
     sheen_viewer_title(viewer, lines[0], sizeof lines[0]);
     sheen_viewer_counts(viewer, lines[1], sizeof lines[1]);
@@ -126,35 +130,22 @@ static void write_lines(const struct window *window, cairo_t *cr)
     snprintf(lines[3], sizeof lines[3],
              "space stop  n frame  b band  s shade  l light  d dither  a affine  o ortho  r turn  p panel  t theme  "
              "w PNG  g GIF  q end");
-    cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cr, TEXT_SIZE);
-    for (int i = 0; i < LINES; i++) {
-        double shade = i < 3 ? 0.9 : 0.55;
-        cairo_set_source_rgb(cr, shade, shade, shade);
-        cairo_move_to(cr, MARGIN, window->height - MARGIN / 2 - (LINES - 1 - i) * LINE);
-        cairo_show_text(cr, lines[i]);
-    }
+    struct sheen_letters letters = {canvas->pixels, canvas->w, canvas->h, canvas->pitch};
+    for (int i = 0; i < LINES; i++)
+        sheen_letters(&letters, MARGIN, canvas->h - MARGIN / 2 - (LINES - 1 - i) * LINE, i < 3 ? 230 : 140, lines[i]);
     SDL_SetWindowTitle(window->window, lines[0]);
 }
 
 static void draw_canvas(const struct window *window)
 {
     const struct sheen_viewer *viewer = window->viewer;
-    int stride = cairo_image_surface_get_stride(window->canvas) / 4;
-    int left = (window->width - (int)(viewer->table.choice.width * viewer->look.scale)) / 2;
-    cairo_t *cr = cairo_create(window->canvas);
+    int stride = window->canvas->pitch / 4;
+    int left = (window->canvas->w - (int)(viewer->table.choice.width * viewer->look.scale)) / 2;
 
-    cairo_set_source_rgb(cr, (SHEEN_BEZEL >> 16) / 255.0, (SHEEN_BEZEL >> 8 & 255) / 255.0,
-                         (SHEEN_BEZEL & 255) / 255.0);
-    cairo_paint(cr);
-    cairo_surface_flush(window->canvas);
-    uint32_t *pixels = (uint32_t *)(void *)cairo_image_surface_get_data(window->canvas);
-    sheen_viewer_paint(viewer, pixels + MARGIN * stride + left, (unsigned)stride);
-    cairo_surface_mark_dirty(window->canvas);
-    mark_band(window, cr, left);
-    write_lines(window, cr);
-    cairo_destroy(cr);
-    cairo_surface_flush(window->canvas);
+    SDL_FillRect(window->canvas, NULL, SHEEN_BEZEL);
+    sheen_viewer_paint(viewer, (uint32_t *)window->canvas->pixels + MARGIN * stride + left, (unsigned)stride);
+    mark_band(window, left);
+    write_lines(window);
 }
 
 static int show(struct window *window, struct sheen_problem *problem)
@@ -165,13 +156,9 @@ static int show(struct window *window, struct sheen_problem *problem)
         return error;
     draw_canvas(window);
     SDL_Surface *to = SDL_GetWindowSurface(window->window);
-    SDL_Surface *from =
-        SDL_CreateRGBSurfaceWithFormatFrom(cairo_image_surface_get_data(window->canvas), window->width, window->height,
-                                           32, cairo_image_surface_get_stride(window->canvas), SDL_PIXELFORMAT_RGB888);
     int shown =
-        to && from && SDL_BlitSurface(from, NULL, to, NULL) == 0 && SDL_UpdateWindowSurface(window->window) == 0;
+        to && SDL_BlitSurface(window->canvas, NULL, to, NULL) == 0 && SDL_UpdateWindowSurface(window->window) == 0;
 
-    SDL_FreeSurface(from);
     return shown ? SHEEN_OK : sdl_problem(problem);
 }
 
@@ -249,12 +236,10 @@ int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem
     window.window =
         SDL_CreateWindow("sheen", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, MIN_WIDTH, MIN_WIDTH, 0);
     error = window.window ? run(&window, problem) : sdl_problem(problem);
-    if (window.canvas)
-        cairo_surface_destroy(window.canvas);
+    SDL_FreeSurface(window.canvas);
     if (window.window)
         SDL_DestroyWindow(window.window);
     SDL_Quit();
-    cairo_debug_reset_static_data(); /* what both keep of the font is not lost, but looks it */
-    FcFini();
+    sheen_letters_end();
     return error;
 }
