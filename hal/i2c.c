@@ -24,7 +24,7 @@ static int landed(const struct sheen_bus *to)
     return to->wait ? to->wait(to->ctx) : SHEEN_OK;
 }
 
-static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+static int i2c_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_i2c *i2c = ctx;
     const uint8_t *byte = data;
@@ -54,6 +54,6 @@ int sheen_i2c_open(struct sheen_i2c *i2c, const struct sheen_bus *to, size_t lon
         return SHEEN_ERR_ARGUMENT;
     i2c->longest = longest && longest < SHEEN_I2C_MESSAGE ? longest : SHEEN_I2C_MESSAGE;
     sheen_bus_layer_open(&i2c->layer, to);
-    i2c->layer.bus.send = send;
+    i2c->layer.bus.send = i2c_send;
     return SHEEN_OK;
 }

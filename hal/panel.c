@@ -87,7 +87,7 @@ static int axis_fits(int first, int end, int size, int align)
 }
 
 /* Collects the push before, whose buffer may be this one's; a bad rectangle leaves the panel as it is. */
-static int push(void *ctx, struct sheen_rect rect, const void *pixels)
+static int panel_push(void *ctx, struct sheen_rect rect, const void *pixels)
 {
     struct sheen_panel *panel = ctx;
     const struct sheen_panel_driver *driver = panel->record->driver;
@@ -111,7 +111,7 @@ static int push(void *ctx, struct sheen_rect rect, const void *pixels)
     return sheen_panel_give(panel, error);
 }
 
-static int wait(void *ctx)
+static int panel_wait(void *ctx)
 {
     struct sheen_panel *panel = ctx;
 
@@ -163,8 +163,8 @@ int sheen_panel_target(struct sheen_panel *panel, struct sheen_target *target)
     if (!panel || !panel->record || !target)
         return SHEEN_ERR_ARGUMENT;
     *target = (struct sheen_target){.ctx = panel,
-                                    .push = push,
-                                    .wait = wait,
+                                    .push = panel_push,
+                                    .wait = panel_wait,
                                     .pixel = panel->record->pixel,
                                     .align_x = panel->record->driver->align_x,
                                     .align_y = panel->record->driver->align_y};

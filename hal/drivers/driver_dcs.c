@@ -35,7 +35,7 @@
 #define MADCTL_BGR 0x08 /* beside scan's bits: sub-pixels of the glass are blue, green, red */
 
 /* MADCTL without the colour order. Mirrored left to right: the other end of the axis that x runs along. */
-static uint8_t scan_of(const struct sheen_panel *panel)
+static uint8_t dcs_scan_of(const struct sheen_panel *panel)
 {
     uint8_t scan = panel->record->scan[panel->orientation & 3];
 
@@ -44,21 +44,21 @@ static uint8_t scan_of(const struct sheen_panel *panel)
     return scan;
 }
 
-static int orient(struct sheen_panel *panel)
+static int dcs_orient(struct sheen_panel *panel)
 {
-    uint8_t madctl = (uint8_t)(scan_of(panel) | (panel->record->bgr ? MADCTL_BGR : 0));
+    uint8_t madctl = (uint8_t)(dcs_scan_of(panel) | (panel->record->bgr ? MADCTL_BGR : 0));
 
     return sheen_panel_command(panel, MADCTL, &madctl, 1);
 }
 
-static int init(struct sheen_panel *panel)
+static int dcs_init(struct sheen_panel *panel)
 {
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
         error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = orient(panel);
+        error = dcs_orient(panel);
     if (error == SHEEN_OK)
         error = sheen_panel_command(panel, panel->record->inverted ? INVON : INVOFF, NULL, 0);
     if (error == SHEEN_OK)
@@ -109,10 +109,10 @@ static int send_18(struct sheen_panel *panel, const uint8_t *pixels, size_t coun
     return error;
 }
 
-static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static int dcs_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
-    uint8_t scan = scan_of(panel);
+    uint8_t scan = dcs_scan_of(panel);
     uint16_t columns = sheen_panel_offset(record->ram_w, record->glass_w, record->gap_x, scan & SHEEN_SCAN_MX);
     uint16_t rows = sheen_panel_offset(record->ram_h, record->glass_h, record->gap_y, scan & SHEEN_SCAN_MY);
     const uint8_t write = RAMWR;
@@ -127,9 +127,9 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     return record->bits_18 ? send_18(panel, pixels, count) : sheen_panel_launch(panel, &write, 1, pixels, 2 * count);
 }
 
-const struct sheen_panel_driver sheen_driver_dcs = {.init = init,
-                                                    .orient = orient,
-                                                    .push = push,
+const struct sheen_panel_driver sheen_driver_dcs = {.init = dcs_init,
+                                                    .orient = dcs_orient,
+                                                    .push = dcs_push,
                                                     .reset_command = SWRESET,
                                                     .off = {DISPOFF, SLPIN},
                                                     .off_count = 2,

@@ -25,7 +25,7 @@
 #define DISPLAY_OFF 0xAE
 #define DISPLAY_ON 0xAF
 
-static int init(struct sheen_panel *panel)
+static int grey_init(struct sheen_panel *panel)
 {
     int low = panel->record->driver->low_parameters;
     int error = sheen_panel_reset(panel);
@@ -79,7 +79,7 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
     return launch(panel, panel->pack, used);
 }
 
-static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static int grey_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
     unsigned shift = record->driver->align_x / 2u; /* 1 or 2: a column address is 2 or 4 px */
@@ -98,8 +98,8 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     return send_turned(panel, &turn, pixels);
 }
 
-const struct sheen_panel_driver sheen_driver_grey = {.init = init,
-                                                     .push = push,
+const struct sheen_panel_driver sheen_driver_grey = {.init = grey_init,
+                                                     .push = grey_push,
                                                      .reset_command = -1,
                                                      .off = {DISPLAY_OFF},
                                                      .off_count = 1,
@@ -107,8 +107,8 @@ const struct sheen_panel_driver sheen_driver_grey = {.init = init,
                                                      .align_x = 2,
                                                      .align_y = 2};
 
-const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = init,
-                                                        .push = push,
+const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = grey_init,
+                                                        .push = grey_push,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,

@@ -21,7 +21,7 @@
 #define DISPLAY_ON 0xAF
 #define PAGE_START 0xB0
 
-static int init(struct sheen_panel *panel)
+static int mono_init(struct sheen_panel *panel)
 {
     int error = sheen_panel_reset(panel);
 
@@ -101,7 +101,7 @@ static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const 
     return error;
 }
 
-const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = init,
+const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = mono_init,
                                                         .push = push_ssd1306,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
@@ -110,7 +110,7 @@ const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = init,
                                                         .align_x = 8,
                                                         .align_y = 8};
 
-const struct sheen_panel_driver sheen_driver_sh1106 = {.init = init,
+const struct sheen_panel_driver sheen_driver_sh1106 = {.init = mono_init,
                                                        .push = push_sh1106,
                                                        .reset_command = -1,
                                                        .off = {DISPLAY_OFF},

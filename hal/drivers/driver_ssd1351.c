@@ -28,7 +28,7 @@
 #define REMAP_COM 0x10      /* rows from the last */
 
 /* The remap byte of the orientation, without the colour order. */
-static uint8_t scan_of(const struct sheen_panel *panel)
+static uint8_t ssd1351_scan_of(const struct sheen_panel *panel)
 {
     uint8_t scan = panel->record->scan[panel->orientation & 3];
 
@@ -37,10 +37,10 @@ static uint8_t scan_of(const struct sheen_panel *panel)
     return scan;
 }
 
-static int orient(struct sheen_panel *panel)
+static int ssd1351_orient(struct sheen_panel *panel)
 {
     const struct sheen_panel_record *record = panel->record;
-    uint8_t scan = scan_of(panel), remap = (uint8_t)(scan | (record->bgr ? REMAP_CBA : 0));
+    uint8_t scan = ssd1351_scan_of(panel), remap = (uint8_t)(scan | (record->bgr ? REMAP_CBA : 0));
     /*
      * Of the rows only the first glass_h are behind the glass. Scanned from the
      * last, the RAM's row 0 must meet the glass's top: start at glass_h, mod 128.
@@ -51,20 +51,20 @@ static int orient(struct sheen_panel *panel)
     return error < 0 ? error : sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
 }
 
-static int init(struct sheen_panel *panel)
+static int ssd1351_init(struct sheen_panel *panel)
 {
     int error = sheen_panel_reset(panel);
 
     if (error == SHEEN_OK)
         error = sheen_panel_steps(panel);
     if (error == SHEEN_OK)
-        error = orient(panel);
+        error = ssd1351_orient(panel);
     return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
 }
 
-static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static int ssd1351_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
 {
-    unsigned x_axis = scan_of(panel) & REMAP_VERTICAL; /* of the window: 0 columns, 1 rows */
+    unsigned x_axis = ssd1351_scan_of(panel) & REMAP_VERTICAL; /* of the window: 0 columns, 1 rows */
     size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2;
     static const uint8_t set[2] = {SET_COLUMN, SET_ROW}, write = WRITE_RAM;
     int error = sheen_panel_set_window(panel, x_axis, set[x_axis], (unsigned)rect.x0, (unsigned)rect.x1 - 1);
@@ -74,9 +74,9 @@ static int push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t
     return error < 0 ? error : sheen_panel_launch(panel, &write, 1, pixels, count);
 }
 
-const struct sheen_panel_driver sheen_driver_ssd1351 = {.init = init,
-                                                        .orient = orient,
-                                                        .push = push,
+const struct sheen_panel_driver sheen_driver_ssd1351 = {.init = ssd1351_init,
+                                                        .orient = ssd1351_orient,
+                                                        .push = ssd1351_push,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,

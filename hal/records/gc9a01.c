@@ -11,10 +11,10 @@
 #include "record.h"
 
 static const struct sheen_panel_step init_gc9a01[] = {
-    {0xEF, 0, NONE}, /* opens the register pages, with FE */
+    {0xEF, 0, BARE}, /* opens the register pages, with FE */
     {0xEB, 0, BYTES(0x14)},
-    {0xFE, 0, NONE},
-    {0xEF, 0, NONE},
+    {0xFE, 0, BARE},
+    {0xEF, 0, BARE},
     {0xEB, 0, BYTES(0x14)},
     {0x84, 0, BYTES(0x40)},
     {0x85, 0, BYTES(0xFF)},
@@ -56,7 +56,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
     {0x67, 0, BYTES(0x00, 0x3C, 0x00, 0x00, 0x00, 0x01, 0x54, 0x10, 0x32, 0x98)},
     {0x74, 0, BYTES(0x10, 0x85, 0x80, 0x00, 0x00, 0x4E, 0x00)},
     {0x98, 0, BYTES(0x3E, 0x07)},
-    {SLPOUT, 120, NONE}, /* sleep out; 120 ms as in record.h */
+    {SLPOUT, 120, BARE}, /* sleep out; 120 ms as in record.h */
 };
 
 /* The rating is not published; 40 to 80 MHz are in use, so the lower end. */

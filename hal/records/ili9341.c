@@ -7,7 +7,7 @@
 #include "record.h"
 
 static const struct sheen_panel_step init_ili9341[] = {
-    {SLPOUT, 120, NONE},
+    {SLPOUT, 120, BARE},
     {COLMOD, 0, BYTES(0x55)},
 };
 
@@ -28,7 +28,7 @@ const struct sheen_panel_record sheen_panel_ili9341 = {
 
 /* On SPI it has 18 bits a pixel, or 8 colours, but not 16 bits (ILI9488 data sheet, "4-line serial interface"). */
 static const struct sheen_panel_step init_ili9488[] = {
-    {SLPOUT, 120, NONE},
+    {SLPOUT, 120, BARE},
     {COLMOD, 0, BYTES(0x66)},
 };
 

@@ -7,7 +7,7 @@
 #include "sheen_panel.h"
 
 /* The last two fields of a step: no parameters, or these. */
-#define NONE 0, NULL
+#define BARE 0, NULL
 #define BYTES SHEEN_BYTES
 
 #define INIT(table) .init = table, .steps = sizeof table / sizeof table[0]

@@ -7,20 +7,20 @@
 #include "record.h"
 
 static const struct sheen_panel_step init_sh1106[] = {
-    {0xAE, 0, NONE},        /* off */
+    {0xAE, 0, BARE},        /* off */
     {0xD5, 0, BYTES(0x80)}, /* clock */
     {0xA8, 0, BYTES(0x3F)}, /* 64 lines */
     {0xD3, 0, BYTES(0x00)}, /* offset */
-    {0x40, 0, NONE},        /* start line 0 */
+    {0x40, 0, BARE},        /* start line 0 */
     {0xAD, 0, BYTES(0x8B)}, /* DC-DC on */
-    {0xA1, 0, NONE},        /* columns from the last segment */
-    {0xC8, 0, NONE},        /* rows from the last COM line */
+    {0xA1, 0, BARE},        /* columns from the last segment */
+    {0xC8, 0, BARE},        /* rows from the last COM line */
     {0xDA, 0, BYTES(0x12)}, /* COM wiring: alternating */
     {0x81, 0, BYTES(0xCF)}, /* contrast */
     {0xD9, 0, BYTES(0xF1)}, /* precharge */
     {0xDB, 0, BYTES(0x40)}, /* VCOMH */
-    {0xA4, 0, NONE},        /* shows the RAM, */
-    {0xA6, 0, NONE},        /* not inverted */
+    {0xA4, 0, BARE},        /* shows the RAM, */
+    {0xA6, 0, BARE},        /* not inverted */
 };
 
 /* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). */

@@ -9,22 +9,22 @@
 /* lines: multiplex ratio - 1. pins: DA, how COM lines are wired (12 alternating, 02 in sequence). */
 /* clang-format off */
 #define INIT_SSD1306(lines, pins, contrast, precharge, vcomh) {  \
-    {0xAE, 0, NONE},         /* off */                           \
+    {0xAE, 0, BARE},         /* off */                           \
     {0xD5, 0, BYTES(0x80)},  /* clock */                         \
     {0xA8, 0, BYTES(lines)}, /* multiplex ratio */               \
     {0xD3, 0, BYTES(0x00)},  /* offset */                        \
-    {0x40, 0, NONE},         /* start line 0 */                  \
+    {0x40, 0, BARE},         /* start line 0 */                  \
     {0x8D, 0, BYTES(0x14)},  /* charge pump on */                \
     {0x20, 0, BYTES(0x00)},  /* horizontal addresses */          \
-    {0xA1, 0, NONE},         /* columns from the last segment */ \
-    {0xC8, 0, NONE},         /* rows from the last COM line */   \
+    {0xA1, 0, BARE},         /* columns from the last segment */ \
+    {0xC8, 0, BARE},         /* rows from the last COM line */   \
     {0xDA, 0, BYTES(pins)},  /* COM wiring */                    \
     {0x81, 0, BYTES(contrast)},                                  \
     {0xD9, 0, BYTES(precharge)},                                 \
     {0xDB, 0, BYTES(vcomh)},                                     \
-    {0x2E, 0, NONE},         /* no scrolling */                  \
-    {0xA4, 0, NONE},         /* shows the RAM, */                \
-    {0xA6, 0, NONE},         /* not inverted */                  \
+    {0x2E, 0, BARE},         /* no scrolling */                  \
+    {0xA4, 0, BARE},         /* shows the RAM, */                \
+    {0xA6, 0, BARE},         /* not inverted */                  \
 }
 /* clang-format on */
 

@@ -10,7 +10,7 @@
 
 static const struct sheen_panel_step init_ssd1322[] = {
     {0xFD, 0, BYTES(0x12)},       /* unlock */
-    {0xAE, 0, NONE},              /* off */
+    {0xAE, 0, BARE},              /* off */
     {0xB3, 0, BYTES(0x91)},       /* clock: 80 frames/s */
     {0xCA, 0, BYTES(0x3F)},       /* 64 lines */
     {0xA2, 0, BYTES(0x00)},       /* offset */
@@ -19,14 +19,14 @@ static const struct sheen_panel_step init_ssd1322[] = {
     {0xB4, 0, BYTES(0xA0, 0xFD)}, /* enhancement A: external VSL */
     {0xC1, 0, BYTES(0x9F)},       /* contrast */
     {0xC7, 0, BYTES(0x0F)},       /* master contrast */
-    {0xB9, 0, NONE},              /* linear grey table */
+    {0xB9, 0, BARE},              /* linear grey table */
     {0xB1, 0, BYTES(0xE2)},       /* phases */
     {0xD1, 0, BYTES(0xA2, 0x20)}, /* enhancement B: none */
     {0xBB, 0, BYTES(0x1F)},       /* precharge, */
     {0xB6, 0, BYTES(0x08)},       /* second precharge */
     {0xBE, 0, BYTES(0x07)},       /* VCOMH */
-    {0xA6, 0, NONE},              /* shows the RAM, */
-    {0xA9, 0, NONE},              /* all of it */
+    {0xA6, 0, BARE},              /* shows the RAM, */
+    {0xA9, 0, BARE},              /* all of it */
 };
 
 /* Clock: cycle 100 ns, as u8g2 has it from the data sheet. */

@@ -10,13 +10,13 @@
 /* B8: grey table that is linear to the eye; offset A2 as the glass's COM lines are wired. */
 /* clang-format off */
 #define INIT_SSD1325(offset) {                                        \
-    {0xAE, 0, NONE},          /* off */                               \
+    {0xAE, 0, BARE},          /* off */                               \
     {0xB3, 0, BYTES(0x91)},   /* clock: 135 frames/s */               \
     {0xA8, 0, BYTES(0x3F)},   /* 64 lines */                          \
     {0xA2, 0, BYTES(offset)}, /* display offset */                    \
     {0xA1, 0, BYTES(0x00)},   /* start line */                        \
     {0xAD, 0, BYTES(0x02)},   /* external VCC */                      \
-    {0x86, 0, NONE},          /* full current */                      \
+    {0x86, 0, BARE},          /* full current */                      \
     {0xB8, 0, BYTES(0x01, 0x11, 0x22, 0x32, 0x43, 0x54, 0x65, 0x76)}, \
     {0x81, 0, BYTES(0x70)},   /* contrast */                          \
     {0xB2, 0, BYTES(0x51)},   /* row period */                        \
@@ -24,7 +24,7 @@
     {0xBC, 0, BYTES(0x10)},   /* precharge */                         \
     {0xBE, 0, BYTES(0x1C)},   /* VCOMH */                             \
     {0xBF, 0, BYTES(0x0F)},   /* VSL */                               \
-    {0xA4, 0, NONE},          /* shows the RAM */                     \
+    {0xA4, 0, BARE},          /* shows the RAM */                     \
 }
 /* clang-format on */
 

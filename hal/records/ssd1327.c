@@ -10,7 +10,7 @@
 /* clang-format off */
 #define INIT_SSD1327(lines, offset) {                           \
     {0xFD, 0, BYTES(0x12)},   /* unlock */                      \
-    {0xAE, 0, NONE},          /* off */                         \
+    {0xAE, 0, BARE},          /* off */                         \
     {0xA8, 0, BYTES(lines)},  /* lines - 1 */                   \
     {0xA1, 0, BYTES(0x00)},   /* start line */                  \
     {0xA2, 0, BYTES(offset)}, /* display offset */              \
@@ -18,12 +18,12 @@
     {0x81, 0, BYTES(0x53)},   /* contrast */                    \
     {0xB1, 0, BYTES(0x51)},   /* phases */                      \
     {0xB3, 0, BYTES(0x01)},   /* clock */                       \
-    {0xB9, 0, NONE},          /* linear grey table */           \
+    {0xB9, 0, BARE},          /* linear grey table */           \
     {0xBC, 0, BYTES(0x08)},   /* precharge */                   \
     {0xBE, 0, BYTES(0x07)},   /* VCOMH */                       \
     {0xB6, 0, BYTES(0x01)},   /* second precharge: strength, */ \
     {0xD5, 0, BYTES(0x62)},   /* and on */                      \
-    {0xA4, 0, NONE},          /* shows the RAM */               \
+    {0xA4, 0, BARE},          /* shows the RAM */               \
 }
 /* clang-format on */
 

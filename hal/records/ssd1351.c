@@ -10,7 +10,7 @@
 static const struct sheen_panel_step init_ssd1351[] = {
     {0xFD, 0, BYTES(0x12)},             /* unlock, */
     {0xFD, 0, BYTES(0xB1)},             /* also A2, B1, B3, BE, C1 */
-    {0xAE, 0, NONE},                    /* off */
+    {0xAE, 0, BARE},                    /* off */
     {0xB3, 0, BYTES(0xF1)},             /* clock */
     {0xCA, 0, BYTES(0x7F)},             /* 128 lines, on shorter glass too */
     {0xA2, 0, BYTES(0x00)},             /* offset */
@@ -18,7 +18,7 @@ static const struct sheen_panel_step init_ssd1351[] = {
     {0xAB, 0, BYTES(0x01)},             /* internal supply */
     {0xB1, 0, BYTES(0x32)},             /* precharge */
     {0xBE, 0, BYTES(0x05)},             /* VCOMH */
-    {0xA6, 0, NONE},                    /* not inverted */
+    {0xA6, 0, BARE},                    /* not inverted */
     {0xC1, 0, BYTES(0xC8, 0x80, 0xC8)}, /* contrast A, B, C */
     {0xC7, 0, BYTES(0x0F)},             /* master contrast */
     {0xB4, 0, BYTES(0xA0, 0xB5, 0x55)}, /* external VSL */

@@ -15,7 +15,7 @@
  * record.h (ST7735R data sheet, reset timing and SLPOUT: 10 us, 120 ms, 120 ms).
  */
 static const struct sheen_panel_step init_st7735[] = {
-    {0x11, 120, NONE},                                    /* sleep out */
+    {0x11, 120, BARE},                                    /* sleep out */
     {0xB1, 0, BYTES(0x01, 0x2C, 0x2D)},                   /* frame rate: normal, */
     {0xB2, 0, BYTES(0x01, 0x2C, 0x2D)},                   /* idle, */
     {0xB3, 0, BYTES(0x01, 0x2C, 0x2D, 0x01, 0x2C, 0x2D)}, /* partial */

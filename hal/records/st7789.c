@@ -10,7 +10,7 @@
  * 5 bits become 6 (Pimoroni pimoroni-pico issue 1040: else greys show bands).
  */
 static const struct sheen_panel_step init_st7789[] = {
-    {SLPOUT, 120, NONE},
+    {SLPOUT, 120, BARE},
     {COLMOD, 0, BYTES(0x55)},
     {0xB0, 0, BYTES(0x00, 0xC0)},
 };

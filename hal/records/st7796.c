@@ -4,7 +4,7 @@
 #include "record.h"
 
 static const struct sheen_panel_step init_st7796[] = {
-    {SLPOUT, 120, NONE},
+    {SLPOUT, 120, BARE},
     {COLMOD, 0, BYTES(0x55)},
 };
 
