@@ -154,6 +154,11 @@ unsigned options_orientation(const struct options *options)
     return sheen_panel_default_orientation(sheen_panel_find(options->panel));
 }
 
+const char options_what[] = "Shows a turning mesh on a small panel that is wired to this board.";
+const char options_mesh[] =
+    "MESH is a file or builtin:teapot (the default), builtin:sphere, builtin:torus, builtin:cube.";
+const char options_look[] = "What the mesh looks like, as for `sheen render`.";
+
 static void help_line(const char *name, const char *value, const char *text, const char *standard)
 {
     char left[64];
@@ -168,16 +173,17 @@ static void help_line(const char *name, const char *value, const char *text, con
 void options_help(void)
 {
     printf("Usage: sheen-panel [MESH] --panel NAME [OPTION]...\n"
-           "Shows a turning mesh on a small panel that is wired to this board.\n");
+           "%s\n",
+           options_what);
     for (const struct option_row *row = option_rows; row->help; row++) {
         if (row->name)
             help_line(row->name, row->value, row->help, NULL);
         else
             printf("\n%s\n", row->help);
     }
-    printf("\nWhat the mesh looks like, as for `sheen render`.\n");
+    printf("\n%s\n", options_look);
     for (const struct sheen_option *option = sheen_option_table; option->name; option++)
         if (option_is_view(option))
             help_line(option->name, option->argument, option->help, option->value);
-    printf("\nMESH is a file or builtin:teapot (the default), builtin:sphere, builtin:torus, builtin:cube.\n");
+    printf("\n%s\n", options_mesh);
 }

@@ -31,7 +31,7 @@ struct options {
     double fps; /* at most so many; 0: as fast as it goes */
     long quiet; /* no statistics */
     /* other than showing */
-    long list, panels, help, version;
+    long list, panels, help, man, version;
 };
 
 /*
@@ -51,6 +51,9 @@ unsigned options_orientation(const struct options *options);
 
 /* The help text, on standard output. */
 void options_help(void);
+
+/* The page of the manual, in roff, on standard output. */
+void options_man(void);
 
 /* Private to options*.c: an option by its name, 0 or -1 and *why; and the lines of a file, 0 or 1 and *why. */
 int options_set(struct options *options, const char *name, const char *value, struct sheen_failure *why);

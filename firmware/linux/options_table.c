@@ -43,6 +43,7 @@ const struct option_row option_rows[] = {
     {"list", SWITCH, FIELD(list), 0, 0, NULL, "show GPIO chips, their lines and who holds them"},
     {"panels", SWITCH, FIELD(panels), 0, 0, NULL, "show the panels"},
     {"help", SWITCH, FIELD(help), 0, 0, NULL, "show this"},
+    {"man", SWITCH, FIELD(man), 0, 0, NULL, "show this as a page of the manual, in roff"},
     {"version", SWITCH, FIELD(version), 0, 0, NULL, "show the version of sheen and of libgpiod"},
     {NULL, TEXT, 0, 0, 0, NULL, NULL},
 };

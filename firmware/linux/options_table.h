@@ -30,6 +30,9 @@ struct option_row {
 /* Ended by a row with neither name nor help; one without a name is a heading. */
 extern const struct option_row option_rows[];
 
+/* What --help says besides the options. */
+extern const char options_what[], options_mesh[], options_look[];
+
 /* Whether an option of the command's table is one of sheen-panel's too. */
 int option_is_view(const struct sheen_option *option);
 

@@ -104,6 +104,8 @@ int main(int argc, char **argv)
 
     if (status == 0 && options.help) {
         options_help();
+    } else if (status == 0 && options.man) {
+        options_man();
     } else if (status == 0 && options.version) {
         printf("sheen-panel %s, libgpiod %s\n", SHEEN_VERSION, sheen_pins_version());
     } else if (status == 0 && options.panels) {

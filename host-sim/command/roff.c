@@ -1,0 +1,28 @@
+/*
+ * roff.c - text into a page of the manual.
+ */
+#include "roff.h"
+
+#include <stdio.h>
+
+void sheen_roff(const char *text)
+{
+    for (int first = 1; *text; text++) {
+        if (*text == '-')
+            fputs("\\-", stdout);
+        else if (*text == '\\')
+            fputs("\\e", stdout);
+        else if (first && (*text == '.' || *text == '\''))
+            printf("\\&%c", *text);
+        else
+            putchar(*text);
+        first = *text == '\n';
+    }
+}
+
+void sheen_roff_line(const char *before, const char *text, const char *after)
+{
+    fputs(before, stdout);
+    sheen_roff(text);
+    fputs(after, stdout);
+}
