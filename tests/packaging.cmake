@@ -6,3 +6,9 @@ sheen_script(seeded_cmake_floor format COMMAND tests/checks/refuses "7 too new i
 sheen_script(panel_names panel COMMAND tests/packaging/panel_names $<TARGET_FILE:sheen> $<TARGET_FILE:sheen_hal>)
 sheen_script(no_cairo cross COMMAND tests/packaging/no_cairo)
 sheen_script(readme_program format COMMAND tests/packaging/readme_program)
+
+# The packages of other worlds.
+sheen_script(manifests packages COMMAND tests/packaging/manifests)
+sheen_script(seeded_manifests packages COMMAND tests/packaging/manifests_seeded)
+sheen_script(debian_package packages COMMAND tests/packaging/debian)
+sheen_script(two_files_panel packages COMMAND tests/packaging/two_files_panel)
