@@ -15,13 +15,16 @@
 #include "sheen_panel.h"
 
 /* A panel on hardware SPI. It must not be moved once begin() was called. */
-class SheenSPI {
+class SheenSPI
+{
   public:
     sheen_panel panel;   /* for sheen_panel_brightness() and the like */
     sheen_target target; /* for sheen_config */
 
     /* Pins; cs and reset are -1 where the module has none. */
-    SheenSPI(int dc, int cs, int reset, SPIClass &spi = SPI) : dc_(dc), cs_(cs), reset_(reset), spi_(spi) {}
+    SheenSPI(int dc, int cs, int reset, SPIClass &spi = SPI) : dc_(dc), cs_(cs), reset_(reset), spi_(spi)
+    {
+    }
 
     /* orientation: 0..7 (sheen_panel.h); clock: Hz, 0: the record's. 0 or a code of enum sheen_error. */
     int begin(const sheen_panel_record &record, unsigned orientation = 0, uint32_t clock = 0)
