@@ -3,21 +3,14 @@
  * about, the arena at compile time, poses of the view, lights of the world, pixels in memory, a band's depth.
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define WIDTH 96
 #define HEIGHT 72
 
-static struct stage stage;
 static const struct actor ball = {STAGE_BALL, 0, SHEEN_PHONG, 0.2, 0.1, 4, 1, 20, 30};
 static const struct actor torus = {STAGE_TORUS, 1, SHEEN_GOURAUD, -0.6, 0, 5, 1.2, 60, 50};
 
@@ -340,19 +333,6 @@ static void depth_in_overlays(void **state)
     /* The nearest point of the ball is at m = 3, a little farther where its triangles cut the corner off. */
     double nearest = 257 + 65020 * (1 / 3. - 1 / 8.) / (1 / 2. - 1 / 8.);
     assert_true(d.most <= nearest + 1 && d.most > nearest - 1000);
-}
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
 }
 
 int main(void)

@@ -6,20 +6,14 @@
  *   test_frame_calls all      10^6
  *   test_frame_calls from N   from sequence N on: what a failure names
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "call_player.h"
+#include "frame_test.h"
 
 #define CALLS 40 /* a sequence; some of them are all bands of a frame */
 
-static struct stage stage;
 static unsigned first_sequence, sequences = 30000;
 static struct player *failing; /* the sequence that is played */
 
@@ -51,19 +45,6 @@ static int name_sequence(void **state)
     if (failing != NULL)
         print_message("  sequence %u, call %u: test_frame_calls from %u\n", failing->number, failing->calls,
                       failing->number);
-    return 0;
-}
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
     return 0;
 }
 

@@ -4,31 +4,11 @@
  * Every frame is drawn twice: by a frame that sends what changed to a target it
  * has drawn on before, and by one that sends everything. Both must look alike.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "frame_show.h"
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
+#include "frame_test.h"
 
 /* Outside the viewport the panel belongs to others: both targets keep what they had there. */
 static void assert_same_glass(const struct memory_target *a, const struct memory_target *b, struct sheen_rect r,

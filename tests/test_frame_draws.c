@@ -1,33 +1,12 @@
 /*
  * test_frame_draws.c - several draws in a frame, and calls out of order.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define WIDTH 160
 #define HEIGHT 120
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
 
 /* ---- several draws ---- */
 

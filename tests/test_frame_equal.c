@@ -1,35 +1,14 @@
 /*
  * test_frame_equal.c - the same pixels whatever the bands, buffers, workers and their order.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define WIDTH 160
 #define HEIGHT 120
 #define FRAMES 3
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
 
 /* Objects through each other, off the edges, and one cut by the near plane; every shading. */
 static int cast(struct actor actors[5], int frame)

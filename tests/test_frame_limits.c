@@ -1,35 +1,14 @@
 /*
  * test_frame_limits.c - memory and capacities: enough works, one less is a clean error.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define WIDTH 160
 #define HEIGHT 120
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
 
 /* ---- the arena ---- */
 

@@ -1,35 +1,14 @@
 /*
  * test_frame_order.c - calls in another order than begin, draw, bands, finish: what each answers, and what is sent.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define SIZE 64
 #define BANDS 8
 #define PIXELS (SIZE * SIZE)
 #define BROKEN (-77)
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
 
 struct order {
     struct memory_target target;

@@ -3,36 +3,15 @@
  *
  * Meant for the thread sanitizer, which sees any store that both touch.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include <pthread.h>
 #include <string.h>
 
-#include <cmocka.h>
-#include <pthread.h>
-
-#include "frame_stage.h"
+#include "frame_test.h"
 
 #define WIDTH 160
 #define HEIGHT 120
 #define WORKERS 2
 #define FRAMES 8
-
-static struct stage stage;
-
-static int make_stage(void **state)
-{
-    (void)state;
-    return stage_make(&stage);
-}
-
-static int free_stage(void **state)
-{
-    (void)state;
-    stage_free(&stage);
-    return 0;
-}
 
 /* One bus for all, which takes the pixels when it is waited for: it would notice a second push, or a touched buffer. */
 struct bus {
