@@ -107,7 +107,7 @@ struct sheen_mesh {
 
 /*
  * The table of s^n that highlights look up, of one shininess n: const data, shared by materials. Those below are
- * linked where they are named; sheen_shine_make() makes any other.
+ * linked where they are named; `sheen bake shine:N` writes any other as a header, sheen_shine_make() makes it in RAM.
  */
 struct sheen_shine {
     /* s^n over u = 1 - s in [0, 2^-shift]: UQ1.15 << 16 | what it falls by to the next entry; 1.0 once more in front */

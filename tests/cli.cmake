@@ -35,7 +35,12 @@ sheen_baked(baked_teapot.h builtin:teapot)
 sheen_baked(baked_egg.h data/egg.obj)
 sheen_baked(baked_egg_crease.h data/egg.obj --normals average --crease 12.5 --weights equal --no-flat --name smooth)
 sheen_baked(baked_box.h data/box.obj --groups)
-sheen_test(test_bake unit SOURCES test_bake.c ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
+set(shines "")
+foreach(n 1 7 24 127)
+  sheen_baked(baked_shine_${n}.h shine:${n})
+  list(APPEND shines ${baked}/baked_shine_${n}.h)
+endforeach()
+sheen_test(test_bake unit SOURCES test_bake.c ${shines} ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
   ${baked}/baked_box.h LIBRARIES sheen::host sheen::core m)
 target_include_directories(test_bake PRIVATE ${baked})
 

@@ -16,6 +16,10 @@
 #include "baked_box.h"
 #include "baked_egg.h"
 #include "baked_egg_crease.h"
+#include "baked_shine_1.h"
+#include "baked_shine_127.h"
+#include "baked_shine_24.h"
+#include "baked_shine_7.h"
 #include "baked_teapot.h"
 #include "quantise.h"
 
@@ -150,9 +154,26 @@ static void the_same_pixels(void **state)
     sheen_host_mesh_free(&host);
 }
 
+static void power_tables(void **state)
+{
+    static const struct sheen_shine *const baked[] = {&baked_shine_1, &baked_shine_7, &baked_shine_24,
+                                                      &baked_shine_127};
+    static const unsigned n[] = {1, 7, 24, 127};
+
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        struct sheen_shine made;
+        assert_int_equal(sheen_shine_make(&made, n[i]), SHEEN_OK);
+        assert_memory_equal(made.power, baked[i]->power, sizeof made.power);
+        assert_int_equal(made.shininess, baked[i]->shininess);
+        assert_int_equal(made.shift, baked[i]->shift);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(power_tables),
         cmocka_unit_test(headers_are_the_files),
         cmocka_unit_test(groups),
         cmocka_unit_test(the_same_pixels),

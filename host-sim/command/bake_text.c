@@ -1,5 +1,5 @@
 /*
- * bake_text.c - meshes as a C header.
+ * bake_text.c - meshes, and power tables, as a C header.
  */
 #include "bake_text.h"
 
@@ -25,10 +25,10 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
 }
 
 /* One number of an array; *column is where the line has got to. */
-static void put(FILE *stream, long number, size_t *column)
+static void put(FILE *stream, int64_t number, size_t *column)
 {
-    char text[16];
-    size_t length = (size_t)snprintf(text, sizeof text, "%ld,", number);
+    char text[24];
+    size_t length = (size_t)snprintf(text, sizeof text, "%" PRId64 ",", number);
 
     if (*column == 0 || *column + 1 + length > COLUMNS) {
         fputs("\n   ", stream);
@@ -121,16 +121,21 @@ static void put_comment(FILE *stream, const char *text)
         putc(c[0] == '*' && c[1] == '/' ? '?' : *c, stream);
 }
 
-int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
+static void put_head(FILE *stream, const char *name, const char *source)
 {
     char guard[80];
-    size_t length = (size_t)snprintf(guard, sizeof guard, "%s_mesh_h", bake->name);
+    size_t length = (size_t)snprintf(guard, sizeof guard, "%s_mesh_h", name);
 
     for (size_t i = 0; i < length; i++)
         guard[i] = (char)toupper((unsigned char)guard[i]);
     fputs("/* Made by `", stream);
-    put_comment(stream, bake->source);
+    put_comment(stream, source);
     fprintf(stream, "`. */\n/* clang-format off */\n#ifndef %s\n#define %s\n\n#include \"sheen.h\"\n\n", guard, guard);
+}
+
+int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
+{
+    put_head(stream, bake->name, bake->source);
     for (size_t i = 0; i < bake->count; i++) {
         char name[80];
         if (bake->groups)
@@ -142,6 +147,18 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
     if (bake->groups)
         put_groups(stream, bake);
     fputs("#endif\n", stream);
+    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
+int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const char *name, const char *source)
+{
+    size_t column = 0;
+
+    put_head(stream, name, source);
+    fprintf(stream, "static const struct sheen_shine %s = {\n    .power = {", name);
+    for (size_t i = 0; i < sizeof shine->power / sizeof shine->power[0]; i++)
+        put(stream, shine->power[i], &column);
+    fprintf(stream, "\n    },\n    .shininess = %u,\n    .shift = %u,\n};\n\n#endif\n", shine->shininess, shine->shift);
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 

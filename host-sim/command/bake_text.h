@@ -1,5 +1,5 @@
 /*
- * bake_text.h - meshes as a C header: const data for flash.
+ * bake_text.h - meshes, and power tables, as a C header: const data for flash.
  */
 #ifndef SHEEN_BAKE_TEXT_H
 #define SHEEN_BAKE_TEXT_H
@@ -23,6 +23,9 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat);
 
 /* The header's text. The same on every machine. 0, or SHEEN_ERR_ARGUMENT where the stream fails. */
 int sheen_bake_text(FILE *stream, const struct sheen_bake *bake);
+
+/* Likewise of a power table, called `name`. */
+int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const char *name, const char *source);
 
 /* The identifier that a file's name gives: its base without ending, others than letters and digits as _. */
 void sheen_bake_name(char *name, size_t size, const char *path);

@@ -1,5 +1,5 @@
 /*
- * cmd_bake.c - `sheen bake`: a mesh as const data for a firmware's flash.
+ * cmd_bake.c - `sheen bake`: a mesh, or a power table, as const data for a firmware's flash.
  *
  * Triangles keep the file's order, so that of equal depths the same one stays as in
  * a rendered file. The core transforms each vertex once however triangles are
@@ -25,9 +25,31 @@ struct baking {
     struct sheen_quantised *meshes;
     struct sheen_group *groups;
     size_t count;
+    struct sheen_shine shine; /* of shine:N, where there is no mesh */
     char name[48];
     char source[400]; /* a file's name has at most 255 bytes */
 };
+
+#define SHINE "shine:"
+
+static int is_shine(const struct sheen_options *options)
+{
+    return strncmp(options->mesh, SHINE, strlen(SHINE)) == 0;
+}
+
+/* The n of shine:N, or 0 and *problem. */
+static unsigned shininess_of(const char *name, struct sheen_problem *problem)
+{
+    const char *digits = name + strlen(SHINE);
+    size_t length = strspn(digits, "0123456789");
+    long n = length > 0 && length < 4 && digits[length] == '\0' ? strtol(digits, NULL, 10) : 0;
+
+    if (n < 1 || n > 128) {
+        sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: a shininess is a whole number, 1 to 128", name);
+        return 0;
+    }
+    return (unsigned)n;
+}
 
 static int is_identifier(const char *name)
 {
@@ -43,6 +65,8 @@ static int check(const struct sheen_options *options, struct sheen_problem *prob
     if (options->name && !is_identifier(options->name))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%s': not a C identifier of 1..39 letters",
                              options->name);
+    if (is_shine(options))
+        return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
     return sheen_builtin_check(options->mesh, problem);
 }
 
@@ -156,18 +180,27 @@ static void report(const struct baking *baking)
 
 /* ---- the command ---- */
 
+/* What the command makes, as text in memory first: a file is whole or not there. */
+static int write_text(const struct baking *baking, FILE *stream)
+{
+    const struct sheen_bake bake = {.meshes = baking->meshes,
+                                    .groups = baking->options->groups ? baking->groups : NULL,
+                                    .count = baking->count,
+                                    .name = baking->name,
+                                    .source = baking->source,
+                                    .flat = !baking->options->no_flat};
+
+    if (is_shine(baking->options))
+        return sheen_bake_shine_text(stream, &baking->shine, baking->name, baking->source);
+    return sheen_bake_text(stream, &bake);
+}
+
 static int write_header(const struct baking *baking, struct sheen_problem *problem)
 {
-    struct sheen_bake bake = {.meshes = baking->meshes,
-                              .groups = baking->options->groups ? baking->groups : NULL,
-                              .count = baking->count,
-                              .name = baking->name,
-                              .source = baking->source,
-                              .flat = !baking->options->no_flat};
     char *text = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);
-    int error = stream ? sheen_bake_text(stream, &bake) : SHEEN_ERR_MEMORY;
+    int error = stream ? write_text(baking, stream) : SHEEN_ERR_MEMORY;
 
     if (stream && fclose(stream) != 0)
         error = SHEEN_ERR_MEMORY;
@@ -175,6 +208,30 @@ static int write_header(const struct baking *baking, struct sheen_problem *probl
                   : sheen_out_file(baking->options->out, text, size, problem);
     free(text);
     return error;
+}
+
+static void set_name(struct baking *baking)
+{
+    if (baking->options->name)
+        snprintf(baking->name, sizeof baking->name, "%s", baking->options->name);
+    else
+        sheen_bake_name(baking->name, 40, baking->options->out);
+}
+
+static enum sheen_exit bake_shine(struct baking *baking)
+{
+    struct sheen_problem problem;
+
+    set_name(baking);
+    snprintf(baking->source, sizeof baking->source, "sheen bake %s", baking->options->mesh);
+    int error = sheen_shine_make(&baking->shine, shininess_of(baking->options->mesh, &problem));
+    if (!error)
+        error = write_header(baking, &problem);
+    if (error)
+        return sheen_fail(SHEEN_EXIT_FAILURE, &problem);
+    printf("%s: the power table of shininess %u\nflash: %zu B\n", baking->name, baking->shine.shininess,
+           sizeof baking->shine);
+    return SHEEN_EXIT_OK;
 }
 
 static int bake(struct baking *baking, struct sheen_problem *problem)
@@ -188,10 +245,7 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
     if (error)
         return error;
     sheen_notes_print(&baking->host.notes, options->groups);
-    if (options->name)
-        snprintf(baking->name, sizeof baking->name, "%s", options->name);
-    else
-        sheen_bake_name(baking->name, 40, options->out);
+    set_name(baking);
     set_source(baking);
     error = quantise(baking);
     if (error)
@@ -206,6 +260,8 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
 
     if (check(options, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    if (is_shine(options))
+        return bake_shine(&baking);
     int error = bake(&baking, &problem);
     if (!error)
         report(&baking);

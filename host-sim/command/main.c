@@ -20,7 +20,8 @@ const struct sheen_command sheen_command_table[] = {
      SHEEN_VIEW, sheen_cmd_view},
     {"bake", "MESH [options] -o mesh.h",
      "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and "
-     "reports what it takes.",
+     "reports what it takes. shine:N in place of a mesh makes the power table (struct sheen_shine) of "
+     "shininess N, 1 to 128.",
      SHEEN_BAKE, sheen_cmd_bake},
     {"first-light", "[options] -o OUT.png",
      "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the "
