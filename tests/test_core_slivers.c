@@ -99,14 +99,12 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
         sheen_project_begin(&f->projection, &view, WIDTH, s->height) < 0) /* an empty place in the pool */
         return 0;
     sheen_pose_identity(&pose);
-    assert_int_equal(sheen_transform_begin(&t, &mesh, &pose), SHEEN_OK);
+    assert_int_equal(sheen_transform_begin(&t, &f->projection, &mesh, &pose), SHEEN_OK);
     f->draw[0].as.mesh = &mesh;
     f->entries = f->pieces = 0;
     sheen_bin_clear(f);
     for (int k = 0; k < 3; k++) {
-        sheen_q24_t eye[3];
-        sheen_transform_point(&t, s->position + 3 * k, eye);
-        sheen_project(&f->projection, eye, &f->vertex[k]);
+        sheen_project(&f->projection, t.screen_shift, sheen_transform_point(&t, s->position + 3 * k), &f->vertex[k]);
     }
     memset(b->scratch, 0xa5, corner * (2 * MAX_CLIP_CORNERS + SPARE));
     sheen_cut_triangle(f, f->draw, &t, 0);

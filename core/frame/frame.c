@@ -116,9 +116,7 @@ static void transform_mesh(struct sheen_frame *f, const struct sheen_mesh *mesh,
                            struct vertex *v)
 {
     for (uint32_t i = 0; i < mesh->vertices; i++) {
-        sheen_q24_t eye[3];
-        sheen_transform_point(t, mesh->positions + 3 * i, eye);
-        sheen_project(&f->projection, eye, &v[i]);
+        sheen_project(&f->projection, t->screen_shift, sheen_transform_point(t, mesh->positions + 3 * i), &v[i]);
     }
 }
 
@@ -198,7 +196,7 @@ static int place_object(struct sheen_frame *f, const struct sheen_object *o, str
     const struct sheen_pose *view = &f->view.pose;
     int posed = !sheen_pose_is_zero(view);
 
-    if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, o->mesh, &pose) < 0)
+    if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, &f->projection, o->mesh, &pose) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     int error = sheen_light_begin(&d->light, o->lights, o->light_count, pose.rotation,
                                   posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);

@@ -5,13 +5,13 @@
 
 #include "frame.h"
 
-/* The corners of a mesh's triangle in eye space, and their normals. */
+/* The corners of a mesh's triangle before the eye, and their normals. */
 static void triangle_corners(const struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                              uint16_t triangle, struct clip_corner corner[3], const int16_t *normal[3])
 {
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t index = mesh_index(d->as.mesh, 3u * triangle + k);
-        sheen_transform_point(t, d->as.mesh->positions + 3 * index, corner[k].eye);
+        corner[k].point = sheen_transform_point(t, d->as.mesh->positions + 3 * index);
         corner[k].v = f->vertex[d->first_vertex + index];
         for (uint32_t i = 0; i < 3; i++)
             corner[k].share[i] = i == k ? 1 << 30 : 0;
@@ -132,7 +132,7 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
                         uint16_t triangle)
 {
     struct clip_corner *scratch = f->scratch;
-    struct clip_job job = {&f->projection, 0, scratch, scratch + MAX_CLIP_CORNERS, 3};
+    struct clip_job job = {&f->projection, t, 0, scratch, scratch + MAX_CLIP_CORNERS, 3};
     const int16_t *normal[3];
 
     triangle_corners(f, d, t, triangle, job.polygon, normal);

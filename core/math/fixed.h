@@ -9,6 +9,13 @@
 
 #include <stdint.h>
 
+/* Has x computed here: compilers move what makes it behind branches, and spill what they then keep. */
+#ifdef __GNUC__
+#define IN_REGISTER(x) __asm__("" : "+r"(x))
+#else
+#define IN_REGISTER(x) ((void)0)
+#endif
+
 /*
  * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative as
  * arithmetic; elsewhere the complement of a non-negative number is shifted.

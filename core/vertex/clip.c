@@ -20,23 +20,24 @@
 
 #define CUT_SIDE (511 * 2 - 1) /* half px */
 
-/* Distance inside plane p (0..5: the order of enum vertex_flag), Q.24 lengths, any common scale for a side. */
-static int64_t inside(const struct projection *p, const sheen_q24_t eye[3], unsigned plane)
+/* Distance inside a plane (0..5: the order of enum vertex_flag), Q.24 lengths, any common scale for a side. */
+static int64_t inside(const struct clip_job *job, struct point point, unsigned plane)
 {
-    int64_t m = -(int64_t)eye[2];
+    const struct projection *p = job->projection;
+    int exponent = p->focal.exponent - (int)job->transform->fine;
+    int64_t m = point.m;
 
     if (plane == 0)
         return m - p->near;
     if (plane == 1)
         return p->far - m;
-    /* |x| focal <= side m, m fixed in an orthographic view. Range, with 16 bits of focal: 2^31 * 2^16, 2^31 * 2^24 */
-    int64_t coordinate = plane < 4 ? eye[0] : -(int64_t)eye[1];
-    int64_t across = coordinate * (int64_t)(p->focal.mantissa >> 16);
+    /* |x| focal <= side m, m fixed in an orthographic view. Range: 2^31 * 2^16, 2^31 * 2^24 */
+    int64_t across = (int64_t)(plane < 4 ? point.x : point.y) * (1 << 16);
     int64_t side = (p->orthographic != 0 ? p->orthographic : m) * CUT_SIDE << 14;
-    if (p->focal.exponent >= 0)
-        side = asr64(side, (unsigned)p->focal.exponent);
+    if (exponent >= 0)
+        side = asr64(side, (unsigned)exponent);
     else
-        across = asr64(across, (unsigned)-p->focal.exponent);
+        across = asr64(across, (unsigned)-exponent);
     return (plane & 1u) == 0 ? side + across : side - across;
 }
 
@@ -66,29 +67,28 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
                      unsigned plane, struct clip_corner *out)
 {
     const struct projection *p = job->projection;
-    int64_t da = inside(p, a->eye, plane), db = inside(p, b->eye, plane);
+    int64_t da = inside(job, a->point, plane), db = inside(job, b->point, plane);
     int32_t t =
         da > 0 ? fraction_of(da, da - db) : 0; /* inside by its flags it may lie beyond the cut: then it is it */
-    int32_t share = job->on_screen ? on_screen(t, -(int64_t)a->eye[2], -(int64_t)b->eye[2]) : t;
+    int32_t share = job->on_screen ? on_screen(t, a->point.m, b->point.m) : t;
 
-    for (int k = 0; k < 3; k++) {
-        out->eye[k] = between(a->eye[k], b->eye[k], t);
+    for (int k = 0; k < 3; k++)
         out->share[k] = between(a->share[k], b->share[k], share);
-    }
-    if (plane < 2)
-        out->eye[2] = -(plane == 0 ? p->near : p->far);
-    sheen_project(p, out->eye, &out->v);
+    out->point.x = between(a->point.x, b->point.x, t);
+    out->point.y = between(a->point.y, b->point.y, t);
+    out->point.m = plane == 0 ? p->near : plane == 1 ? p->far : between(a->point.m, b->point.m, t);
+    sheen_project(p, job->transform->screen_shift, out->point, &out->v);
 }
 
 /* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */
-static unsigned deepest_run(const struct projection *p, const struct clip_corner *in, unsigned count, unsigned plane,
-                            unsigned out)
+static unsigned deepest_run(const struct clip_job *job, unsigned plane, unsigned out)
 {
-    unsigned deepest = 0, run;
+    const struct clip_corner *in = job->polygon;
+    unsigned count = job->count, deepest = 0, run;
     int64_t depth = INT64_MIN;
 
     for (unsigned i = 0; i < count; i++) {
-        int64_t here = inside(p, in[i].eye, plane);
+        int64_t here = inside(job, in[i].point, plane);
         if ((out >> i & 1u) == 0 && here > depth) {
             depth = here;
             deepest = i;
@@ -103,15 +103,14 @@ static unsigned deepest_run(const struct projection *p, const struct clip_corner
 }
 
 /* The corners outside a plane, a bit each: none, or one run (round the end too), so that the rest is one as well. */
-static unsigned corners_outside(const struct projection *p, const struct clip_corner *in, unsigned count,
-                                unsigned plane)
+static unsigned corners_outside(const struct clip_job *job, unsigned plane)
 {
-    unsigned out = 0, all = (1u << count) - 1;
+    unsigned out = 0, count = job->count, all = (1u << count) - 1;
 
     for (unsigned i = 0; i < count; i++)
-        out |= (unsigned)(in[i].v.flags >> plane & 1) << i;
+        out |= (unsigned)(job->polygon[i].v.flags >> plane & 1) << i;
     unsigned ends = out & ~(out >> 1 | out << (count - 1)); /* each run's last corner; after the last comes the first */
-    return (ends & (ends - 1)) == 0 ? out : all & ~deepest_run(p, in, count, plane, out);
+    return (ends & (ends - 1)) == 0 ? out : all & ~deepest_run(job, plane, out);
 }
 
 /*
@@ -121,7 +120,7 @@ static unsigned corners_outside(const struct projection *p, const struct clip_co
 static unsigned cut_polygon(const struct clip_job *job, unsigned plane)
 {
     const struct clip_corner *in = job->polygon;
-    unsigned outside = corners_outside(job->projection, in, job->count, plane), kept = 0;
+    unsigned outside = corners_outside(job, plane), kept = 0;
 
     for (unsigned i = 0; i < job->count; i++) {
         unsigned next = i + 1 < job->count ? i + 1 : 0;

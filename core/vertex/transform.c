@@ -7,12 +7,6 @@
 #include "../math/newton.h"
 #include "vertex.h"
 
-/* x / 2^shift, any shift >= 0. */
-static uint64_t shift_right(uint64_t x, int shift)
-{
-    return shift > 63 ? 0 : x >> shift;
-}
-
 /* value / 2^fraction as mantissa and exponent. value > 0. */
 static struct scaled scaled_of(uint64_t value, int fraction)
 {
@@ -41,33 +35,79 @@ static struct scaled scaled_times(struct scaled a, struct scaled b)
     return s;
 }
 
-/* a * b, Q.8. Below 2^41 for depth / m with m >= near. */
-static int64_t product_q8(struct scaled a, struct scaled b)
+/* ---- what is divided by m ---- */
+
+/*
+ * 1/m as a seed and what it lacks: with u = m << up, 2^32 / u = 2 seed / 2^16 * (1 + lacks / 2^29), to 2^-28; |lacks| <
+ * 2^15. That is Newton's step, brought over the products: 16-bit ones each.
+ */
+struct inverse {
+    uint32_t seed; /* UQ1.15 */
+    int32_t lacks;
+    int up;
+};
+
+/* m > 0. */
+static inline struct inverse inverse_of(uint32_t m)
 {
-    return (int64_t)shift_right((uint64_t)a.mantissa * b.mantissa, 62 - 8 - a.exponent - b.exponent);
+    unsigned up = clz32(m | 1); /* the compiler need not ask whether m is 0 */
+    uint32_t u = m << up;
+    IN_REGISTER(u);
+    uint32_t seed = reciprocal_seed(u);
+    struct inverse i = {seed, asr32((int32_t)((1u << 31) - PRODUCT_FORM(share)(seed, u)), 2), (int)up};
+
+    return i;
+}
+
+/* v / u * 2^30, |v| < 2^31. */
+static inline int32_t over(struct inverse i, int32_t v)
+{
+    int32_t share = PRODUCT_FORM(signed_share)(i.seed, v); /* |share| < 2^30 */
+
+    return share + asr32(asr32(share, 15) * i.lacks, 14);
+}
+
+/* v / u * 2^31, v < u * 2 (1 - 2^-27). */
+static inline uint32_t depth_over(struct inverse i, uint32_t v)
+{
+    uint32_t share = PRODUCT_FORM(share)(i.seed, v);
+
+    return share + (uint32_t)asr32((int32_t)(share >> 17) * i.lacks, 12);
+}
+
+/* depth / m with its fraction bits; orthographic: what lies above far's. m in near..far. */
+static inline uint32_t depth_at(const struct projection *p, struct inverse i, int32_t m)
+{
+    if (p->orthographic != 0)
+        return (uint32_t)(((uint64_t)(uint32_t)(p->far - m) * p->depth) >> p->depth_shift);
+    return depth_over(i, p->depth) >> (p->depth_shift - i.up); /* 0..31, see depth_begin */
 }
 
 /*
- * Steps of z16 above far's, Q.8: (1/m - 1/far) depth, or in an orthographic view (far - m) depth. Not negative. At
- * near depth / m is at most 65020 * 2^15, and the relative error 2^-27 of that 16 steps above DEPTH_RANGE.
+ * Depth's mantissa goes down a little, for what 1/m may be too large by. depth / m is mantissa / u * 2^(exponent + up -
+ * 7). With fewer fraction bits than 15 nothing is shifted out at near, and 30 at most at far; with 15 it is 31 at most,
+ * for depth is no less than 65020 raw steps.
  */
-static int64_t depth_above_far(const struct projection *p, sheen_q24_t m, struct scaled one_over_m)
+static void depth_begin(struct projection *p, struct scaled depth)
 {
-    if (p->orthographic == 0) {
-        int64_t above = product_q8(p->depth, one_over_m) - p->depth_far;
-        return above > 0 ? above : 0;
-    }
-    return m < p->far ? product_q8(p->depth, scaled_of((uint64_t)(p->far - m), 24)) : 0;
+    int room = 38 - depth.exponent - (int)clz32((uint32_t)p->near); /* >= 0, for depth / near < 65020 * 2^15 */
+    unsigned fraction = (unsigned)min32(room, 15);
+
+    p->depth = depth.mantissa - (depth.mantissa >> 27);
+    p->depth_shift = 38 - (int)fraction - depth.exponent;
+    p->depth_fraction = fraction;
+    p->depth_base = (DEPTH_FAR << fraction) + (1u << fraction >> 1) - depth_at(p, inverse_of((uint32_t)p->far), p->far);
 }
 
 /*
  * 1/m = (z16 - DEPTH_FAR + depth / far) / depth, so a sum gives a number that is
  * proportional to it. The sum is scaled to just below 2^32.
  */
-static void weight_begin(struct projection *p)
+static void weight_begin(struct projection *p, struct scaled depth)
 {
-    int64_t offset = p->depth_far - (DEPTH_FAR << 8);          /* Q.8 */
-    unsigned zeros = clz64((uint64_t)(offset + (65536 << 8))); /* 24..40 */
+    struct scaled far = scaled_times(depth, reciprocal_of(p->far));
+    int64_t offset = (int64_t)(((uint64_t)far.mantissa << 8) >> (31 - far.exponent)) - (DEPTH_FAR << 8); /* Q.8 */
+    unsigned zeros = clz64((uint64_t)(offset + (65536 << 8)));                                           /* 24..40 */
 
     p->weight_shift = zeros - 32 + 8;
     p->weight_offset = (uint32_t)(zeros >= 32 ? offset * (int64_t)(1u << (zeros - 32)) : asr64(offset, 32 - zeros));
@@ -95,19 +135,19 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
     p->near = z_near;
     p->far = z_far;
     p->orthographic = view->orthographic;
+    struct scaled steps = scaled_times(scaled_of(DEPTH_RANGE, 0), reciprocal_of((sheen_q24_t)span)); /* a unit */
     if (p->orthographic != 0) { /* all weights are equal */
-        p->fixed = reciprocal_of(p->orthographic);
-        p->depth = scaled_times(scaled_of(DEPTH_RANGE, 0), reciprocal_of((sheen_q24_t)span));
-        p->depth_far = 0;
+        p->depth = steps.mantissa;
+        p->depth_fraction = 8;
+        p->depth_shift = 47 - steps.exponent; /* 8..39 */
+        p->depth_base = (DEPTH_FAR << 8) + 128;
         p->weight_shift = 0;
         p->weight_offset = 0;
         return SHEEN_OK;
     }
-    /* DEPTH_RANGE * near * far / (far - near), the second factor at most near * 2^15 */
-    p->depth = scaled_times(scaled_of((uint64_t)z_near * (uint64_t)z_far, 48), reciprocal_of((sheen_q24_t)span));
-    p->depth = scaled_times(p->depth, scaled_of(DEPTH_RANGE, 0));
-    p->depth_far = product_q8(p->depth, reciprocal_of(z_far));
-    weight_begin(p);
+    steps = scaled_times(steps, scaled_of((uint64_t)z_near * (uint64_t)z_far, 48));
+    weight_begin(p, steps);
+    depth_begin(p, steps);
     return SHEEN_OK;
 }
 
@@ -121,86 +161,97 @@ static int64_t rotate_row(const sheen_q30_t *row, const sheen_q24_t v[3])
     return asr64(sum, 15);
 }
 
-int sheen_transform_begin(struct transform *t, const struct sheen_mesh *mesh, const struct sheen_pose *pose)
+int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
+                          const struct sheen_pose *pose)
 {
+    int32_t moved[3];
+    uint32_t reach = 0;
+
     if (pose->scale <= 0 || mesh->scale <= 0)
         return SHEEN_ERR_ARGUMENT;
     int64_t scale = ((int64_t)pose->scale * mesh->scale) >> 16; /* Q7.24 */
-    if (scale <= 0 || scale > INT32_MAX)
+    if (scale <= 0)
         return SHEEN_ERR_ARGUMENT;
-
-    unsigned zeros = clz32((uint32_t)scale) - 1; /* scale * 2^zeros in [2^30, 2^31) */
-    for (int k = 0; k < 9; k++)
-        t->m[k] = mul_round(pose->rotation[k], (int32_t)(scale << zeros), 31);
-    t->shift = (int)zeros - 2; /* raw / 2^15, rotation / 2^30, m = rotation * scale * 2^(zeros - 31) */
-
     for (int k = 0; k < 3; k++) {
-        int64_t moved =
-            asr64(rotate_row(pose->rotation + 3 * k, mesh->offset) * pose->scale, 16) + pose->translation[k];
+        int64_t sum = asr64(rotate_row(pose->rotation + 3 * k, mesh->offset) * pose->scale, 16) + pose->translation[k];
         /* raw positions reach sqrt(3) * scale from the mesh's origin: nothing may wrap later */
-        if (moved + 2 * scale > INT32_MAX || moved - 2 * scale < -INT32_MAX)
+        int64_t most = (sum < 0 ? -sum : sum) + 2 * scale;
+        if (most > INT32_MAX)
             return SHEEN_ERR_ARGUMENT;
-        t->t[k] = (sheen_q24_t)moved;
+        moved[k] = (int32_t)sum;
+        reach |= k < 2 ? (uint32_t)most : 0;
+    }
+    unsigned zeros = clz32((uint32_t)scale) - 1;                     /* 1..30; scale * 2^zeros in [2^30, 2^31) */
+    int most = 8 + p->focal.exponent + (int)clz32((uint32_t)p->far); /* then screen_shift - up <= 30 */
+    t->fine = (unsigned)min32((int32_t)clz32(reach) - 1, most);
+    t->shift = zeros - 1;               /* raw / 2^15 * rotation / 2^30 * scale = raw * row / 2^(14 + shift) */
+    t->shift_fine = t->shift - t->fine; /* >= 0, for reach holds twice the scale */
+    t->screen_shift = 22 - p->focal.exponent + (int)t->fine;
+    const int32_t focal = (int32_t)(p->focal.mantissa >> 1), factor[3] = {focal, -focal, -INT32_MAX};
+    const int32_t most_part = (1 << 29) - 1; /* met by what rotations are off by alone */
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++) {
+            int32_t part = mul_round(pose->rotation[3 * k + i], (int32_t)(scale << zeros), 31);
+            part = mul_round(part, factor[k], 32);
+            PRODUCT_FORM(row_set)(&t->row[k], i, max32(-most_part, min32(part, most_part)));
+        }
+        t->t[k] = mul_round(moved[k] * (1 << (k < 2 ? t->fine : 0)), factor[k], 31);
     }
     return SHEEN_OK;
 }
 
-/* Range: three terms of at most 2^15 * 2^30 / 2^16 = 2^29. */
-void sheen_transform_point(const struct transform *t, const int16_t position[3], sheen_q24_t eye[3])
+struct point sheen_transform_point(const struct transform *t, const int16_t position[3])
 {
-    for (int k = 0; k < 3; k++) {
-        const int32_t *m = t->m + 3 * k;
-        int32_t sum = mul_16_32(position[0], m[0]) + mul_16_32(position[1], m[1]) + mul_16_32(position[2], m[2]);
+    int32_t x = position[0], y = position[1], z = position[2];
+    struct point point = {t->t[0] + asr32(PRODUCT_FORM(row_times)(&t->row[0], x, y, z), t->shift_fine),
+                          t->t[1] + asr32(PRODUCT_FORM(row_times)(&t->row[1], x, y, z), t->shift_fine),
+                          t->t[2] + asr32(PRODUCT_FORM(row_times)(&t->row[2], x, y, z), t->shift)};
 
-        eye[k] = t->t[k] + (t->shift >= 0 ? asr32(sum, (unsigned)t->shift) : sum * (1 << -t->shift));
-    }
+    return point;
 }
 
-/* x * scale in 1/64 px, rounded; beyond the guard band *flags gets low or high and the band's limit is returned. */
-static int16_t screen(sheen_q24_t x, struct scaled scale, unsigned low, unsigned high, unsigned *flags)
+/* value * 2^by where m is so small that it grows, held beyond the guard band. |value| < 2^31, by <= 22. */
+static int32_t grown(int32_t value, int by)
 {
-    int shift = 24 - SUBPIXEL_BITS + 30 - scale.exponent; /* 8 at the least: focal / m < 2^39 */
-    int64_t product = (int64_t)x * (scale.mantissa >> 1); /* < 2^62 */
-    int64_t value = shift > 62 ? 0 : round_shift64(product, (unsigned)shift);
+    const int64_t most = GUARD_BAND + 1;
+    int64_t product = (int64_t)value * (1 << by);
 
-    if (value < -GUARD_BAND) {
-        *flags |= low;
-        return -GUARD_BAND;
-    }
-    if (value > GUARD_BAND) {
-        *flags |= high;
-        return GUARD_BAND;
-    }
-    return (int16_t)value;
+    return (int32_t)(product > most ? most : product < -most ? -most : product);
+}
+
+/* Flags of a coordinate beyond the guard band, which is held at its limits. */
+static unsigned guard(int16_t *out, int32_t value, unsigned low, unsigned high)
+{
+    *out = (int16_t)max32(-GUARD_BAND, min32(value, GUARD_BAND));
+    return value < -GUARD_BAND ? low : value > GUARD_BAND ? high : 0;
 }
 
 /*
- * |eye| <= INT32_MAX a part. Beyond near or far only the flag is set; beyond the
- * guard band depth is right and x, y are held at its limits, OFF_VIEW.
+ * Beyond near or far only the flag is set; beyond the guard band depth is right and x, y are held at its limits,
+ * OFF_VIEW.
  */
-void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v)
+void sheen_project(const struct projection *p, int screen_shift, struct point point, struct vertex *v)
 {
-    sheen_q24_t m = -eye[2];
-    unsigned flags = 0;
-
-    v->x = 0;
-    v->y = 0;
-    v->z = 0;
-    if (m < p->near) {
-        v->flags = OUTSIDE_NEAR;
+    if ((uint32_t)point.m - (uint32_t)p->near > (uint32_t)(p->far - p->near)) {
+        *v = (struct vertex){.flags = point.m < p->near ? OUTSIDE_NEAR : OUTSIDE_FAR};
         return;
     }
-    if (m > p->far) {
-        v->flags = OUTSIDE_FAR;
-        return;
+    struct inverse i = inverse_of((uint32_t)(p->orthographic != 0 ? p->orthographic : point.m));
+    int32_t x = over(i, point.x), y = over(i, point.y);
+    int shift = screen_shift - i.up; /* -23..30 */
+    uint32_t depth = (depth_at(p, i, point.m) + p->depth_base) >> p->depth_fraction;
+    if (shift >= 0) {
+        x = asr32(asr32(x, (unsigned)shift) + 1, 1);
+        y = asr32(asr32(y, (unsigned)shift) + 1, 1);
+    } else {
+        x = grown(x, -shift - 1);
+        y = grown(y, -shift - 1);
     }
-    struct scaled one_over_m = p->orthographic != 0 ? p->fixed : reciprocal_of(m);
-    struct scaled scale = {mul_high(p->focal.mantissa, one_over_m.mantissa), /* in [2^30, 2^32) */
-                           p->focal.exponent + one_over_m.exponent + 1};
-    v->x = screen(eye[0], scale, OUTSIDE_LEFT, OUTSIDE_RIGHT, &flags);
-    v->y = screen(-eye[1], scale, OUTSIDE_TOP, OUTSIDE_BOTTOM, &flags);
-    v->z = (uint16_t)(DEPTH_FAR + ((depth_above_far(p, m, one_over_m) + 128) >> 8));
-    if (v->x > p->view_x || v->x < -p->view_x || v->y > p->view_y || v->y < -p->view_y)
-        flags |= OFF_VIEW;
-    v->flags = (uint16_t)flags;
+    v->x = (int16_t)x;
+    v->y = (int16_t)y;
+    v->z = (uint16_t)(depth > DEPTH_FAR ? depth : DEPTH_FAR);
+    v->flags = 0;
+    if ((uint32_t)(x + p->view_x) > 2u * (uint32_t)p->view_x || (uint32_t)(y + p->view_y) > 2u * (uint32_t)p->view_y)
+        v->flags = (uint16_t)(OFF_VIEW | guard(&v->x, x, OUTSIDE_LEFT, OUTSIDE_RIGHT) |
+                              guard(&v->y, y, OUTSIDE_TOP, OUTSIDE_BOTTOM));
 }

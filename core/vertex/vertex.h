@@ -4,6 +4,7 @@
 #ifndef SHEEN_VERTEX_H
 #define SHEEN_VERTEX_H
 
+#include "../math/products.h"
 #include "../pixel/pixel.h"
 
 #define SUBPIXEL_BITS 6 /* vertices are snapped to 1/64 px */
@@ -51,28 +52,43 @@ struct scaled {
 /* Of the view, a frame long. Made by sheen_project_begin. */
 struct projection {
     struct scaled focal; /* px */
-    struct scaled depth; /* z16 = DEPTH_FAR + depth / m - depth / far */
-    int64_t depth_far;   /* depth / far, Q.8 */
+    uint32_t depth;      /* mantissa of depth: z16 = DEPTH_FAR + depth / m - depth / far; orthographic: of a unit's */
+    int depth_shift;     /* its exponent, less what depth_at makes of it */
+    unsigned depth_fraction; /* 0..15: of depth / m, as many bits as 32 have room for */
+    uint32_t depth_base;     /* with as many: DEPTH_FAR - depth / far + 1/2 */
     sheen_q24_t near, far;
     int16_t view_x, view_y;   /* 1/64 px: half the viewport's width and height, INNER_VIEW at the most */
     sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
-    struct scaled fixed;      /* its reciprocal; `depth` then is a unit's steps of z16 */
     unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
     uint32_t weight_offset;   /* which lies in (0, 2^32) for every z16 from near to far */
 };
 
-/* Model to eye: e = (sum of raw position * m) / 2^(16 + shift) + t, Q7.24. |m| <= 2^30, shift -1..28. */
-struct transform {
-    int32_t m[9];
-    int shift;
-    sheen_q24_t t[3];
+/*
+ * A point before the eye: x to the right and y down times focal's mantissa / 2^32, with `fine` bits more than m; and m,
+ * Q7.24. |part| < 2^31.
+ */
+struct point {
+    int32_t x, y, m;
 };
 
-/* width, height: the viewport's, px. */
+/*
+ * Model to a point: floor(row times raw position / 2^14) / 2^shift + t, the shift of x and y less by `fine`, which is
+ * what the draw's x and y leave room for: where they are small the screen shows more of them.
+ */
+struct transform {
+    struct PRODUCT_FORM(row) row[3];
+    int32_t t[3];
+    unsigned shift, shift_fine; /* 0..29 */
+    unsigned fine;
+    int screen_shift; /* x in 1/128 px = x / u * 2^(30 - screen_shift + up), with m = u / 2^up */
+};
+
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
-int sheen_transform_begin(struct transform *t, const struct sheen_mesh *mesh, const struct sheen_pose *pose);
-void sheen_transform_point(const struct transform *t, const int16_t position[3], sheen_q24_t eye[3]);
-void sheen_project(const struct projection *p, const sheen_q24_t eye[3], struct vertex *v);
+int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
+                          const struct sheen_pose *pose);
+struct point sheen_transform_point(const struct transform *t, const int16_t position[3]);
+/* screen_shift: of the point's transform. */
+void sheen_project(const struct projection *p, int screen_shift, struct point point, struct vertex *v);
 
 /* Twice the signed area, 1/4096 px^2, positive where clockwise on the screen (y down). Range: < 2^33. */
 static inline int64_t twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
@@ -121,7 +137,7 @@ void sheen_light_normal(const struct lighting *l, struct power power, const int1
 
 /* A corner of the polygon that is left of a triangle. */
 struct clip_corner {
-    sheen_q24_t eye[3];
+    struct point point;
     int32_t share[3]; /* of the triangle's corners in its attributes, Q1.30 */
     struct vertex v;
 };
@@ -129,7 +145,8 @@ struct clip_corner {
 /* What is left of a triangle, and how it is cut. */
 struct clip_job {
     const struct projection *projection;
-    int on_screen; /* shares are linear on the screen, not in space */
+    const struct transform *transform; /* of the points */
+    int on_screen;                     /* shares are linear on the screen, not in space */
     struct clip_corner *polygon, *next;
     unsigned count; /* of corners; below 3 nothing is left */
 };

@@ -1,0 +1,86 @@
+/*
+ * products.h - private: products of more than 32 bits, for vertices and triangles.
+ *
+ * Each has two forms that give the same bits: wide, where the processor multiplies to 64 bits, and halves, of 16-bit
+ * products, for one that has no such instruction. WIDE_PRODUCTS chooses.
+ */
+#ifndef SHEEN_PRODUCTS_H
+#define SHEEN_PRODUCTS_H
+
+#include "fixed.h"
+
+#ifndef WIDE_PRODUCTS
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1 /* Armv6-M and its like */
+#define WIDE_PRODUCTS 0
+#else
+#define WIDE_PRODUCTS 1
+#endif
+#endif
+
+/* floor(n v / 2^16), n < 2^16. */
+static inline uint32_t wide_share(uint32_t n, uint32_t v)
+{
+    return (uint32_t)(((uint64_t)(n << 16) * v) >> 32);
+}
+
+static inline uint32_t halves_share(uint32_t n, uint32_t v)
+{
+    return n * (v >> 16) + ((n * (v & 0xffffu)) >> 16);
+}
+
+/* floor(n v / 2^17), n < 2^16. */
+static inline int32_t wide_signed_share(uint32_t n, int32_t v)
+{
+    return (int32_t)asr64((int64_t)(int32_t)(n << 15) * v, 32);
+}
+
+static inline int32_t halves_signed_share(uint32_t n, int32_t v)
+{
+    return asr32((int32_t)n * asr32(v, 16) + (int32_t)((n * ((uint32_t)v & 0xffffu)) >> 16), 1);
+}
+
+/*
+ * A row of a matrix, |m| < 2^29 a part, at most 2^29.01 long, times a vector of 16-bit parts: floor(sum / 2^14). By
+ * halves m is 2^14 high + low, so that both products' sums stay below 2^31.
+ */
+struct wide_row {
+    int32_t m[3]; /* 4 times */
+};
+
+struct halves_row {
+    int32_t high[3], low[3];
+};
+
+static inline void wide_row_set(struct wide_row *row, int k, int32_t m)
+{
+    row->m[k] = 4 * m;
+}
+
+static inline void halves_row_set(struct halves_row *row, int k, int32_t m)
+{
+    row->high[k] = asr32(m, 14);
+    row->low[k] = m & 0x3fff;
+}
+
+/* The vector's parts times 2^16, so that the high word is what is wanted. */
+static inline int32_t wide_row_times(const struct wide_row *row, int32_t x, int32_t y, int32_t z)
+{
+    x *= 1 << 16;
+    y *= 1 << 16;
+    z *= 1 << 16;
+    return (int32_t)asr64((int64_t)x * row->m[0] + (int64_t)y * row->m[1] + (int64_t)z * row->m[2], 32);
+}
+
+static inline int32_t halves_row_times(const struct halves_row *row, int32_t x, int32_t y, int32_t z)
+{
+    return x * row->high[0] + y * row->high[1] + z * row->high[2] +
+           asr32(x * row->low[0] + y * row->low[1] + z * row->low[2], 14);
+}
+
+#if WIDE_PRODUCTS
+#define PRODUCT_FORM(name) wide_##name
+#else
+#define PRODUCT_FORM(name) halves_##name
+#endif
+
+#endif
