@@ -9,4 +9,6 @@ target_link_libraries(bench_scenes PUBLIC sheen::core)
 
 add_executable(bench_host bench/host.c)
 target_link_libraries(bench_host PRIVATE bench_scenes)
-sheen_script(bench bench COMMAND tests/bench/report $<TARGET_FILE:bench_host> ${bench_data})
+sheen_script(bench bench COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR})
+set_tests_properties(bench PROPERTIES FIXTURES_REQUIRED boards)
+sheen_script(bench_short freestanding COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR} M3 M0+)

@@ -104,6 +104,89 @@ static void screen(void)
     end_polygon(0);
 }
 
+/* The corner between a and b on the unit sphere, made where it is not there yet. The first twelve are the icosahedron's. */
+static int middle(int a, int b)
+{
+    double m[3], length = 0;
+    int found;
+
+    for (int k = 0; k < 3; k++) {
+        m[k] = position[a][k] + position[b][k];
+        length += m[k] * m[k];
+    }
+    for (int k = 0; k < 3; k++)
+        m[k] /= sqrt(length);
+    for (found = 12; found < vertices; found++) {
+        if (fabs(position[found][0] - m[0]) + fabs(position[found][1] - m[1]) + fabs(position[found][2] - m[2]) < 1e-9)
+            return found;
+    }
+    for (int k = 0; k < 3; k++)
+        position[vertices][k] = normal[vertices][k] = m[k];
+    return vertices++;
+}
+
+static void icosahedron_corners(void)
+{
+    const double golden = (1 + sqrt(5)) / 2, length = sqrt(1 + golden * golden);
+
+    for (vertices = 0; vertices < 12; vertices++) {
+        int axis = vertices / 4;
+        double *p = position[vertices];
+        p[axis] = 0;
+        p[(axis + 1) % 3] = (vertices & 1 ? 1 : -1) / length;
+        p[(axis + 2) % 3] = (vertices & 2 ? 1 : -1) * golden / length;
+        for (int k = 0; k < 3; k++)
+            normal[vertices][k] = p[k];
+    }
+}
+
+static double squared_distance(int a, int b)
+{
+    double d = 0;
+
+    for (int k = 0; k < 3; k++)
+        d += (position[a][k] - position[b][k]) * (position[a][k] - position[b][k]);
+    return d;
+}
+
+/* Whether a, b, c run counter-clockwise as seen from outside. */
+static int outwards(int a, int b, int c)
+{
+    const double *p = position[a], *q = position[b], *r = position[c];
+
+    return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) +
+               p[2] * (q[0] * r[1] - q[1] * r[0]) >
+           0;
+}
+
+static void add_polygon(int a, int b, int c)
+{
+    int first = triangles;
+
+    add_triangle(a, b, c);
+    end_polygon(first);
+}
+
+/* Three corners an edge apart are a face; an edge is 1.051 long, the next distance 1.701. */
+static void icosahedron(void)
+{
+    icosahedron_corners();
+    for (int a = 0; a < 12; a++) {
+        for (int b = 0; b < 12; b++) {
+            for (int c = 0; c < 12; c++) {
+                if (a > b || a > c || b == c || squared_distance(a, b) > 1.2 || squared_distance(b, c) > 1.2 ||
+                    squared_distance(c, a) > 1.2 || a == b || a == c || !outwards(a, b, c))
+                    continue;
+                int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+                add_polygon(a, ab, ca);
+                add_polygon(ab, b, bc);
+                add_polygon(ca, bc, c);
+                add_polygon(ab, bc, ca);
+            }
+        }
+    }
+}
+
 static void print_vectors(const char *name, int scene, double (*v)[3], int count, double unit)
 {
     printf("static const int16_t %s_%d[] = {", name, scene);
@@ -130,17 +213,22 @@ static void print_pose(double degrees, double depth)
 
 /* unit: what raw 32767 stands for; listed: room for triangles that face the eye. */
 static struct scene {
+    int number;
     void (*make)(void);
     double unit, depth, degrees;
     int listed, vertices, triangles;
-} scenes[3] = {
-    {sphere, 1, 2.2195, 45, 1300, 0, 0},
-    {torus, 1.08, 2.6, 45, 1300, 0, 0},
-    {screen, 1.6, 2, 0, 2, 0, 0},
+} scenes[] = {
+    {1, sphere, 1, 2.2195, 45, 1300, 0, 0},
+    {2, torus, 1.08, 2.6, 45, 1300, 0, 0},
+    {3, screen, 1.6, 2, 0, 2, 0, 0},
+    {5, icosahedron, 1, 2.2195, 45, 80, 0, 0},
 };
+#define SCENES (int)(sizeof scenes / sizeof scenes[0])
 
-static void print_scene(int number, const struct scene *s)
+static void print_scene(const struct scene *s)
 {
+    int number = s->number;
+
     printf("    {\"S%d\",\n"
            "     {.positions = positions_%d, .normals = normals_%d, .polygon_normals = polygon_normals_%d,\n"
            "      .polygons = polygons_%d, .indices = indices_%d, .index_bytes = 2,\n"
@@ -157,20 +245,20 @@ static void print_scene(int number, const struct scene *s)
 int main(void)
 {
     printf("/* Made by export.c. */\n#include \"scenes.h\"\n\n");
-    for (int i = 0; i < 3; i++) {
+    for (struct scene *s = scenes; s < scenes + SCENES; s++) {
         vertices = triangles = polygons = 0;
-        scenes[i].make();
-        scenes[i].vertices = vertices;
-        scenes[i].triangles = triangles;
-        print_vectors("positions", i + 1, position, vertices, scenes[i].unit);
-        print_vectors("normals", i + 1, normal, vertices, 1);
-        print_vectors("polygon_normals", i + 1, polygon_normal, polygons, 1);
-        print_numbers("polygons", i + 1, polygon, triangles);
-        print_numbers("indices", i + 1, triangle[0], 3 * triangles);
+        s->make();
+        s->vertices = vertices;
+        s->triangles = triangles;
+        print_vectors("positions", s->number, position, vertices, s->unit);
+        print_vectors("normals", s->number, normal, vertices, 1);
+        print_vectors("polygon_normals", s->number, polygon_normal, polygons, 1);
+        print_numbers("polygons", s->number, polygon, triangles);
+        print_numbers("indices", s->number, triangle[0], 3 * triangles);
     }
     printf("\nconst struct bench_scene bench_scenes[BENCH_SCENES] = {\n");
-    for (int i = 0; i < 3; i++)
-        print_scene(i + 1, &scenes[i]);
+    for (int i = 0; i < SCENES; i++)
+        print_scene(&scenes[i]);
     printf("};\n");
     return ferror(stdout) || fflush(stdout) != 0;
 }

@@ -1,7 +1,7 @@
 /*
- * host.c - one scene on this machine, for callgrind; or the memory that it takes.
+ * host.c - one scene on this machine, for callgrind, which counts inside bench_measured.
  *
- *   bench_host S1 phong 16    runs both frames; callgrind counts inside bench_measured
+ *   bench_host S1 phong 16 [dithered]    runs both frames, says what was drawn
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,12 +20,13 @@ static int find(const char *name, const char *const *names, int count)
     return -1;
 }
 
-static int run(const struct bench_scene *scene, enum sheen_shading shading, int band_rows)
+static int run(const struct bench_scene *scene, enum sheen_shading shading, int band_rows, int dither)
 {
     struct bench bench;
     struct sheen_stats stats;
 
     bench_config(&bench, scene, shading, band_rows);
+    bench.dither = (uint8_t)dither;
     size_t size = sheen_arena_size(&bench.config);
     void *arena = size > 0 ? malloc(size) : NULL;
     if (!arena)
@@ -48,17 +49,17 @@ static int run(const struct bench_scene *scene, enum sheen_shading shading, int 
 int main(int argc, char **argv)
 {
     const char *names[BENCH_SCENES];
+    int dither = argc == 5 && strcmp(argv[4], "dithered") == 0, known = argc == 4 || dither;
 
     for (int i = 0; i < BENCH_SCENES; i++)
         names[i] = bench_scenes[i].name;
-    int scene = argc == 4 ? find(argv[1], names, BENCH_SCENES) : -1,
-        shading = argc == 4 ? find(argv[2], shading_name, 4) : -1;
-    int rows = argc == 4 ? atoi(argv[3]) : 0;
+    int scene = known ? find(argv[1], names, BENCH_SCENES) : -1, shading = known ? find(argv[2], shading_name, 4) : -1;
+    int rows = known ? atoi(argv[3]) : 0;
     if (scene < 0 || shading < 0 || rows < 1 || rows > BENCH_HEIGHT) {
-        fprintf(stderr, "usage: bench_host S1|S2|S3 flat|gouraud|phong|slerp BAND_ROWS\n");
+        fprintf(stderr, "usage: bench_host S1|S2|S3|S5 flat|gouraud|phong|slerp BAND_ROWS [dithered]\n");
         return 2;
     }
-    int status = run(&bench_scenes[scene], (enum sheen_shading)shading, rows);
+    int status = run(&bench_scenes[scene], (enum sheen_shading)shading, rows, dither);
     if (status < 0)
         fprintf(stderr, "bench_host: %s\n", sheen_strerror(status));
     return status < 0;

@@ -18,6 +18,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
+    bench->dither = 0;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
     bench->config = (struct sheen_config){.target = &bench->target,
@@ -42,7 +43,8 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
 /* Clear, transform, light, raster, up to the target's call. */
 static int run(struct bench *bench, int frame)
 {
-    struct sheen_view view = {.fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far};
+    struct sheen_view view = {
+        .fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far, .dither = bench->dither};
     struct sheen_object draw = {.mesh = &bench->scene->mesh,
                                 .material = &bench->material,
                                 .lights = &light,

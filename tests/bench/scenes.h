@@ -1,9 +1,10 @@
 /*
- * scenes.h - the three scenes that sheen is measured on, the same work as for other renderers.
+ * scenes.h - the scenes that sheen is measured on, the same work as for other renderers.
  *
  *   S1  unit sphere, 32 rings of 64 quads, 2,112 vertices, 3,968 triangles, turned by 45 degrees about x
  *   S2  torus, radii .75 and .33, 40 x 25 quads, 1,000 vertices, 2,000 triangles, turned by 45 degrees
  *   S3  two triangles that fill the picture, corner normals spread over 71 degrees
+ *   S5  an icosahedron subdivided once, 80 triangles on the unit sphere, as S1: normals up to 36 degrees apart
  *
  * 320x240, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
  * the second frame of two, the first one degree before it; material tables are built before both.
@@ -16,7 +17,7 @@
 
 #define BENCH_WIDTH 320
 #define BENCH_HEIGHT 240
-#define BENCH_SCENES 3
+#define BENCH_SCENES 4
 
 struct bench_scene {
     const char *name;
@@ -37,6 +38,7 @@ struct bench {
     struct sheen_material material;
     struct sheen_frame *frame;
     uint8_t shading;
+    uint8_t dither; /* 0 after bench_config */
 };
 
 /* The configuration alone, for the size of its arena. */

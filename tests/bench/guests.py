@@ -1,0 +1,92 @@
+"""The scenes on processors in qemu (guest.c): instructions and memory."""
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from rows import Row
+
+HERE = Path(__file__).resolve().parent
+TOP = HERE.parent.parent
+KB, MILLION = 1024, 1e6
+PIXELS = 320 * 240
+ARM = ["arm-none-eabi-gcc", "-mthumb"]
+RISCV = ["riscv64-unknown-elf-gcc", "-march=rv32imc", "-mabi=ilp32", "-mno-relax", "--specs=picolibc.specs"]
+
+
+@dataclass
+class Guest:
+    compiler: list
+    source: str
+    code: int  # where code and data lie
+    data: int
+    machine: list
+
+
+def cortex(cpu, board="mps2-an385", tick_ns=40, code=0, data=0x20000000):
+    return Guest([*ARM, f"-mcpu={cpu}", f"-DTICK_NS={tick_ns}"], "cortex.c", code, data,
+                 ["qemu-system-arm", "-M", board])
+
+
+GUESTS = {
+    "M0+": cortex("cortex-m0plus"),
+    "M3": cortex("cortex-m3"),
+    "M4": cortex("cortex-m4", "mps2-an386"),
+    "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
+    "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
+}
+LINE = re.compile(r"^(S\d) (\w+)( dithered)? (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
+
+
+def run(command):
+    """The output of a command, both streams; leaves with it where the command fails."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
+    if done.returncode != 0:
+        sys.exit(f"report: {' '.join(map(str, command))} ended with {done.returncode}\n{done.stdout}")
+    return done.stdout
+
+
+def output(guest, data, work):
+    """What guest.c prints on this processor."""
+    image = f"{work}/guest.elf"
+    run([*guest.compiler, "-std=c11", "-O2", "-nostartfiles", "-T", HERE / "guest.ld",
+         f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", f"-I{HERE}", f"-I{TOP / 'core'}",
+         HERE / guest.source, HERE / "guest.c", HERE / "scenes.c", data, *sorted((TOP / "core").rglob("*.c")),
+         "-o", image])
+    text = run([*guest.machine, "-icount", "shift=0", "-display", "none", "-semihosting", "-kernel", image])
+    loop = re.search(r"loop (\d+) of (\d+)", text)
+    if not loop or abs(int(loop[1]) - int(loop[2])) > 100:
+        sys.exit(f"report: the counter of {' '.join(guest.machine)} is off\n{text}")
+    return text
+
+
+def rows_of(machine, counts):
+    """counts: {(scene, shading, dithered, rows of a band): instructions}. Dithered: what it takes more than plain."""
+    for (scene, shading, dithered, band), count in counts.items():
+        unit, per = ("px", PIXELS) if scene == "S3" else ("M", MILLION)
+        whole = counts.get((scene, shading, False, 240))
+        if band != 16 or dithered and scene not in ("S1", "S3"):
+            continue
+        if dithered:
+            plain = counts[scene, shading, False, 16]
+            yield Row(f"{machine} {scene} {shading} dithered", (count - plain) / per, unit, plain / per)
+        else:
+            yield Row(f"{machine} {scene} {shading}", count / per, unit,
+                      remark=f"one band takes {whole / count:.3f}" if whole else "")
+
+
+def memory_rows(lines):
+    """Of S1 in bands of 16 rows, whichever shading takes most."""
+    parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[4]) == ("S1", "16")]
+    arena, vertices, lists, bands, tables = map(max, zip(*parts))
+    for what, size in (("whole", arena + tables), ("vertices", vertices), ("lists", lists), ("bands", bands),
+                       ("rest", arena + tables - vertices - lists - bands)):
+        yield Row(f"RAM of S1, {what}", size / KB, "KB")
+
+
+def measure(machine, data, work):
+    """The rows of a processor; M3, on which pointers are as on all of them, gives the memory as well."""
+    lines = list(LINE.finditer(output(GUESTS[machine], data, work)))
+    counts = {(m[1], m[2], m[3] is not None, int(m[4])): int(m[5]) for m in lines}
+    return [*rows_of(machine, counts), *(memory_rows(lines) if machine == "M3" else ())]

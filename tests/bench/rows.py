@@ -1,0 +1,107 @@
+"""What is measured, beside what may be spent (the file budget) and what is to be reached.
+
+budget holds a row a line: name, unit, budget, bar, beyond, two spaces or more between
+them, - where there is none. A row more than SLACK above its budget fails; one more than
+SLACK below asks for a lower budget. A bar that a budget keeps is a bar that has to be kept.
+"""
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+FILE = Path(__file__).resolve().parent / "budget"
+SLACK = 0.02
+HEAD = """\
+# What may be spent, and is to be reached (rows.py). tests/bench/report --update sets the budgets to what is measured.
+# Instructions a frame in millions (M), or a pixel (px), dithered: more than plain; clocks in millions; KB: 1,024 B.
+"""
+
+
+@dataclass
+class Row:
+    name: str
+    value: float
+    unit: str
+    whole: float = 0  # what SLACK is a share of, where that is more than the budget
+    remark: str = ""
+
+    def change(self, budget):
+        """What it lies above its budget, as a share of the whole."""
+        return (self.value - budget) / (max(budget, self.whole) or 1)
+
+
+@dataclass
+class Limits:
+    unit: str
+    budget: float | None = None
+    bar: float | None = None
+    beyond: float | None = None
+
+    def refuses(self, row):
+        """Why a row is too much, or None."""
+        if self.budget is None:
+            return "it has no budget"
+        if row.change(self.budget) > SLACK:
+            return f"{100 * SLACK:.0f} % above its budget of {show(self.budget)}"
+        if self.bar is not None and row.value > self.bar >= self.budget:
+            return f"above its bar of {show(self.bar)}, which was kept"
+        return None
+
+    def may_sink(self, row):
+        return self.budget is not None and row.change(self.budget) < -SLACK
+
+
+def show(number):
+    return "-" if number is None else f"{round(number, 3) + 0.0:.3f}"
+
+
+def read():
+    """{name: Limits}"""
+    limits = {}
+    for number, line in enumerate(FILE.read_text().splitlines(), 1):
+        if line.startswith("#") or not line:
+            continue
+        fields = re.split(r"\s{2,}", line.strip())
+        if len(fields) != 5 or fields[0] in limits:
+            sys.exit(f"{FILE.name}:{number}: not a row of name, unit, budget, bar, beyond, or its second: {line}")
+        limits[fields[0]] = Limits(fields[1], *(None if f == "-" else float(f) for f in fields[2:]))
+    return limits
+
+
+def write(limits):
+    width = max(map(len, limits))
+    lines = [f"{name:<{width}}  {l.unit:<6}  {show(l.budget):>9}  {show(l.bar):>7}  {show(l.beyond):>7}"
+             for name, l in sorted(limits.items())]
+    FILE.write_text(HEAD + "\n".join(lines) + "\n")
+
+
+def update(rows):
+    limits = read()
+    for row in rows:
+        limits.setdefault(row.name, Limits(row.unit)).budget = row.value
+    write(limits)
+
+
+def print_table(rows, limits):
+    width = max(len(row.name) for row in rows)
+    print(f"{'':<{width}}  {'unit':<6}  {'measured':>9}  {'budget':>9}  {'':>7}  {'bar':>7}  {'beyond':>7}")
+    for row in sorted(rows, key=lambda r: r.name):
+        l = limits.get(row.name, Limits(row.unit))
+        change = "" if l.budget is None else f"{100 * row.change(l.budget):+.1f} %"
+        print(f"{row.name:<{width}}  {row.unit:<6}  {show(row.value):>9}  {show(l.budget):>9}  {change:>7}  "
+              f"{show(l.bar):>7}  {show(l.beyond):>7}  {row.remark}".rstrip())
+
+
+def judge(rows, limits):
+    """Prints the table and what follows from it. How many rows are refused."""
+    print_table(rows, limits)
+    refused = [(row, why) for row in rows if (why := limits.get(row.name, Limits(row.unit)).refuses(row))]
+    lower = [row.name for row in rows if row.name in limits and limits[row.name].may_sink(row)]
+    bars = [row.value <= limits[row.name].bar for row in rows if row.name in limits and limits[row.name].bar is not None]
+    print(f"{sum(bars)} of {len(bars)} bars kept")
+    if lower:
+        print(f"better than their budgets by over {100 * SLACK:.0f} %: {', '.join(lower)}\n"
+              "lower them: tests/bench/report --update")
+    for row, why in refused:
+        print(f"report: {row.name}: {show(row.value)} {row.unit}: {why}", file=sys.stderr)
+    return len(refused)

@@ -1,0 +1,65 @@
+"""The core, or other sources, compiled for a Cortex-M as firmware gets them."""
+import os
+import re
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+from armcode import disassemble
+
+ROOT = os.path.relpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+TOOL = "arm-none-eabi-"
+FLAGS = ["-std=c11", "-mthumb", "-ffreestanding", "-ffunction-sections", "-Wall", "-Wextra", "-fstack-usage",
+         "-fcallgraph-info=su"]
+TARGETS = {"M0+": "cortex-m0plus", "M3": "cortex-m3"}
+
+
+def tool(name, *args):
+    return subprocess.run([TOOL + name, *args], check=True, capture_output=True, text=True).stdout
+
+
+class Build:
+    """The sources compiled for one processor into a folder of their own."""
+
+    def __init__(self, sources, cpu, folder, optimisation="-O2"):
+        os.makedirs(folder, exist_ok=True)
+        self.flags = [*FLAGS, optimisation, "-mcpu=" + cpu, "-I", os.path.join(ROOT, "core")]
+        self.objects = {s: os.path.join(folder, os.path.basename(s)[:-2] + ".o") for s in sources}
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(self._compile, self.objects.items()))
+
+    def _compile(self, pair):
+        subprocess.run([TOOL + "gcc", *self.flags, "-c", pair[0], "-o", pair[1]], check=True)
+
+    def functions(self):
+        """{source: its functions as machine code}"""
+        return {s: disassemble(TOOL + "objdump", o) for s, o in self.objects.items()}
+
+    def sizes(self, source):
+        """(bytes of code, of constants, of state)"""
+        code = constants = state = 0
+        for line in tool("size", "-A", self.objects[source]).splitlines():
+            name, size = (line.split() + ["", ""])[:2]
+            if name.startswith(".text"):
+                code += int(size)
+            elif name.startswith(".rodata"):
+                constants += int(size)
+            elif re.match(r"\.(data|bss|tdata|tbss)", name):
+                state += int(size)
+        return code, constants, state
+
+    def symbols(self, source):
+        """[(name, letter of nm)]; common variables, which no section of an object holds, are C."""
+        return [tuple(line.split()[:2]) for line in tool("nm", "-P", self.objects[source]).splitlines()]
+
+    def address_taken(self):
+        """Names of functions that data or code hold the address of. (Jump tables refer to sections instead.)"""
+        taken = set()
+        for obj in self.objects.values():
+            for line in tool("objdump", "-r", obj).splitlines():
+                if m := re.search(r"R_ARM_(?:ABS32|\w*MOV[WT]\w*)\s+(\w[\w.]*)", line):
+                    taken.add(m[1])
+        return taken
+
+    def call_files(self):
+        """gcc's call graphs (callgraph.py)."""
+        return [obj[:-2] + ".ci" for obj in self.objects.values()]
