@@ -42,7 +42,7 @@ class Limits:
         if self.budget is None:
             return "it has no budget"
         if row.change(self.budget) > SLACK:
-            return f"{100 * SLACK:.0f} % above its budget of {show(self.budget)}"
+            return f"more than {100 * SLACK:.0f} % above its budget of {show(self.budget)}"
         if self.bar is not None and row.value > self.bar >= self.budget:
             return f"above its bar of {show(self.bar)}, which was kept"
         return None
