@@ -104,7 +104,7 @@ static void screen(void)
     end_polygon(0);
 }
 
-/* The corner between a and b on the unit sphere, made where it is not there yet; the icosahedron's twelve come first. */
+/* The corner between a and b on the unit sphere, made where it is not there yet; the icosahedron's twelve lie first. */
 static int middle(int a, int b)
 {
     double m[3], length = 0;
