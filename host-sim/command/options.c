@@ -59,8 +59,10 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(average), 0, 0, 0},
     {"weights", "angle|equal", "angle", "in an average: by the face's angle at the corner, or all alike",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(equal), 0, 0, 0},
-    {"crease", "DEG", "60", "average only over faces within this angle; 180: over all", SHEEN_OPTION_REAL,
-     SHEEN_DRAWS | SHEEN_BAKE, AT(crease), 0, 180, 0},
+    {"crease", "DEG", "60",
+     "average only over faces within this angle (just below that of an edge that is to stay, as 59 for "
+     "a hexagon's 60); 180: over all",
+     SHEEN_OPTION_REAL, SHEEN_DRAWS | SHEEN_BAKE, AT(crease), 0, 180, 0},
     {"up", "y|z", NULL, "which axis of the file points up [z for STL, else y]", SHEEN_OPTION_CHOICE,
      SHEEN_DRAWS | SHEEN_BAKE, AT(up), 0, 0, 0},
     {"reduce", "N", NULL, "simplify the mesh to at most so many triangles, and tell how far off that is",

@@ -4,6 +4,7 @@
 #include "host_mesh.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -45,17 +46,49 @@ static int weld_points(struct sheen_host_build *build)
     return error;
 }
 
-#define VERTICES "vertices (by position and normal)"
+#define REDUCE "--reduce 20000 makes it 20000 triangles"
 
 /* A mesh that is to be reduced may have any size before. */
-static int check_size(const struct sheen_host_options *options, size_t count, const char *what, const char *name,
-                      struct sheen_problem *problem)
+static int check_triangles(const struct sheen_host_mesh *mesh, const struct sheen_host_options *options,
+                           const char *name, struct sheen_problem *problem)
 {
-    if (count <= SHEEN_HOST_MESH_MAX || options->reduce)
+    if (mesh->triangle_count <= SHEEN_HOST_MESH_MAX || options->reduce)
         return SHEEN_OK;
+    return sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %zu triangles, at most %u can be drawn; " REDUCE, name,
+                         mesh->triangle_count, SHEEN_HOST_MESH_MAX);
+}
+
+/* How many vertices there would be with one normal at each place; 0 without memory. */
+static size_t count_places(const struct sheen_host_mesh *mesh)
+{
+    uint32_t(*keys)[2] = malloc(mesh->vertex_count * sizeof *keys);
+    uint32_t *place = malloc(mesh->vertex_count * sizeof *place);
+    size_t count = 0;
+
+    for (size_t v = 0; keys && v < mesh->vertex_count; v++) {
+        keys[v][0] = mesh->vertices[v].weld;
+        keys[v][1] = mesh->vertices[v].group;
+    }
+    if (!keys || !place || sheen_unique(keys, sizeof *keys, mesh->vertex_count, place, &count) != SHEEN_OK)
+        count = 0;
+    free(keys);
+    free(place);
+    return count;
+}
+
+/* Few triangles may have many vertices, where each has its own: sharp edges, or a file's normals. */
+static int check_vertices(const struct sheen_host_mesh *mesh, const char *name, struct sheen_problem *problem)
+{
+    char rounder[80] = "";
+
+    if (mesh->vertex_count <= SHEEN_HOST_MESH_MAX)
+        return SHEEN_OK;
+    size_t places = count_places(mesh);
+    if (places > 0 && places <= SHEEN_HOST_MESH_MAX)
+        snprintf(rounder, sizeof rounder, "--normals average --crease 180 makes it about %zu, ", places);
     return sheen_problem(problem, SHEEN_ERR_CAPACITY,
-                         "%s: %zu %s, at most %u can be drawn; --reduce 20000 makes it 20000 triangles", name, count,
-                         what, SHEEN_HOST_MESH_MAX);
+                         "%s: %zu vertices (by position and normal), at most %u can be drawn; %s" REDUCE, name,
+                         mesh->vertex_count, SHEEN_HOST_MESH_MAX, rounder);
 }
 
 /* The polygons that have an area, and their corners. */
@@ -91,7 +124,7 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
     }
     if (mesh->polygon_count == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no face has an area", name);
-    return check_size(build->options, mesh->triangle_count, "triangles", name, problem);
+    return check_triangles(mesh, build->options, name, problem);
 }
 
 /* Centre and radius over every point that a polygon uses, one without area included. */
@@ -143,7 +176,7 @@ static void set_vertex(struct sheen_host_build *build, size_t corner, const stru
     vertex->group = key->group;
 }
 
-static int make_vertices(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+static int make_vertices(struct sheen_host_build *build)
 {
     struct sheen_host_mesh *mesh = build->mesh;
     struct vertex_key *keys = calloc(mesh->corner_count, sizeof *keys);
@@ -163,8 +196,6 @@ static int make_vertices(struct sheen_host_build *build, const char *name, struc
         }
     }
     int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
-    if (!error)
-        error = check_size(build->options, mesh->vertex_count, VERTICES, name, problem);
     if (!error) {
         mesh->vertices = calloc(mesh->vertex_count, sizeof *mesh->vertices);
         error = mesh->vertices ? SHEEN_OK : SHEEN_ERR_MEMORY;
@@ -234,7 +265,7 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     if (!error)
         error = sheen_host_normals(&build);
     if (!error)
-        error = make_vertices(&build, name, problem);
+        error = make_vertices(&build);
     if (!error)
         error = make_triangles(&build);
     if (!error)
@@ -257,12 +288,11 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
 {
     int error = build_all(mesh, polygons, options, name, problem);
 
-    if (error || !options->reduce)
+    if (error)
         return error;
-    if (mesh->triangle_count > options->reduce)
+    if (options->reduce && mesh->triangle_count > options->reduce)
         return sheen_host_mesh_reduce(mesh, options, name, problem);
-    /* Few triangles may have many vertices, where each has its own. */
-    error = check_size(&(struct sheen_host_options){0}, mesh->vertex_count, VERTICES, name, problem);
+    error = check_vertices(mesh, name, problem);
     if (error)
         sheen_host_mesh_free(mesh);
     return error;
