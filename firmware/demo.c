@@ -63,9 +63,16 @@ static char *append_number(char *to, unsigned value)
     return to;
 }
 
+static void put_text(void *ctx, const struct sheen_canvas *canvas)
+{
+    const struct demo *demo = ctx;
+
+    sheen_canvas_text(canvas, (enum sheen_pixel)demo->target->pixel, &demo->text);
+}
+
 static void set_line(struct demo *demo, unsigned tenths)
 {
-    char *to = append(append(demo->text.line, demo_shading_name(demo)), " ");
+    char *to = append(append(demo->line, demo_shading_name(demo)), " ");
 
     if (demo->held) {
         append_number(to, demo->number);
@@ -95,9 +102,10 @@ static void set_scene(struct demo *demo)
                                      .z_far = SHEEN_Q24(DISTANCE + 1.05),
                                      .dither = target->pixel != SHEEN_GREY256,
                                      .background = {0x10, 0x10, 0x18},
-                                     .ctx = &demo->text,
-                                     .overlay = text_overlay};
-    demo->text = (struct text){.x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .pixel = target->pixel};
+                                     .ctx = demo,
+                                     .overlay = put_text};
+    demo->text = (struct sheen_text){
+        .line = demo->line, .x = 2, .y = 1, .scale = target->width >= 200 ? 2 : 1, .rgb = {255, 255, 255}};
     demo->draw = (struct sheen_object){.mesh = &teapot, .material = &demo->material, .shader = shadings[0].shader};
 }
 
@@ -150,7 +158,7 @@ int demo_due(const struct demo *demo)
 int demo_frame(struct demo *demo, unsigned tenths)
 {
     struct sheen_object *draw = &demo->draw;
-    struct sheen_rect rect = text_rect(&demo->text, demo->target->width, demo->target->height);
+    struct sheen_rect rect = sheen_text_rect(&demo->text, "GOURAUD 999.9  ");
 
     draw->lights = lightings[demo->light].light;
     draw->light_count = lightings[demo->light].count;

@@ -7,8 +7,7 @@
 #ifndef DEMO_H
 #define DEMO_H
 
-#include "sheen.h"
-#include "text.h"
+#include "sheen_canvas.h"
 
 #define DEMO_YAW_STEP SHEEN_DEGREES(6) /* a frame */
 
@@ -18,7 +17,8 @@ struct demo {
     struct sheen_view view;
     struct sheen_material material;
     struct sheen_object draw;
-    struct text text;
+    struct sheen_text text;
+    char line[16];   /* of text */
     uint16_t number; /* of the next frame, 0..59 */
     uint8_t shading; /* which of the shadings */
     uint8_t light;   /* which of the lightings */

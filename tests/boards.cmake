@@ -2,7 +2,7 @@
 set(boards ${CMAKE_BINARY_DIR}/boards)
 
 # What the boards' glasses must show.
-add_executable(board_glass boards/glass.c ${PROJECT_SOURCE_DIR}/firmware/demo.c ${PROJECT_SOURCE_DIR}/firmware/text.c)
+add_executable(board_glass boards/glass.c ${PROJECT_SOURCE_DIR}/firmware/demo.c)
 target_include_directories(board_glass PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
 target_link_libraries(board_glass PRIVATE sheen_sim sheen::hal sheen::core)
 

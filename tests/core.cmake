@@ -20,3 +20,6 @@ endif()
 
 # The tables are data; the script is their definition.
 sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/math/tables.c)
+
+# 2D under and over the triangles.
+sheen_test(test_canvas unit SOURCES test_canvas.c memory_target.c LIBRARIES sheen::core)
