@@ -1,0 +1,111 @@
+/*
+ * test_edges.c - columns where edges cross rows, against exact integers.
+ *
+ *   test_edges        a sample
+ *   test_edges all    every short edge: widths and heights below 2048/64 px, every start between two rows
+ *
+ * Built once for each form of edge.c (SHEEN_NO_DIVIDER). Where an edge starts between two columns is drawn by lot:
+ * both forms add it exactly. Besides, long edges and such as begin above the tile or go on in the next, by lot.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "triangle/triangle.h"
+
+#define SHORT 2048     /* 1/64 px, as in edge.c */
+#define FARTHEST 32704 /* a vertex from the picture's centre: the guard band's 511 px */
+#define MOST_ROWS 1024
+#define LONG_EDGES 300000
+
+static struct span spans[MOST_ROWS];
+static uint64_t crossings, wrong;
+static uint32_t lot_state = 1;
+
+static uint32_t lot(uint32_t below)
+{
+    lot_state ^= lot_state << 13;
+    lot_state ^= lot_state >> 17;
+    lot_state ^= lot_state << 5;
+    return (uint32_t)((uint64_t)lot_state * below >> 32);
+}
+
+static int32_t first_row(int32_t y)
+{
+    return asr32(y + 31, 6);
+}
+
+/* Row `row` of the edge: `column` is the least integer at or above (x - 32 + width (64 row + 32 - y) / height) / 64. */
+static void check(const struct screen_corner *upper, int32_t width, int32_t height, int32_t row, int32_t column)
+{
+    int64_t above = (int64_t)(upper->x - 32) * height + (int64_t)width * (64 * row + 32 - upper->y);
+    int64_t unit = 64 * (int64_t)height;
+
+    crossings++;
+    if (unit * (column - 1) < above && above <= unit * column)
+        return;
+    if (wrong++ < 10)
+        printf("  column %d is wrong in row %d of the edge from (%d, %d) by (%d, %d) in 1/64 px\n", column, row,
+               upper->x, upper->y, width, height);
+}
+
+/*
+ * An edge there and back, as the sides of a triangle without area, in tiles of `rows` rows, the first of which begins at
+ * row `from`. rows 0: one tile, and the triangle has no other.
+ */
+static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t from, int32_t rows)
+{
+    const struct screen_corner upper = {x, y, first_row(y)}, lower = {x + width, y + height, first_row(y + height)};
+    const struct screen_corner at[3] = {lower, lower, upper};
+    struct edge_rows to = {rows ? from : upper.row, rows ? from + rows : lower.row, rows == 0};
+    struct edge edge[3];
+
+    if (upper.row == lower.row)
+        return;
+    (void)sheen_edges_begin(edge, at, &to, spans);
+    for (;;) {
+        for (int32_t row = max32(upper.row, to.row); row < min32(lower.row, to.end); row++) {
+            check(&upper, width, height, row, spans[row - to.row].x0);
+            check(&upper, width, height, row, spans[row - to.row].x1);
+        }
+        if (to.end >= lower.row)
+            return;
+        to.row = to.end;
+        to.end += rows;
+        sheen_edge_go_on(&edge[0], &to, &spans->x1);
+        sheen_edge_go_on(&edge[2], &to, &spans->x0);
+    }
+}
+
+static void short_edges(int all)
+{
+    for (int32_t height = 1; height < SHORT; height += 1) {
+        int32_t sparse = all || height < 70 || height > 1980 || height % 64 == 0 ? 1 : 41;
+        for (int32_t width = 1 - SHORT + (int32_t)lot((uint32_t)sparse); width < SHORT; width += sparse) {
+            for (int32_t rest = all ? 0 : (int32_t)lot(29); rest < 64; rest += all ? 1 : 29)
+                walk((int32_t)lot(64), 32 - rest, width, height, 0, 0);
+        }
+    }
+}
+
+/* Any edge whose ends lie within the guard band; half of them near-level or near-upright; tiles by lot. */
+static void any_edges(void)
+{
+    for (int i = 0; i < LONG_EDGES; i++) {
+        int32_t reach = 64 << lot(10), y = (int32_t)lot(2 * FARTHEST) - FARTHEST;
+        int32_t x = (int32_t)lot(2 * FARTHEST) - FARTHEST, width, height;
+        width = i & 1 ? (int32_t)lot(2 * FARTHEST) - FARTHEST - x : (int32_t)lot((uint32_t)(2 * reach)) - reach;
+        height = i & 2 ? (int32_t)lot((uint32_t)(FARTHEST - y)) + 1 : (int32_t)lot((uint32_t)reach) + 1;
+        int32_t from = first_row(y) - 8 + (int32_t)lot(24), rows = 1 + (int32_t)lot(64);
+        if (x + width > -FARTHEST && x + width < FARTHEST && y + height < FARTHEST)
+            walk(x, y, width, height, from, i % 3 ? rows : 0);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    short_edges(argc > 1 && strcmp(argv[1], "all") == 0);
+    any_edges();
+    printf("%" PRIu64 " crossings, %" PRIu64 " wrong\n", crossings, wrong);
+    return wrong != 0;
+}
