@@ -435,6 +435,7 @@ void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t 
  * The same for each corner, 3 parts each, over the corner's own polygon and those whose normals lie within the
  * crease angle of its normal; crease: the angle's cosine, -1.0 averages all (a difference below 2e-8 counts as
  * within). Where the sum is zero it is the polygon's normal, for a polygon without area zero.
+ * Time: for each corner the polygons around its point; of those around a point that face alike, the first only.
  */
 void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t *around,
                           const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t crease,

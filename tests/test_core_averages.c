@@ -6,6 +6,7 @@
  */
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "test_core_worst.h"
 
@@ -264,6 +265,36 @@ static void test_sides_of_random_triangles_cancel(void **unused)
     assert_true(rounded > 0);
 }
 
+/* As many triangles as a mesh has, all on three points and seen from both sides: in no time, and as few would be. */
+static void test_many_polygons_at_a_point(void **unused)
+{
+    enum {
+        COUNT = 65535
+    };
+    static uint32_t corners[3 * COUNT], sizes[COUNT], around[SHEEN_AROUND_WORDS(3, 3 * COUNT)];
+    static sheen_q30_t facing[3 * COUNT], normal[9 * COUNT];
+    static sheen_angle_t angles[3 * COUNT];
+    static const int32_t points[] = {0, 0, 0, 9000, 0, 500, 0, 9000, -700};
+    const struct sheen_polygon_list list = {points, corners, sizes, 3, 3 * COUNT, COUNT};
+    clock_t start = clock();
+
+    (void)unused;
+    for (uint32_t p = 0; p < COUNT; p++) {
+        sizes[p] = 3;
+        for (uint32_t k = 0; k < 3; k++)
+            corners[3 * p + k] = (p / 2 + (p % 2 ? 2 - k : k)) % 3;
+    }
+    assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
+    sheen_polygon_normals(&list, facing);
+    sheen_corner_angles(&list, facing, angles);
+    for (int with = 0; with < 2; with++) {
+        sheen_corner_normals(&list, around, facing, with ? angles : NULL, SHEEN_Q30(.5), normal);
+        for (uint32_t i = 0; i < 9 * COUNT; i++)
+            assert_true(abs(normal[i] - facing[i / 9 * 3 + i % 3]) <= 8);
+    }
+    assert_true(clock() - start < 20 * CLOCKS_PER_SEC); /* each with each takes minutes */
+}
+
 static void test_lists_are_checked(void **unused)
 {
     static const int32_t points[] = {0, 0, 0, 9, 0, 0, 0, 9, 0, 9, 9, 0};
@@ -297,6 +328,7 @@ int main(void)
         cmocka_unit_test(test_a_crease_includes_its_own_angle),
         cmocka_unit_test(test_sums_of_zero),
         cmocka_unit_test(test_sides_of_random_triangles_cancel),
+        cmocka_unit_test(test_many_polygons_at_a_point),
         cmocka_unit_test(test_lists_are_checked),
     };
 

@@ -121,6 +121,38 @@ void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t 
         average(&of, v, NULL, 0, normals + 3 * (size_t)v);
 }
 
+/*
+ * The first corner at corner c's point v whose polygon has the normal `own`: what is its average is c's too. c itself
+ * where there is none before it: lists are in the corners' order, and c is in its own.
+ */
+static uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3])
+{
+    uint32_t i = around->begin[v];
+
+    for (; around->corners[i] < c; i++) {
+        const sheen_q30_t *normal = around->normals + 3 * (size_t)around->polygons[i];
+        if (normal[0] == own[0] && normal[1] == own[1] && normal[2] == own[2])
+            break;
+    }
+    return around->corners[i];
+}
+
+/* The normal of corner c, at point v, of a polygon that faces `own`: an average, or where that is zero `own`. */
+static void corner_normal(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3], int64_t least,
+                          sheen_q30_t *normals)
+{
+    const uint32_t alike = first_alike(around, v, c, own);
+    sheen_q30_t *normal = normals + 3 * (size_t)c;
+    const sheen_q30_t *from = normals + 3 * (size_t)alike;
+
+    if (alike == c) {
+        average(around, v, own, least, normal);
+        from = normal[0] == 0 && normal[1] == 0 && normal[2] == 0 ? own : normal;
+    }
+    for (int k = 0; k < 3; k++)
+        normal[k] = from[k];
+}
+
 void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t *around,
                           const sheen_q30_t *polygon_normals, const uint32_t *weights, sheen_q30_t crease,
                           sheen_q30_t *normals)
@@ -130,12 +162,12 @@ void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t 
 
     for (uint32_t p = 0, c = 0; p < list->polygon_count; p++, own += 3) {
         int degenerate = own[0] == 0 && own[1] == 0 && own[2] == 0;
-        for (uint32_t end = c + list->sizes[p]; c < end; c++, normals += 3) {
+        for (uint32_t end = c + list->sizes[p]; c < end; c++) {
             if (!degenerate)
-                average(&of, list->corners[c], own, (int64_t)crease - CREASE_SLACK, normals);
-            if (degenerate || (normals[0] == 0 && normals[1] == 0 && normals[2] == 0))
+                corner_normal(&of, list->corners[c], c, own, (int64_t)crease - CREASE_SLACK, normals);
+            else
                 for (int k = 0; k < 3; k++)
-                    normals[k] = own[k];
+                    normals[3 * (size_t)c + (size_t)k] = 0;
         }
     }
 }
