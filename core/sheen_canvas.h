@@ -49,7 +49,7 @@ struct sheen_image {
 /* The part of the image inside the canvas. */
 void sheen_canvas_image(const struct sheen_canvas *canvas, enum sheen_pixel pixel, const struct sheen_image *image);
 
-/* Glyphs of one bit a pixel. A glyph is `height` bytes, a row each from the top, the leftmost pixel in bit width - 1. */
+/* Glyphs of one bit a pixel. A glyph is `height` bytes, a row each from the top, its left pixel in bit width - 1. */
 struct sheen_font {
     const uint8_t *rows;   /* glyph by glyph */
     uint8_t first, last;   /* characters that there are; others are a space */

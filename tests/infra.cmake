@@ -11,6 +11,7 @@ sheen_script(same_bits cross COMMAND tests/checks/cross)
 
 # The house: who may include and call whom, and the map of it.
 sheen_script(core_floors format COMMAND tests/checks/floors)
+sheen_script(one_unit format COMMAND tests/checks/one_unit)
 sheen_script(core_house format COMMAND tests/checks/house)
 foreach(text "flat.c includes frame/frame.h" "pixel.c calls sheen_seed_frame" "phong.c calls sheen_seed_flat")
   string(MAKE_C_IDENTIFIER ${text} name)

@@ -50,8 +50,8 @@ static void check(const struct screen_corner *upper, int32_t width, int32_t heig
 }
 
 /*
- * An edge there and back, as the sides of a triangle without area, in tiles of `rows` rows, the first of which begins at
- * row `from`. rows 0: one tile, and the triangle has no other.
+ * An edge there and back, as the sides of a triangle without area, in tiles of `rows` rows, the first of which begins
+ * at row `from`. rows 0: one tile, and the triangle has no other.
  */
 static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t from, int32_t rows)
 {

@@ -20,7 +20,7 @@ void sheen_canvas_fill(const struct sheen_canvas *canvas, enum sheen_pixel pixel
 }
 
 /* from at 0, to at most; rounded. most: 1..65534. */
-static uint8_t between(uint8_t from, uint8_t to, int32_t at, int32_t most)
+static uint8_t mixed(uint8_t from, uint8_t to, int32_t at, int32_t most)
 {
     int32_t twice = 2 * (from * (most - at) + to * at) + most; /* up to 2 * 255 * 65534 + 65534 < 2^26 */
 
@@ -38,7 +38,7 @@ void sheen_canvas_gradient(const struct sheen_canvas *canvas, enum sheen_pixel p
         uint8_t rgb[3];
 
         for (int k = 0; k < 3; k++)
-            rgb[k] = between(gradient->first[k], gradient->last[k], y - gradient->rect.y0, most);
+            rgb[k] = mixed(gradient->first[k], gradient->last[k], y - gradient->rect.y0, most);
         sheen_canvas_fill(canvas, pixel, row, rgb);
     }
 }

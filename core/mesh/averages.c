@@ -138,8 +138,8 @@ static uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c,
 }
 
 /* The normal of corner c, at point v, of a polygon that faces `own`: an average, or where that is zero `own`. */
-static void corner_normal(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3], int64_t least,
-                          sheen_q30_t *normals)
+static void corner_average(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3], int64_t least,
+                           sheen_q30_t *normals)
 {
     const uint32_t alike = first_alike(around, v, c, own);
     sheen_q30_t *normal = normals + 3 * (size_t)c;
@@ -164,7 +164,7 @@ void sheen_corner_normals(const struct sheen_polygon_list *list, const uint32_t 
         int degenerate = own[0] == 0 && own[1] == 0 && own[2] == 0;
         for (uint32_t end = c + list->sizes[p]; c < end; c++) {
             if (!degenerate)
-                corner_normal(&of, list->corners[c], c, own, (int64_t)crease - CREASE_SLACK, normals);
+                corner_average(&of, list->corners[c], c, own, (int64_t)crease - CREASE_SLACK, normals);
             else
                 for (int k = 0; k < 3; k++)
                     normals[3 * (size_t)c + (size_t)k] = 0;

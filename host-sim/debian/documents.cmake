@@ -17,9 +17,15 @@ file(WRITE ${documents}/changelog "sheen (${CPACK_PACKAGE_VERSION}) unstable; ur
 ")
 file(GLOB pages ${CPACK_TEMPORARY_DIRECTORY}/usr/share/man/man*/*.[1-8])
 foreach(file IN LISTS pages ITEMS ${documents}/changelog)
-  execute_process(COMMAND gzip -9 -n ${file} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND gzip -9 -n ${file} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "gzip ${file}: ${status}")
+  endif()
 endforeach()
 # The sources' modes may be a stranger's umask; a package's are not.
 file(GLOB_RECURSE files ${CPACK_TEMPORARY_DIRECTORY}/usr/share/* ${CPACK_TEMPORARY_DIRECTORY}/usr/include/*
   ${CPACK_TEMPORARY_DIRECTORY}/usr/lib/*)
-file(CHMOD ${files} PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+execute_process(COMMAND chmod 644 ${files} RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "chmod: ${status}")
+endif()
