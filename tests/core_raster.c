@@ -70,3 +70,29 @@ int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, str
     *first = setup.s.row - (int)rows;
     return (int)(rows + sheen_spans(&setup.s, rect, spans + rows));
 }
+
+void core_raster_depths(struct core_raster *r, uint16_t *depth)
+{
+    static uint16_t pixels[640 * 480];
+    static struct span spans[480];
+    const struct sheen_rect all = r->screen.viewport;
+    struct tile tile = {.rect = all,
+                        .pitch = (unsigned)all.x1,
+                        .pixels = pixels,
+                        .depth = depth,
+                        .to_pixel = (char *)pixels - (char *)depth,
+                        .format = &r->format,
+                        .centre_x = r->screen.centre_x,
+                        .centre_y = r->screen.centre_y,
+                        .spans = spans};
+    struct core_setup setup;
+#if SHEEN_STATS
+    uint32_t shaded = 0;
+    tile.shaded = &shaded;
+#endif
+
+    tile.rows = core_raster_set_up(r, all, spans, &setup);
+    tile.first_row = (int16_t)(setup.s.row - (int32_t)tile.rows);
+    if (tile.rows > 0)
+        setup.s.rows(&tile, &setup.s);
+}
