@@ -163,3 +163,22 @@ int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *proble
     sheen_viewer_look(viewer);
     return sheen_viewer_redraw(viewer, problem);
 }
+
+/* ---- how it looks ---- */
+
+static int has_pixel(const void *panel, unsigned x, unsigned y)
+{
+    return sheen_sim_panel_has(panel, x, y);
+}
+
+void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride)
+{
+    const struct sheen_turntable *table = &viewer->table;
+    struct sheen_glass_picture picture = {.rgb = table->rgb,
+                                          .width = table->choice.width,
+                                          .height = table->choice.height,
+                                          .has = has_pixel,
+                                          .panel = table->panel};
+
+    sheen_glass_draw(&picture, &viewer->look, out, stride);
+}

@@ -66,6 +66,9 @@ int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *proble
 /* The theme of the options, or the panel's own for auto; scale and gap likewise. */
 void sheen_viewer_look(struct sheen_viewer *viewer);
 
+/* The glass as it looks, scale * width x scale * height values 0x00RRGGBB; stride in values. */
+void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride);
+
 /* What a key does. 1: the end was asked for; 0: go on; a negative code and *problem: nothing can be shown any more. */
 int sheen_viewer_key(struct sheen_viewer *viewer, int key, struct sheen_problem *problem);
 
@@ -78,10 +81,7 @@ void sheen_viewer_counts(const struct sheen_viewer *viewer, char *text, size_t s
 
 /* ---- view_files.c ---- */
 
-/* The glass as it looks, scale * width x scale * height values 0x00RRGGBB; stride in values. */
-void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride);
-
-/* The same as bytes r, g, b, the caller's to free; NULL without memory. size: px. */
+/* What sheen_viewer_paint draws as bytes r, g, b, the caller's to free; NULL without memory. size: px. */
 uint8_t *sheen_viewer_picture(const struct sheen_viewer *viewer, unsigned size[2]);
 
 /* Into a new file sheen-NNN.png, the first free number; its name is the message. 0, or a negative code and *problem. */

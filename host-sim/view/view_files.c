@@ -10,23 +10,6 @@
 #include "png_file.h"
 #include "view.h"
 
-static int has_pixel(const void *panel, unsigned x, unsigned y)
-{
-    return sheen_sim_panel_has(panel, x, y);
-}
-
-void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride)
-{
-    const struct sheen_turntable *table = &viewer->table;
-    struct sheen_glass_picture picture = {.rgb = table->rgb,
-                                          .width = table->choice.width,
-                                          .height = table->choice.height,
-                                          .has = has_pixel,
-                                          .panel = table->panel};
-
-    sheen_glass_draw(&picture, &viewer->look, out, stride);
-}
-
 uint8_t *sheen_viewer_picture(const struct sheen_viewer *viewer, unsigned size[2])
 {
     size[0] = viewer->table.choice.width * viewer->look.scale;
