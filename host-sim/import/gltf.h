@@ -42,6 +42,9 @@ struct refusal {
 
 [[noreturn]] [[gnu::format(printf, 1, 2)]] void refuse(const char *format, ...);
 
+/* For what the parser of JSON has to say. */
+[[noreturn]] void refuse_json(const char *what);
+
 /*
  * A value of the text and what to call it, as in "accessors[3].sparse". What is not
  * there, or null, is an item too: false, without parts. A value of another type than

@@ -82,7 +82,7 @@ rows find_rows(document &file, const item &holder, uint64_t component, size_t pa
     if (count > data.size() || (count > 0 && offset + (count - 1) * stride + row > data.size()))
         refuse("%s: %llu elements reach beyond the %zu bytes of bufferViews[%llu]", whom.name(),
                static_cast<unsigned long long>(count), data.size(), static_cast<unsigned long long>(number.whole()));
-    return {data.subspan(count > 0 ? offset : 0), stride, component, false};
+    return {data.subspan(count > 0 ? offset : 0), static_cast<size_t>(stride), component, false};
 }
 
 void copy_row(const rows &from, size_t index, double *to, size_t parts)

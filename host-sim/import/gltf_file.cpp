@@ -119,9 +119,7 @@ document::document(const std::string &path) : path_(path)
     try {
         json_ = std::make_unique<nlohmann::json>(nlohmann::json::parse(file.begin(), file.end()));
     } catch (const nlohmann::json::exception &error) {
-        const char *at = strstr(error.what(), "line "); /* ... "line 3, column 5: " and much else */
-        refuse("%.*s%snot JSON, or not all of it", at ? static_cast<int>(strcspn(at, ":")) : 0, at ? at : "",
-               at ? ": " : "");
+        refuse_json(error.what());
     }
     if (!json_->is_object())
         refuse("not a glTF file: its JSON is no object");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "gltf.h"
@@ -20,6 +21,14 @@ void refuse(const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     throw refusal{text};
+}
+
+void refuse_json(const char *what)
+{
+    const char *at = strstr(what, "line "); /* ... "line 3, column 5: " and much else */
+
+    refuse("%.*s%snot JSON, or not all of it", at ? static_cast<int>(strcspn(at, ":")) : 0, at ? at : "",
+           at ? ": " : "");
 }
 
 item::item(const nlohmann::json *value, std::string name)
