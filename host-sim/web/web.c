@@ -1,0 +1,403 @@
+/*
+ * web.c - the door of the WebAssembly module: `sheen view` and `sheen bake` for a page.
+ *
+ * The page hands over the words of a command line, as the command gets them, so options,
+ * ranges and the lines on what is wrong are the command's own. What the command prints the
+ * page is given as its output and errors (host.js).
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bake_text.h"
+#include "commands.h"
+#include "out_file.h"
+#include "progress.h"
+#include "stats_json.h"
+#include "view.h"
+
+#define EXPORT(name) __attribute__((export_name(#name))) name
+#define WORDS 128
+
+static enum sheen_exit no_run(struct sheen_options *options)
+{
+    (void)options;
+    return SHEEN_EXIT_OK;
+}
+
+static const struct sheen_command view_command = {"view", "MESH", "", SHEEN_VIEW, no_run};
+static const struct sheen_command bake_command = {"bake", "MESH", "", SHEEN_BAKE, sheen_cmd_bake};
+
+static struct sheen_viewer viewer;
+static int is_open;
+static struct sheen_problem problem;
+static char *words[2]; /* of the options that are in use, and the page's */
+static uint32_t *pixels;
+static char *text; /* what was made last: a header, a line of numbers */
+static size_t text_size;
+
+/* ---- the command line ---- */
+
+/* Room for `size` bytes of words, each ended by a 0. NULL without memory. */
+char *EXPORT(web_words)(size_t size)
+{
+    free(words[1]);
+    words[1] = malloc(size + 1);
+    if (words[1])
+        words[1][size] = '\0';
+    return words[1];
+}
+
+static int parse(struct sheen_options *options, const struct sheen_command *command, int count)
+{
+    static char *list[WORDS + 1]; /* options point to the words, not into it */
+    char *at = words[1];
+
+    if (count > WORDS)
+        return sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "more than %d words", WORDS);
+    for (int i = 0; i < count; i++, at += strlen(at) + 1)
+        list[i] = at;
+    list[count] = NULL;
+    int go = sheen_options_parse(options, command, count, list, &problem);
+    return go == 0 ? sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no help in a page") : go;
+}
+
+/* The line on what was wrong last. */
+const char *EXPORT(web_problem)(void)
+{
+    return problem.text;
+}
+
+/* ---- what is shown ---- */
+
+static void copy_look(struct sheen_options *to, const struct sheen_options *from)
+{
+    to->shade = from->shade;
+    to->yaw = from->yaw;
+    to->pitch = from->pitch;
+    to->roll = from->roll;
+    to->yaw_step = from->yaw_step;
+    to->distance = from->distance;
+    to->fov = from->fov;
+    to->lights = from->lights;
+    memcpy(to->background, from->background, sizeof to->background);
+    to->two_sided = from->two_sided;
+    to->affine = from->affine;
+    to->ortho = from->ortho;
+    to->undithered = from->undithered;
+    to->scale = from->scale;
+    to->gap = from->gap;
+    to->theme = from->theme;
+}
+
+static void copy_panel(struct sheen_options *to, const struct sheen_options *from)
+{
+    to->panel = from->panel;
+    memcpy(to->size, from->size, sizeof to->size);
+    to->orientation = from->orientation;
+    to->band = from->band;
+    to->buffers = from->buffers;
+}
+
+/* Whether they are the same, the names by their letters. Parsed into zeroed memory, so that gaps are equal. */
+static int are_equal(struct sheen_options a, const struct sheen_options *b)
+{
+    if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0)
+        return 0;
+    a.mesh = b->mesh;
+    a.panel = b->panel;
+    return memcmp(&a, b, sizeof a) == 0;
+}
+
+static void close_viewer(void)
+{
+    struct sheen_problem ignored;
+
+    if (is_open)
+        sheen_viewer_close(&viewer, &ignored);
+    is_open = 0;
+}
+
+static int open_viewer(const struct sheen_options *options)
+{
+    struct sheen_sim_choice choice;
+    int error = sheen_turntable_choose(&choice, options, &problem);
+
+    close_viewer();
+    if (!error && options->band > choice.height)
+        error = sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
+                              choice.height);
+    if (error)
+        return error;
+    is_open = 1;
+    return sheen_viewer_open(&viewer, options, &choice, &problem);
+}
+
+/* As much is made anew as the options ask for. */
+static int change(const struct sheen_options *options)
+{
+    struct sheen_options same_mesh = *options, same_panel = *options;
+
+    copy_look(&same_panel, &viewer.options);
+    same_mesh = same_panel;
+    copy_panel(&same_mesh, &viewer.options);
+    if (!is_open || !are_equal(same_mesh, &viewer.options))
+        return open_viewer(options);
+    int is_same_panel = are_equal(same_panel, &viewer.options);
+    viewer.options = *options;
+    if (!is_same_panel)
+        return sheen_viewer_panel(&viewer, &problem);
+    sheen_viewer_look(&viewer);
+    return sheen_viewer_redraw(&viewer, &problem);
+}
+
+/* Shows what the words of web_words() ask for. 0, or a negative code and web_problem(): then nothing is shown. */
+int EXPORT(web_show)(int count)
+{
+    static struct sheen_options options;
+    int go = parse(&options, &view_command, count);
+    viewer.number = 0;
+    int error = go < 0 ? go : change(&options);
+
+    if (error)
+        close_viewer();
+    free(words[0]);
+    words[0] = words[1];
+    words[1] = NULL;
+    return error;
+}
+
+/* Forgets what is shown: another file may have taken the mesh's name. */
+void EXPORT(web_forget)(void)
+{
+    close_viewer();
+}
+
+/* The next frame, turned by yaw_step; the next band of it. 0, or a negative code and web_problem(). */
+int EXPORT(web_next)(void)
+{
+    return sheen_viewer_next(&viewer, &problem);
+}
+
+int EXPORT(web_band)(void)
+{
+    return sheen_viewer_band(&viewer, &problem);
+}
+
+/* The band that was sent by itself last, -1: whole frames; its rows: first, end; the frame's count of bands. */
+int EXPORT(web_shown_band)(void)
+{
+    return viewer.shown_band;
+}
+
+int EXPORT(web_band_row)(int end)
+{
+    int rows[2];
+
+    sheen_viewer_rows(&viewer, &rows[0], &rows[1]);
+    return rows[end != 0];
+}
+
+unsigned EXPORT(web_bands)(void)
+{
+    return sheen_band_count(viewer.table.scene.frame);
+}
+
+/* The frame once more, all of it sent, for a clock: core, driver and controller. 0, or a negative code. */
+int EXPORT(web_again)(void)
+{
+    struct sheen_scene *scene = &viewer.table.scene;
+
+    sheen_invalidate(scene->frame);
+    int error = sheen_scene_draw(scene, viewer.number);
+    return error ? error : sheen_wait(scene->frame);
+}
+
+/* The picture: 3 bytes r, g, b a pixel. */
+unsigned EXPORT(web_width)(void)
+{
+    return viewer.table.choice.width;
+}
+
+unsigned EXPORT(web_height)(void)
+{
+    return viewer.table.choice.height;
+}
+
+const uint8_t *EXPORT(web_rgb)(void)
+{
+    return viewer.table.rgb;
+}
+
+/* The glass as it looks at `scale`: 4 bytes r, g, b, a a pixel of the screen. NULL without memory. */
+const uint32_t *EXPORT(web_glass)(unsigned scale)
+{
+    viewer.options.scale = (int)scale;
+    sheen_viewer_look(&viewer);
+    viewer.options.scale = 0;
+    size_t count = (size_t)web_width() * web_height() * scale * scale;
+    free(pixels);
+    pixels = malloc(count * sizeof *pixels);
+    if (!pixels)
+        return NULL;
+    sheen_viewer_paint(&viewer, pixels, web_width() * scale);
+    for (size_t i = 0; i < count; i++)
+        pixels[i] = 0xff000000u | __builtin_bswap32(pixels[i]) >> 8;
+    return pixels;
+}
+
+/* ---- numbers and texts ---- */
+
+/* `sheen render --stats`: a line of JSON on the last frame. NULL without memory. */
+const char *EXPORT(web_stats)(void)
+{
+    free(text);
+    text = NULL;
+    FILE *stream = open_memstream(&text, &text_size);
+
+    if (!stream)
+        return NULL;
+    sheen_stats_json(stream, &viewer.table, viewer.number);
+    return fclose(stream) == 0 ? text : NULL;
+}
+
+/* Of the panel: its name; Hz, 0 for ideal; B of a whole frame on the wire; whether it is round. */
+const char *EXPORT(web_panel)(void)
+{
+    return sheen_turntable_panel_name(&viewer.table);
+}
+
+unsigned EXPORT(web_clock)(void)
+{
+    return viewer.table.choice.record ? viewer.table.choice.record->clock_hz : 0;
+}
+
+unsigned EXPORT(web_frame_bytes)(void)
+{
+    const struct sheen_panel_record *record = viewer.table.choice.record;
+    const struct sheen_target *target = viewer.table.scene.target;
+    unsigned bytes = target->height * sheen_row_bytes(target->pixel, target->width);
+
+    if (!record)
+        return bytes;
+    bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
+    return record->bits_18 ? bytes / 2 * 3 : bytes;
+}
+
+int EXPORT(web_is_round)(void)
+{
+    return viewer.table.choice.record && viewer.table.choice.record->round;
+}
+
+unsigned EXPORT(web_orientation)(void)
+{
+    return viewer.table.choice.orientation;
+}
+
+/* B: of the frame's memory, and of the power tables that it needs in flash or RAM. */
+unsigned EXPORT(web_arena)(void)
+{
+    return (unsigned)sheen_arena_size(&viewer.table.scene.config);
+}
+
+/* B of flash that the meshes take, baked with their polygons' normals. */
+unsigned EXPORT(web_flash)(void)
+{
+    size_t bytes = 0;
+
+    for (size_t i = 0; i < viewer.table.scene.count; i++)
+        bytes += sheen_bake_bytes(&viewer.table.scene.meshes[i], 1);
+    return (unsigned)bytes;
+}
+
+unsigned EXPORT(web_vertices)(void)
+{
+    unsigned count = 0;
+
+    for (size_t i = 0; i < viewer.table.scene.count; i++)
+        count += viewer.table.scene.meshes[i].mesh.vertices;
+    return count;
+}
+
+/* The panels' names; an option's name, words or value's name, default and help; NULL past the last. */
+const char *EXPORT(web_panel_name)(unsigned index)
+{
+    const struct sheen_panel_record *record = sheen_panel_at(index);
+
+    return record ? record->name : NULL;
+}
+
+const char *EXPORT(web_panel_about)(unsigned index)
+{
+    const struct sheen_panel_record *record = sheen_panel_at(index);
+
+    return record && record->note ? record->note : "";
+}
+
+const char *EXPORT(web_option)(unsigned index, unsigned part)
+{
+    const struct sheen_option *option = &sheen_option_table[index];
+
+    if (part > 0 && !(option->commands & SHEEN_VIEW))
+        return NULL;
+    return part == 0 ? option->name : part == 1 ? option->argument : part == 2 ? option->value : option->help;
+}
+
+const char *EXPORT(web_version)(void)
+{
+    return sheen_version;
+}
+
+/* ---- sheen bake ---- */
+
+/* Runs `sheen bake` on the words of web_words(). 0 and the header in web_text(), or what it ended with. */
+int EXPORT(web_bake)(int count)
+{
+    static struct sheen_options options;
+    int go = parse(&options, &bake_command, count);
+
+    int status = go < 0 ? (int)sheen_fail(SHEEN_EXIT_USAGE, &problem) : (int)sheen_cmd_bake(&options);
+
+    fflush(stdout);
+    return status;
+}
+
+const char *EXPORT(web_text)(void)
+{
+    return text;
+}
+
+/* What the command hands to the rest of it. */
+
+enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *why)
+{
+    problem = *why;
+    return status;
+}
+
+int sheen_out_file(const char *path, const void *bytes, size_t count, struct sheen_problem *why)
+{
+    free(text);
+    text = malloc(count + 1);
+    if (!text)
+        return sheen_problem(why, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
+    memcpy(text, bytes, count);
+    text[count] = '\0';
+    return SHEEN_OK;
+}
+
+void sheen_progress(const char *what, int done, int whole)
+{
+    (void)what, (void)done, (void)whole;
+}
+
+void sheen_progress_end(void)
+{
+}
+
+/* A page records no animations. */
+int sheen_viewer_gif_end(struct sheen_viewer *ended, const char *path, struct sheen_problem *why)
+{
+    (void)ended, (void)path, (void)why;
+    return SHEEN_OK;
+}

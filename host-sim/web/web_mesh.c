@@ -1,0 +1,94 @@
+/*
+ * web_mesh.c - mesh files in the page.
+ *
+ * The command reads a file in a confined child process (mesh_file.h). The page reads it in an
+ * instance of this module of its own, in a worker, which it gives up afterwards: web_read() writes
+ * the answer of mesh_wire.h to its output, and the instance that draws finds that answer where the
+ * command finds the file.
+ */
+#include "web_mesh.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "confine.h"
+#include "mesh_file.h"
+#include "mesh_format.h"
+#include "mesh_wire.h"
+#include "simplify.h"
+
+const char *sheen_web_path;
+
+/* ---- the instance that reads ---- */
+
+static _Noreturn void answer(int error, struct sheen_polygons *polygons, const struct sheen_problem *problem)
+{
+    if (!error)
+        sheen_polygons_finish(polygons, sheen_web_path);
+    exit(sheen_mesh_send(STDOUT_FILENO, error, polygons, problem) == 0 ? 0 : 1);
+}
+
+void sheen_web_refuse(int error, const char *why)
+{
+    struct sheen_problem problem;
+
+    sheen_problem(&problem, error, "%s: %s", sheen_web_path, why);
+    answer(error, NULL, &problem);
+}
+
+/* Room for the file's name. NULL without memory. */
+__attribute__((export_name("web_path"))) char *web_path(size_t size)
+{
+    char *path = calloc(size + 1, 1);
+
+    sheen_web_path = path;
+    return path;
+}
+
+/* Reads the file of that name, answers, and ends this instance: never returns. */
+__attribute__((export_name("web_read"))) void web_read(void)
+{
+    struct sheen_polygons polygons = {0};
+    struct sheen_problem problem = {""};
+    struct stat status;
+
+    if (stat(sheen_web_path, &status) != 0)
+        sheen_web_refuse(SHEEN_ERR_ARGUMENT, strerror(errno));
+    if (status.st_size == 0)
+        sheen_web_refuse(SHEEN_ERR_ARGUMENT, "the file is empty");
+    int error = sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
+    answer(error, &polygons, &problem);
+}
+
+/* A page is confined as it is. */
+void sheen_confine_file(int file)
+{
+    (void)file;
+}
+
+/* ---- the instance that draws ---- */
+
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+{
+    int file = open(path, O_RDONLY), error = SHEEN_OK;
+
+    memset(polygons, 0, sizeof *polygons);
+    if (file < 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
+    int answered = sheen_mesh_receive(file, &error, polygons, problem);
+    close(file);
+    return answered
+               ? error
+               : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer gave no answer, or one too large", path);
+}
+
+int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
+                   double *error, struct sheen_problem *problem)
+{
+    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)error;
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--reduce is for the command sheen, a page is without it");
+}

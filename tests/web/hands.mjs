@@ -1,0 +1,286 @@
+/*
+ * hands.mjs SHEEN PAGE FOLDER - what hands do to the page: clicks, keys, drags, touch, drops, links, bands one by one,
+ * a header baked and downloaded; what it says where it cannot run. Leaves screenshots in FOLDER.
+ */
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+import { execFileSync } from 'node:child_process';
+import { Browser, differing, glass, judge, render, said, settle, PATIENCE } from './browser.mjs';
+
+const [sheen, page_file, folder, source] = process.argv.slice(2);
+const browser = await Browser.open(page_file);
+const { check, end } = judge();
+const data = name => path.join(source, 'tests', 'data', name);
+const wait = ms => new Promise(resolve => setTimeout(resolve, ms));
+
+/* The words of the line that the page shows, as a shell takes them, without `sheen render` and the output. */
+async function shownWords(page) {
+    const line = await page.$eval('#line', element => element.textContent);
+    return execFileSync('bash', ['-c', `printf '%s\\0' ${line}`]).toString().split('\0').slice(2, -3);
+}
+
+/* That the glass is what the command makes of the line that the page shows. */
+async function checkLine(page, what, cwd = folder) {
+    await settle(page);
+    const words = await shownWords(page);
+    const at = process.cwd();
+    process.chdir(cwd);
+    const off = differing(await glass(page), render(sheen, folder, words));
+    process.chdir(at);
+    check(`${what}: ${words.join(' ')}: ${off} pixels differ`, off === 0);
+    return words.join(' ');
+}
+
+async function clickText(page, selector, text) {
+    for (const button of await page.$$(selector)) {
+        if (await button.evaluate(element => element.textContent) === text)
+            return button.click();
+    }
+    throw new Error(`no ${selector} says ${text}`);
+}
+
+async function middle(page, selector) {
+    const element = await page.$(selector);
+    await element.scrollIntoView();
+    const box = await element.boundingBox();
+    return [box.x + box.width / 2, box.y + box.height / 2, box.width, box.height];
+}
+
+async function drag(page, selector, dx, dy) {
+    const [x, y] = await middle(page, selector);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 4 });
+    await page.mouse.up();
+}
+
+// ---- clicks ----
+let page = await browser.page();
+await checkLine(page, 'at first');
+for (const [selector, text, word] of [
+    ['#shade button', 'slerp', '--shade slerp'], ['#shade button', 'flat', '--shade flat'],
+    ['#meshes button', 'torus', 'builtin:torus'], ['#mirror', 'Mirror', '--orientation 5'],
+    ['#quarter', 'Turn', '--orientation 6']]) {
+    await clickText(page, selector, text);
+    const words = await checkLine(page, `click on ${text}`);
+    check(`click on ${text}: ${words}`, words.includes(word));
+}
+for (const [selector, value, word] of [['#panel', 'ssd1306-128x64', '--panel ssd1306-128x64'], ['#theme', 'yellow', ''],
+    ['#panel', 'st7789-240x240-round', 'st7789-240x240-round'], ['#preset', 'chrome', '--color b8c0cc']]) {
+    await page.select(selector, value);
+    const words = await checkLine(page, `${value} chosen`);
+    check(`${value} chosen: ${words}`, words.includes(word) && !words.includes('theme'));
+}
+await clickText(page, '#more-light', '+');
+check('a second light', (await checkLine(page, 'a second light')).split('--light').length === 3);
+await clickText(page, '#less-light', '−');
+await page.$eval('#shininess', slider => { slider.value = 9; slider.dispatchEvent(new Event('input')); });
+check('a slider', (await checkLine(page, 'a slider')).includes('--shininess 9'));
+await page.$eval('details', element => { element.open = true; });
+await page.select('#dither', 'off');
+check('dither off', (await checkLine(page, 'dither off')).includes('--dither off'));
+await (await page.$('#ortho')).click();
+check('no perspective', (await checkLine(page, 'no perspective')).includes('--ortho'));
+
+// ---- drags, keys ----
+await page.click('#reset');
+await checkLine(page, 'reset');
+await drag(page, '#glass', 40, -20);
+check('a drag turns', /--yaw 50 --pitch 10|--pitch 10 .*--yaw 50/.test(await checkLine(page, 'a drag')));
+await page.keyboard.down('Shift');
+await drag(page, '#glass', 60, 30);
+await page.keyboard.up('Shift');
+let words = await checkLine(page, 'a drag with Shift');
+check('a drag with Shift moves the light', words.includes('--light') && words.includes('--yaw 50'));
+await drag(page, '#lights', 30, 25);
+check('a drag of the light', (await checkLine(page, 'a drag of the light')) !== words);
+await page.mouse.move(...(await middle(page, '#glass')).slice(0, 2));
+await page.mouse.wheel({ deltaY: 200 });
+await wait(100);
+check('the wheel', !(await checkLine(page, 'the wheel')).includes('--distance 2.4'));
+await page.focus('#glass');
+for (const [key, word] of [['ArrowRight', '--yaw 55'], ['ArrowDown', '--pitch 15'], ['s', '--shade slerp'],
+    ['o', '--orientation 2'], ['m', '--orientation 6'], ['p', '--panel st7789-240x320'], ['-', '--distance'], ['l', '']]) {
+    await page.keyboard.press(key);
+    const now = await checkLine(page, `key ${key}`);
+    check(`key ${key}: ${now}`, now.includes(word));
+}
+words = await shownWords(page);
+await page.keyboard.press('ArrowLeft');
+check('an arrow moves the light after l', JSON.stringify(words) !== JSON.stringify((await checkLine(page, 'light')).split(' ')));
+await page.keyboard.press(' ');
+const was = await page.evaluate('setting("yaw")');
+await page.waitForFunction(was => setting('yaw') !== was, {}, was);
+await page.keyboard.press(' ');
+await checkLine(page, 'after a spin');
+await page.keyboard.press('t');
+check('key t', await page.evaluate('setting("theme")') === 'plain');
+
+// ---- links ----
+await page.evaluate('setSpin(false)');
+await settle(page);
+const [hash, picture] = [await page.evaluate('link()'), await glass(page)];
+for (const state of ['anew', 'in place']) {
+    const other = await browser.page({ hash: state === 'anew' ? hash : '#panel=ssd1351' });
+    if (state === 'in place') {
+        await other.evaluate(hash => { location.hash = hash; }, hash);
+        await other.waitForFunction(hash => link() === hash && !is_stale, {}, hash);
+    }
+    check(`a link ${state}: ${hash}`, differing(await glass(other), picture) === 0 &&
+        await other.evaluate('link()') === hash && await other.evaluate('setting("theme")') === 'plain');
+    await other.close();
+}
+for (const [bad, line] of [['#panel=tv', /no panel|tv/], ['#nonsense=1', /unknown or ambiguous option --nonsense/],
+    ['#yaw=sideways', /--yaw 'sideways'/], ['#band=4000', /--band '4000'/], ['#light=1', /--light/],
+    ['#mesh=absent.stl', /absent.stl: No such file/], ['#mesh=%3Cimg src=x onerror=alert(1)%3E', /: No such file/]]) {
+    const other = await browser.page({ hash: bad });
+    const lines = await said(other);
+    check(`${bad} says ${lines}`, lines.length === 1 && line.test(lines[0]) && lines[0].startsWith('sheen: '));
+    await other.click('#reset');
+    await settle(other);
+    check(`${bad}: reset`, differing(await glass(other), render(sheen, folder,
+        ['builtin:teapot', '--distance', '2.4', '--specular', '.6', '--cull', 'none'])) === 0);
+    await other.close();
+}
+await page.close();
+
+// ---- bands ----
+page = await browser.page({ hash: '#panel=ili9341&yaw=0' });
+const first = await glass(page), bands = await page.evaluate('sheen.x.web_bands()');
+check(`${bands} bands`, bands === 15);
+let above = first;
+for (let band = 0; band < bands; band++) {
+    await page.click('#step');
+    const now = await glass(page);
+    const rows = new Set();
+    for (let i = 0; i < now.width * now.height; i++) {
+        if (now.rgb.compare(above.rgb, 3 * i, 3 * i + 3, 3 * i, 3 * i + 3) !== 0)
+            rows.add(Math.floor(i / now.width));
+    }
+    check(`band ${band} changes rows ${[...rows]}`, [...rows].every(row => row >> 4 === band));
+    check(`caption of band ${band}`, (await page.$eval('#caption', e => e.textContent)).includes(`band ${band + 1} of 15: rows ${16 * band} to`));
+    if (band === 7)
+        await page.screenshot({ path: path.join(folder, 'bands.png') });
+    above = now;
+}
+check('all bands make the next frame', differing(above, first) > 1000 && (await checkLine(page, 'all bands')).includes('--yaw 6'));
+await page.click('#step');
+await page.click('#spin');
+await page.waitForFunction('document.querySelector("#band").hidden');
+await page.evaluate('setSpin(false)');
+await checkLine(page, 'a frame begun is ended');
+
+// ---- files: by drop, by dialog; bake ----
+const client = await page.createCDPSession();
+const downloads = path.join(folder, 'downloads');
+fs.rmSync(downloads, { recursive: true, force: true });
+await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+async function dropFiles(...files) {
+    const [x, y] = await middle(page, '#glass');
+    const drop = { items: [], files, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'])
+        await client.send('Input.dispatchDragEvent', { type, x, y, data: drop });
+}
+await dropFiles(data('star.obj'));
+await page.waitForFunction('mesh === "star.obj" && !is_busy');
+await checkLine(page, 'a drop', path.join(source, 'tests', 'data'));
+fs.writeFileSync(path.join(folder, 'broken.stl'), 'no solid');
+await dropFiles(path.join(folder, 'broken.stl'));
+await page.waitForFunction('!is_busy && document.querySelector("#messages .bad")');
+check(`a bad drop: ${await said(page)}`, (await said(page))[0].startsWith('sheen: broken.stl: '));
+await checkLine(page, 'after a bad drop', path.join(source, 'tests', 'data'));
+await page.screenshot({ path: path.join(folder, 'refused.png') });
+await (await page.$('#file')).uploadFile(data('box.obj'), data('box.mtl'));
+await page.waitForFunction('mesh === "box.obj" && !is_busy');
+await (await page.$('#file-color')).evaluate(element => element.click());
+check('colours', (await checkLine(page, 'colours', path.join(source, 'tests', 'data'))).includes('--color file'));
+
+async function bakeAndCompare(name, mesh, ...words) {
+    await page.click('#bake');
+    const got = path.join(downloads, `${name}.h`), want = path.join(folder, `${name}.h`);
+    for (let ms = 0; ms < PATIENCE && !fs.existsSync(got); ms += 50)
+        await wait(50);
+    await wait(100);
+    const report = execFileSync(sheen, ['bake', mesh, ...words, '-o', want]).toString().trim().split('\n');
+    check(`the header of ${name} is another`, fs.readFileSync(got).equals(fs.readFileSync(want)));
+    const lines = (await said(page)).at(-1); // the page's RAM is that of a machine of 32 bits
+    check(`the report on ${name}: ${lines}`, report.every(line => /^RAM/.test(line) || lines.includes(line)));
+    execFileSync('gcc', ['-std=c11', '-Wall', '-Wno-unused-const-variable', '-Werror', '-I', path.join(source, 'core'),
+        '-fsyntax-only', '-include', 'sheen.h', got]);
+    const bytes = await page.$eval('#n-flash', element => element.textContent.replace(/[, B]/g, ''));
+    check(`flash of ${name}: ${bytes}`, report.some(line => line === `flash: ${bytes} B`) || name === 'box');
+}
+await bakeAndCompare('box', data('box.obj'));
+await page.click('#reset');
+await page.select('#normals', 'average');
+await settle(page);
+await bakeAndCompare('teapot', 'builtin:teapot', '--normals', 'average');
+await page.close();
+
+// ---- a phone: touch, and no scrolling sideways ----
+page = await browser.page({ phone: true, width: 390, height: 844, hash: '#panel=gc9a01&distance=2.4&cull=none' });
+check('as wide as the phone', await page.evaluate('document.documentElement.scrollWidth') === 390);
+const small = await page.$$eval('button, select, .file', list => list.filter(e => e.getBoundingClientRect().height < 40).length);
+check(`${small} controls too small for fingers`, small === 0);
+const touch = await page.createCDPSession();
+const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+const [x, y] = await middle(page, '#glass');
+await send('touchStart', [x, y]);
+await send('touchMove', [x + 30, y]);
+await send('touchMove', [x + 60, y]);
+await send('touchEnd');
+await page.waitForFunction('setting("yaw") === "60"');
+await checkLine(page, 'a finger turns');
+await send('touchStart', [x - 30, y], [x + 30, y]);
+await send('touchMove', [x - 60, y], [x + 60, y]);
+await send('touchEnd');
+await page.waitForFunction('+setting("distance") < 2');
+await checkLine(page, 'two fingers zoom');
+await page.click('#drag');
+await send('touchStart', [x, y]);
+await send('touchMove', [x + 40, y + 40]);
+await send('touchEnd');
+await page.waitForFunction('link().includes("light=")');
+await checkLine(page, 'a finger moves the light');
+await page.screenshot({ path: path.join(folder, 'phone.png') });
+await page.evaluate('scrollTo(0, 900)');
+await wait(200);
+await page.screenshot({ path: path.join(folder, 'phone-below.png') });
+await page.close();
+
+// ---- on a server of files; light and dark ----
+const server = http.createServer((request, response) => {
+    response.writeHead(request.url === '/' ? 200 : 404, { 'content-type': 'text/html' });
+    response.end(request.url === '/' ? fs.readFileSync(page_file) : '');
+}).listen(0, '127.0.0.1');
+await new Promise(resolve => server.on('listening', resolve));
+page = await browser.page({ url: `http://127.0.0.1:${server.address().port}/`, turns: true });
+check('it turns at first', await page.evaluate('spinning'));
+await page.evaluate('setSpin(false); set("yaw", 40)');
+await checkLine(page, 'from a server');
+await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'light' }]);
+await page.screenshot({ path: path.join(folder, 'light.png') });
+await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: 'dark' }]);
+await page.screenshot({ path: path.join(folder, 'dark.png') });
+await page.close();
+server.close();
+
+// ---- where it cannot run ----
+for (const [before, line] of [['delete window.WebAssembly', /has no WebAssembly/],
+    ['WebAssembly.instantiate = () => Promise.reject(new Error("no memory"))', /does not start in this browser: no memory/]]) {
+    page = await browser.page({ before });
+    const banner = await page.$eval('#banner', element => element.hidden ? '' : element.textContent);
+    check(`${before}: says ${banner}`, line.test(banner));
+    await page.close();
+}
+page = await browser.browser.newPage();
+await page.setJavaScriptEnabled(false);
+await page.goto(browser.url);
+check('without JavaScript', await page.$eval('noscript', element => element.getBoundingClientRect().height > 0));
+await page.close();
+
+check(`requests: ${browser.outside}`, browser.outside.length === 0);
+check(`errors: ${browser.errors}`, browser.errors.length === 0);
+await browser.close();
+end('hands');
