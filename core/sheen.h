@@ -18,10 +18,11 @@
  * leave no gap and draw no pixel twice.
  *
  * Depth. Of several triangles at a pixel the one with the largest 1/m (16 bits)
- * stays, on a tie the first drawn. Its step at m is m^2 (1/near - 1/far) / 65020.
+ * stays, on a tie the first drawn. Its step at m is m^2 (1/z_near - 1/z_far) /
+ * 65020.
  *
  * Memory. The core allocates nothing and keeps nothing outside what the caller
- * gives: one arena a frame (sheen_arena_size) and the tables inside materials.
+ * gives: one arena a frame (sheen_arena_size) and the tables that materials point to.
  * There is nothing to release. Pointers MUST not be NULL unless it is said that
  * they may. Meshes and materials are borrowed from sheen_draw() until sheen_end()
  * or sheen_finish() returns.
@@ -188,7 +189,7 @@ struct sheen_view {
     sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken); 0: 40 */
     sheen_q24_t z_near, z_far;  /* units, 0 < z_near < z_far, z_far - z_near >= z_far / 2^15: m outside is not drawn;
                                    z_far 0: 16, z_near 0: z_far / 16 */
-    sheen_q24_t orthographic;   /* 0: perspective; else the depth at which fov measures: x, y do not depend on m */
+    sheen_q24_t orthographic;   /* 0: perspective; else the depth, units > 0, at which fov measures: m moves nothing */
     uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
     uint8_t dither;             /* 1: ordered 8x8 dithering, for panels of few levels */
     uint8_t background[3];      /* r, g, b; never dithered */
@@ -210,7 +211,7 @@ struct sheen_view {
 /* Capacities, fixed at init. Totals of a frame; 0 takes the default in brackets. */
 struct sheen_config {
     const struct sheen_target *target; /* borrowed for the frame's life */
-    uint16_t band_rows;                /* 1..height, rounded up to align_y [16] */
+    uint16_t band_rows;                /* more than height is height; rounded up to align_y [16] */
     uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
     uint8_t workers;                   /* 1..4 with buffers of their own, to call sheen_band at once [1] */
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
@@ -238,6 +239,8 @@ size_t sheen_arena_size(const struct sheen_config *config);
 /*
  * Set up a frame in the arena (aligned to 8). *size is its size; on
  * SHEEN_ERR_MEMORY *size becomes the size needed and nothing was written.
+ * SHEEN_ERR_ARGUMENT: a NULL, an arena that is not aligned, or what
+ * sheen_config_about() names.
  */
 int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config);
 
@@ -247,7 +250,11 @@ int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const stru
  */
 int sheen_begin(struct sheen_frame *frame, const struct sheen_view *view);
 
-/* Transform, cull, clip and list a mesh, while the frame is open. On any error the frame is as it was before. */
+/*
+ * Transform, cull, clip and list a mesh, while the frame is open. On any error the frame is as it was before:
+ * SHEEN_ERR_STATE, or SHEEN_ERR_ARGUMENT, SHEEN_ERR_DEGENERATE (a light without direction), SHEEN_ERR_CAPACITY,
+ * of which sheen_frame_about() says more.
+ */
 int sheen_draw(struct sheen_frame *frame, const struct sheen_object *object);
 
 /* Add a rectangle (px on the target) to what this frame clears, draws and sends; while the frame is open. */
@@ -266,7 +273,7 @@ int sheen_render(struct sheen_frame *frame, const struct sheen_view *view, const
 /* What an error was about: fields, or capacities with how much would have done. */
 enum sheen_subject {
     SHEEN_ABOUT_NOTHING = 0,
-    SHEEN_ABOUT_TARGET, /* of the configuration: target, band_rows, buffers, workers, lock and unlock */
+    SHEEN_ABOUT_TARGET, /* of the configuration: target, buffers, workers, lock and unlock */
     SHEEN_ABOUT_BUFFERS,
     SHEEN_ABOUT_WORKERS,
     SHEEN_ABOUT_LOCK,
@@ -319,8 +326,8 @@ void sheen_invalidate(struct sheen_frame *frame);
 /* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
 struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
-    uint32_t setups, spans;
-    uint32_t covered, shaded;                               /* px inside triangles; px that passed the depth test (*) */
+    uint32_t setups, spans;   /* set-ups made, more than one for a triangle that was not carried; rows of triangles */
+    uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels;                            /* pushes and their area */
     uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
 };

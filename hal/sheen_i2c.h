@@ -27,8 +27,8 @@ extern "C" {
 #define SHEEN_I2C_MESSAGE 65u
 
 struct sheen_i2c {
-    struct sheen_bus_layer layer; /* layer.bus is what the panel driver is given; not to be moved */
-    size_t longest;
+    struct sheen_bus_layer layer;       /* layer.bus is what the panel driver is given; not to be moved */
+    size_t longest;                     /* B of a message; private */
     uint8_t message[SHEEN_I2C_MESSAGE]; /* may be under way until wait */
 };
 

@@ -85,6 +85,7 @@ struct sheen_panel_record {
     uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
 };
 
+/* The most bytes that a driver turns at once, for pages and nibbles. */
 #define SHEEN_PANEL_PACK_BYTES 64u
 
 /* Run-time state of a panel. Private: touched by hal/ only. */

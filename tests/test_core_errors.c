@@ -213,6 +213,46 @@ static void test_viewports(void **unused)
     memory_target_free(&target);
 }
 
+/* Each field of a view, wrong by itself, is what the error is about; at its ends it is right. */
+static void test_views(void **unused)
+{
+    static const struct {
+        struct sheen_view view;
+        enum sheen_subject about;
+    } cases[] = {
+        {{.fov = 0}, SHEEN_ABOUT_NOTHING},
+        {{.fov = SHEEN_DEGREES(1)}, SHEEN_ABOUT_NOTHING},
+        {{.fov = SHEEN_DEGREES(150)}, SHEEN_ABOUT_NOTHING},
+        {{.fov = SHEEN_DEGREES(0.98)}, SHEEN_ABOUT_FOV},
+        {{.fov = SHEEN_DEGREES(150.1)}, SHEEN_ABOUT_FOV},
+        {{.fov = 1}, SHEEN_ABOUT_FOV},
+        {{.z_near = SHEEN_Q24(2), .z_far = SHEEN_Q24(2)}, SHEEN_ABOUT_DEPTHS},
+        {{.z_near = SHEEN_Q24(3), .z_far = SHEEN_Q24(2)}, SHEEN_ABOUT_DEPTHS},
+        {{.z_near = -1}, SHEEN_ABOUT_DEPTHS},
+        {{.z_near = SHEEN_Q24(16)}, SHEEN_ABOUT_DEPTHS},
+        {{.orthographic = -1}, SHEEN_ABOUT_DEPTHS},
+        {{.pose.scale = -1}, SHEEN_ABOUT_POSE},
+        {{.viewport = {0, 0, WIDTH + 1, 1}}, SHEEN_ABOUT_VIEWPORT},
+    };
+    struct memory_target target;
+    struct core_frame f;
+
+    (void)unused;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
+    const struct sheen_config config = {.target = &target.target, .max_vertices = 1, .max_triangles = 1};
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        enum sheen_subject about = cases[i].about;
+        int error = about ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+        if (sheen_begin(f.frame, &cases[i].view) != error || (error && sheen_frame_about(f.frame, NULL) != about))
+            fail_msg("view %zu: about %s", i, sheen_subject_name(sheen_frame_about(f.frame, NULL)));
+        if (!error)
+            assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    }
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
 /* ---- meshes ---- */
 
 static void test_meshes(void **unused)
@@ -278,9 +318,9 @@ static void test_error_texts(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_draws),       cmocka_unit_test(test_rotations_may_drift_a_little),
-        cmocka_unit_test(test_viewports),   cmocka_unit_test(test_meshes),
-        cmocka_unit_test(test_error_texts),
+        cmocka_unit_test(test_draws),     cmocka_unit_test(test_rotations_may_drift_a_little),
+        cmocka_unit_test(test_viewports), cmocka_unit_test(test_views),
+        cmocka_unit_test(test_meshes),    cmocka_unit_test(test_error_texts),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -87,7 +87,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     if (sheen_project_begin(&projection, view, (unsigned)(viewport.x1 - viewport.x0),
                             (unsigned)(viewport.y1 - viewport.y0)) < 0)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTHS, 0);
+        return refuse(f, SHEEN_ERR_ARGUMENT, sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS, 0);
 
     f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);
     f->send_all_next = 0;

@@ -113,14 +113,21 @@ static void weight_begin(struct projection *p, struct scaled depth)
     p->weight_offset = (uint32_t)(zeros >= 32 ? offset * (int64_t)(1u << (zeros - 32)) : asr64(offset, 32 - zeros));
 }
 
+sheen_angle_t sheen_fov(const struct sheen_view *view)
+{
+    if (view->fov == 0)
+        return SHEEN_DEGREES(40);
+    return view->fov < SHEEN_DEGREES(0.99) || view->fov > SHEEN_DEGREES(150.01) ? 0 : view->fov;
+}
+
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height)
 {
-    sheen_angle_t fov = view->fov != 0 ? view->fov : SHEEN_DEGREES(40), half = fov / 2;
+    sheen_angle_t fov = sheen_fov(view), half = fov / 2;
     sheen_q24_t z_far = view->z_far != 0 ? view->z_far : SHEEN_Q24(16);
     sheen_q24_t z_near = view->z_near != 0 ? view->z_near : z_far / 16;
     int64_t span = (int64_t)z_far - z_near;
 
-    if (fov < SHEEN_DEGREES(0.99) || fov > SHEEN_DEGREES(150.01))
+    if (fov == 0)
         return SHEEN_ERR_ARGUMENT;
     if (z_near <= 0 || span <= 0 || span << 15 < z_far || view->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;

@@ -83,6 +83,8 @@ struct transform {
     int screen_shift; /* x in 1/128 px = x / u * 2^(30 - screen_shift + up), with m = u / 2^up */
 };
 
+/* The view's angle, or the one that 0 stands for; 0 where it is out of range. */
+sheen_angle_t sheen_fov(const struct sheen_view *view);
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
 int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
                           const struct sheen_pose *pose);

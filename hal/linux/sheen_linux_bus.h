@@ -56,10 +56,12 @@ struct sheen_linux_bus {
 
 /*
  * Takes the device and the lines: CS and RESET high, D/C low, clock idle. The panel
- * driver is given &bus->bus. On an
- * error nothing stays open. *why and the wiring's texts must outlive the bus.
+ * driver is given &bus->bus. On an error nothing stays open. *why and the wiring's
+ * texts must outlive the bus. 0, or a negative code (enum sheen_error) with its
+ * sentence in *why.
  */
 int sheen_linux_bus_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring, struct sheen_failure *why);
+/* Gives back the device and the lines; the panel is left as it is (sheen_panel_off() first). */
 void sheen_linux_bus_close(struct sheen_linux_bus *bus);
 
 /*

@@ -48,7 +48,7 @@ struct sheen_pin {
 int sheen_pin_output(struct sheen_pin *pin, const char *line, int level, struct sheen_failure *why);
 int sheen_pin_rising(struct sheen_pin *pin, const char *line, struct sheen_failure *why);
 
-/* Drives an output. */
+/* Drives an output. SHEEN_ERR_BUS: the kernel refuses. */
 int sheen_pin_set(struct sheen_pin *pin, int level, struct sheen_failure *why);
 
 /* Waits for the next rising edge; those of before do not count. SHEEN_ERR_TIMEOUT after timeout_us. */
@@ -65,10 +65,10 @@ static inline int sheen_pin_is_open(const struct sheen_pin *pin)
 /* What is known of a line. Texts are "" where there is none, and last as long as the call they are handed to. */
 struct sheen_pin_info {
     const char *chip, *label; /* "gpiochip0", "pinctrl-bcm2835" */
-    unsigned offset;
-    char name[64];
-    char consumer[64]; /* who holds it */
-    int used, output;
+    unsigned offset;          /* in its chip */
+    char name[64];            /* the line's own */
+    char consumer[64];        /* who holds it */
+    int used, output;         /* 1: somebody holds it; it is an output */
 };
 
 /*
