@@ -1,0 +1,37 @@
+/*
+ * input.c - a knob, or a finger on the glass, turns the model: it goes on turning and comes to rest.
+ *
+ * board_turned() is an encoder's count since the last call, or pixels that a finger moved.
+ */
+#include "example.h"
+#include "meshes/teapot.h"
+
+static const struct sheen_material jade = {.base = {90, 180, 140},
+                                           .ambient = SHEEN_Q16(.2),
+                                           .diffuse = SHEEN_Q16(.65),
+                                           .specular = SHEEN_Q16(.3),
+                                           .shine = &sheen_shine_16};
+static const struct sheen_light lamp = {.to = {-5, 7, 5}};
+static const struct sheen_view view = {
+    .z_near = SHEEN_Q24(1.9), .z_far = SHEEN_Q24(4.1), .background = {235, 232, 225}};
+
+int example(const struct sheen_target *target, unsigned frames)
+{
+    static uint64_t arena[64000 / 8];
+    size_t size = sizeof arena;
+    struct sheen_config config = {.target = target, .max_vertices = teapot.vertices, .max_triangles = teapot.triangles};
+    struct sheen_object object = {
+        .mesh = &teapot, .material = &jade, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
+    struct sheen_frame *frame;
+    int32_t yaw = 30 * 16, speed = 0; /* 1/16 degree; and a frame */
+    int error = sheen_init(&frame, arena, &size, &config);
+
+    for (unsigned i = 0; i < frames && !error; i++) {
+        speed += board_turned() * 24;
+        yaw += speed;
+        speed = speed * 7 / 8;
+        sheen_pose_orbit(&object.pose, sheen_degrees(yaw) / 16, sheen_degrees(20), 0, SHEEN_Q24(3));
+        error = sheen_render(frame, &view, &object, 1);
+    }
+    return error ? error : sheen_wait(frame);
+}

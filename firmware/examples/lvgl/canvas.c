@@ -1,0 +1,37 @@
+/*
+ * canvas.c - sheen on an LVGL 9 canvas: each rectangle goes into its draw buffer and invalidates that area alone.
+ *
+ * Call it from the task that runs LVGL. The canvas has a draw buffer of LV_COLOR_FORMAT_RGB565.
+ */
+#include <string.h>
+
+#include "example.h"
+#include "lvgl.h"
+
+static int push(void *ctx, struct sheen_rect r, const void *pixels)
+{
+    lv_obj_t *canvas = ctx;
+    lv_draw_buf_t *buffer = lv_canvas_get_draw_buf(canvas);
+    size_t bytes = (size_t)(r.x1 - r.x0) * 2;
+    lv_area_t area = {r.x0, r.y0, r.x1 - 1, r.y1 - 1}, at;
+
+    for (int32_t y = r.y0; y < r.y1; y++)
+        memcpy(lv_draw_buf_goto_xy(buffer, (uint32_t)r.x0, (uint32_t)y),
+               (const uint8_t *)pixels + bytes * (size_t)(y - r.y0), bytes);
+    lv_obj_get_coords(canvas, &at);
+    lv_area_move(&area, at.x1, at.y1);
+    lv_obj_invalidate_area(canvas, &area);
+    return SHEEN_OK;
+}
+
+int sheen_on_canvas(lv_obj_t *canvas)
+{
+    lv_draw_buf_t *buffer = lv_canvas_get_draw_buf(canvas);
+    struct sheen_target target = {.ctx = canvas,
+                                  .push = push,
+                                  .width = (uint16_t)buffer->header.w,
+                                  .height = (uint16_t)buffer->header.h,
+                                  .pixel = SHEEN_RGB565_LE};
+
+    return example(&target, 3);
+}

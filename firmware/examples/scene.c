@@ -1,0 +1,51 @@
+/*
+ * scene.c - several objects in a world, and an eye that flies around them.
+ */
+#include "example.h"
+#include "meshes/cube.h"
+#include "meshes/teapot.h"
+
+#define MATTE(r, g, b)                                                                                                 \
+    {                                                                                                                  \
+        .base = {r, g, b}, .ambient = SHEEN_Q16(.25), .diffuse = SHEEN_Q16(.7)                                         \
+    }
+static const struct sheen_material red = MATTE(210, 60, 50), green = MATTE(90, 160, 80), blue = MATTE(70, 110, 200);
+static const struct sheen_light sun = {.to = {2, 5, 3}};
+
+static void place(struct sheen_object *object, sheen_q24_t x, sheen_q24_t z, sheen_q16_t size)
+{
+    sheen_pose_identity(&object->pose);
+    sheen_pose_scale(&object->pose, size);
+    sheen_pose_translate(&object->pose, x, 0, z);
+}
+
+int example(const struct sheen_target *target, unsigned frames)
+{
+    static uint64_t arena[72000 / 8];
+    size_t size = sizeof arena;
+    struct sheen_config config = {.target = target, .max_vertices = 640, .max_triangles = 1100, .max_clipped = 64};
+    struct sheen_view view = {
+        .fov = SHEEN_DEGREES(52), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(12), .background = {150, 190, 230}};
+    struct sheen_object objects[] = {
+        {.mesh = &teapot, .material = &blue, .shader = &sheen_gouraud, .lights = &sun, .light_count = 1},
+        {.mesh = &cube, .material = &red, .shader = &sheen_flat, .lights = &sun, .light_count = 1},
+        {.mesh = &cube, .material = &green, .shader = &sheen_flat, .lights = &sun, .light_count = 1}};
+    static const sheen_q24_t centre[3] = {0, 0, 0};
+    static const int32_t up[3] = {0, 1, 0};
+    struct sheen_frame *frame;
+    int error = sheen_init(&frame, arena, &size, &config);
+
+    place(&objects[0], 0, 0, SHEEN_Q16(1));
+    place(&objects[1], SHEEN_Q24(-1.6), SHEEN_Q24(.6), SHEEN_Q16(.5));
+    place(&objects[2], SHEEN_Q24(1.5), SHEEN_Q24(-.8), SHEEN_Q16(.6));
+    for (unsigned i = 0; i < frames && !error; i++) {
+        sheen_angle_t at = sheen_degrees(20 + 5 * (int32_t)i);
+        sheen_q24_t eye[3] = {sheen_sin(at) / 64 * 5, SHEEN_Q24(2),
+                              sheen_cos(at) / 64 * 5}; /* Q1.30 to Q7.24, times 5 */
+
+        error = sheen_pose_look_at(&view.pose, eye, centre, up);
+        if (!error)
+            error = sheen_render(frame, &view, objects, 3);
+    }
+    return error ? error : sheen_wait(frame);
+}

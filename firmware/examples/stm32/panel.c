@@ -1,0 +1,76 @@
+/*
+ * panel.c - sheen with STM32Cube's HAL: SPI by DMA, its callback says that the pixels have left.
+ *
+ * CubeMX makes hspi1 (transmit only, 8 bits, a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
+ * Call show_on_panel() from main(), after the MX_..._Init() calls.
+ */
+#include "example.h"
+#include "main.h"
+#include "sheen_panel.h"
+
+#define LONGEST_DMA 65535u /* its counter has 16 bits; a band of 240 x 16 px is 7680 bytes */
+#define TIMEOUT_MS 200u
+
+extern SPI_HandleTypeDef hspi1;
+
+static volatile int flying;
+
+void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi)
+{
+    if (spi == &hspi1)
+        flying = 0;
+}
+
+static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
+{
+    (void)ctx;
+    if (count > LONGEST_DMA)
+        return SHEEN_ERR_ARGUMENT;
+    HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_RESET);
+    HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_RESET);
+    if (commands && HAL_SPI_Transmit(&hspi1, (uint8_t *)command, (uint16_t)commands, TIMEOUT_MS) != HAL_OK)
+        return SHEEN_ERR_BUS;
+    HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_SET);
+    flying = count != 0;
+    if (count && HAL_SPI_Transmit_DMA(&hspi1, (uint8_t *)data, (uint16_t)count) != HAL_OK)
+        return SHEEN_ERR_BUS;
+    return SHEEN_OK;
+}
+
+static int wait(void *ctx)
+{
+    uint32_t start = HAL_GetTick();
+
+    (void)ctx;
+    while (flying)
+        if (HAL_GetTick() - start > TIMEOUT_MS)
+            return SHEEN_ERR_TIMEOUT;
+    HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
+    return SHEEN_OK;
+}
+
+static int reset(void *ctx, int level)
+{
+    (void)ctx;
+    HAL_GPIO_WritePin(LCD_RST_GPIO_Port, LCD_RST_Pin, level ? GPIO_PIN_SET : GPIO_PIN_RESET);
+    return SHEEN_OK;
+}
+
+static int delay(void *ctx, uint32_t us)
+{
+    (void)ctx;
+    HAL_Delay(us / 1000u + 1u);
+    return SHEEN_OK;
+}
+
+int show_on_panel(void)
+{
+    static const struct sheen_bus bus = {.send = send, .delay = delay, .wait = wait, .reset = reset};
+    static struct sheen_panel panel;
+    static struct sheen_target target;
+    int error = sheen_panel_open(&panel, &sheen_panel_st7789_240x240, &bus, 0);
+
+    if (!error)
+        error = sheen_panel_target(&panel, &target);
+    return error ? error : example(&target, 3);
+}

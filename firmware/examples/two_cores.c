@@ -1,0 +1,64 @@
+/*
+ * two_cores.c - two workers share the bands of a frame: this core takes the even ones, the other the odd ones.
+ *
+ * The board starts work on the other core and has a lock (example.h): on a Pico multicore_fifo and a mutex, on an ESP32
+ * a task pinned to core 1, elsewhere a thread.
+ */
+#include "example.h"
+#include "meshes/teapot.h"
+
+struct share {
+    struct sheen_frame *frame;
+    unsigned worker;
+};
+
+/* An error ends the frame for both; sheen_finish() returns it. */
+static void draw_share(void *ctx)
+{
+    const struct share *share = ctx;
+
+    for (unsigned band = share->worker; band < sheen_band_count(share->frame); band += 2)
+        if (sheen_band(share->frame, share->worker, band) < 0)
+            return;
+}
+
+static const struct sheen_material gold = {.base = {200, 160, 80},
+                                           .ambient = SHEEN_Q16(.15),
+                                           .diffuse = SHEEN_Q16(.6),
+                                           .specular = SHEEN_Q16(.4),
+                                           .shine = &sheen_shine_32};
+static const struct sheen_light lamp = {.to = {-5, 7, 5}};
+static const struct sheen_view view = {.z_near = SHEEN_Q24(1.9), .z_far = SHEEN_Q24(4.1), .background = {20, 20, 28}};
+
+int example(const struct sheen_target *target, unsigned frames)
+{
+    static uint64_t arena[104000 / 8];
+    size_t size = sizeof arena;
+    struct sheen_config config = {.target = target,
+                                  .workers = 2,
+                                  .max_vertices = teapot.vertices,
+                                  .max_triangles = teapot.triangles,
+                                  .lock = board_lock,
+                                  .unlock = board_unlock};
+    struct sheen_object object = {
+        .mesh = &teapot, .material = &gold, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
+    struct sheen_frame *frame;
+    int error = sheen_init(&frame, arena, &size, &config);
+
+    for (unsigned i = 0; i < frames && !error; i++) {
+        sheen_pose_orbit(&object.pose, sheen_degrees(30 + 6 * (int32_t)i), sheen_degrees(20), 0, SHEEN_Q24(3));
+        error = sheen_begin(frame, &view);
+        if (!error)
+            error = sheen_draw(frame, &object);
+        if (!error) {
+            struct share mine = {frame, 0}, other = {frame, 1};
+
+            board_start(draw_share, &other);
+            draw_share(&mine);
+            while (!board_ended())
+                ;
+            error = sheen_finish(frame);
+        }
+    }
+    return error ? error : sheen_wait(frame);
+}

@@ -1,0 +1,44 @@
+/*
+ * main.c - sheen with Zephyr: whatever display the board's devicetree chooses, by display_write().
+ *
+ * The module's manifest is zephyr/module.yml of sheen; CONFIG_SHEEN=y, CONFIG_DISPLAY=y.
+ */
+#include <zephyr/device.h>
+#include <zephyr/drivers/display.h>
+
+#include "example.h"
+
+static int push(void *ctx, struct sheen_rect r, const void *pixels)
+{
+    const struct display_buffer_descriptor descriptor = {
+        .buf_size = (uint32_t)((r.x1 - r.x0) * (r.y1 - r.y0) * 2),
+        .width = (uint16_t)(r.x1 - r.x0),
+        .height = (uint16_t)(r.y1 - r.y0),
+        .pitch = (uint16_t)(r.x1 - r.x0),
+    };
+
+    return display_write(ctx, (uint16_t)r.x0, (uint16_t)r.y0, &descriptor, pixels) < 0 ? SHEEN_ERR_BUS : SHEEN_OK;
+}
+
+int main(void)
+{
+    const struct device *display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
+    struct display_capabilities caps;
+    struct sheen_target target = {.push = push};
+    int error;
+
+    if (!device_is_ready(display))
+        return SHEEN_ERR_BUS;
+    display_get_capabilities(display, &caps);
+    target.ctx = (void *)display;
+    target.width = caps.x_resolution;
+    target.height = caps.y_resolution;
+    if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565)
+        target.pixel = SHEEN_RGB565_LE;
+    else if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565X) /* before Zephyr 4.4: PIXEL_FORMAT_BGR_565 */
+        target.pixel = SHEEN_RGB565_BE;
+    else
+        return SHEEN_ERR_UNSUPPORTED;
+    error = example(&target, 3);
+    return error ? error : display_blanking_off(display);
+}

@@ -1,0 +1,97 @@
+/*
+ * picture.c - an example of firmware/examples on this machine: its last frame, in memory, to standard output.
+ *
+ *   picture WIDTH FRAMES      a square of that many pixels, as PPM
+ *
+ * What an example asks its board for: the other core is a thread, the knob is turned once, at the beginning.
+ */
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "example.h"
+
+static pthread_t thread;
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+static struct work {
+    void (*run)(void *ctx);
+    void *ctx;
+} work;
+
+static void *run_work(void *unused)
+{
+    work.run(work.ctx);
+    return unused;
+}
+
+void board_start(void (*run)(void *ctx), void *ctx)
+{
+    work = (struct work){run, ctx};
+    if (pthread_create(&thread, NULL, run_work, NULL) != 0)
+        abort();
+}
+
+int board_ended(void)
+{
+    return pthread_join(thread, NULL) == 0;
+}
+
+void board_lock(void *ctx)
+{
+    (void)ctx;
+    pthread_mutex_lock(&mutex);
+}
+
+void board_unlock(void *ctx)
+{
+    (void)ctx;
+    pthread_mutex_unlock(&mutex);
+}
+
+int board_turned(void)
+{
+    static int steps = 12;
+    int turned = steps;
+
+    steps = 0;
+    return turned;
+}
+
+static void put_picture(const struct sheen_memory *memory, unsigned width)
+{
+    printf("P6 %u %u 255\n", width, width);
+    for (unsigned y = 0; y < width; y++) {
+        const uint8_t *row = (const uint8_t *)memory->pixels + y * memory->stride;
+
+        for (unsigned x = 0; x < width; x++) {
+            unsigned value = row[2 * x] | (unsigned)row[2 * x + 1] << 8;
+
+            putchar((int)((value >> 11) * 255 / 31));
+            putchar((int)((value >> 5 & 63) * 255 / 63));
+            putchar((int)((value & 31) * 255 / 31));
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    unsigned width = argc == 3 ? (unsigned)atoi(argv[1]) : 0, frames = argc == 3 ? (unsigned)atoi(argv[2]) : 0;
+    struct sheen_memory memory = {.stride = width * 2};
+    struct sheen_target target;
+
+    if (width < 16 || width > 480 || frames < 1) {
+        fprintf(stderr, "usage: picture WIDTH FRAMES (16..480, from 1 on)\n");
+        return 2;
+    }
+    memory.pixels = calloc(width, memory.stride);
+    int error = memory.pixels ? sheen_memory_target(&target, &memory, (uint16_t)width, (uint16_t)width, SHEEN_RGB565_LE)
+                              : SHEEN_ERR_MEMORY;
+    if (!error)
+        error = example(&target, frames);
+    if (error)
+        fprintf(stderr, "picture: %s\n", sheen_strerror(error));
+    else
+        put_picture(&memory, width);
+    free(memory.pixels);
+    return error != 0 || fflush(stdout) != 0;
+}
