@@ -1,0 +1,27 @@
+/*
+ * main.cpp - stands for what calls a sketch: setup(), and loop() three times; the sketch is included before. GLASS: a display library drew, else SPI's wires.
+ */
+#include <Arduino.h>
+#include <SPI.h>
+
+#include "standin_glass.h"
+
+SerialPort Serial;
+SPIClass SPI;
+uint16_t standin_glass[240 * 240];
+
+int main()
+{
+    setup();
+    for (int i = 0; i < 3; i++)
+        loop();
+#ifdef GLASS
+    for (int i = 0; i < 240 * 240; i++) {
+        putchar(standin_glass[i] & 255);
+        putchar(standin_glass[i] >> 8);
+    }
+#else
+    wire_number('F', 0);
+#endif
+    return fflush(stdout) != 0;
+}

@@ -1,0 +1,20 @@
+/*
+ * FreeRTOS.h - stands for FreeRTOS's types and vTaskDelay(), a tick of a millisecond.
+ */
+#ifndef FREERTOS_H
+#define FREERTOS_H
+
+#include "wire.h"
+
+typedef int BaseType_t;
+typedef uint32_t TickType_t;
+#define pdTRUE 1
+#define pdFALSE 0
+#define pdMS_TO_TICKS(ms) ((TickType_t)(ms))
+
+static inline void vTaskDelay(TickType_t ticks)
+{
+    wire_number('T', ticks * 1000u);
+}
+
+#endif

@@ -1,0 +1,13 @@
+/*
+ * main.c - stands for what calls app_main().
+ */
+#include "wire.h"
+
+void app_main(void);
+
+int main(void)
+{
+    app_main();
+    wire_number('F', 0);
+    return fflush(stdout) != 0;
+}

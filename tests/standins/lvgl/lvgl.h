@@ -1,0 +1,31 @@
+/*
+ * lvgl.h - stands for LVGL 9: a canvas with a draw buffer of RGB565, areas that are invalidated.
+ */
+#ifndef LVGL_H
+#define LVGL_H
+
+#include <stdint.h>
+
+typedef struct {
+    int32_t x1, y1, x2, y2;
+} lv_area_t;
+
+typedef struct {
+    struct {
+        uint32_t w, h, stride;
+    } header;
+    uint8_t *data;
+} lv_draw_buf_t;
+
+typedef struct {
+    lv_draw_buf_t *buffer;
+    lv_area_t at, invalid; /* on the screen; the union of what was invalidated */
+} lv_obj_t;
+
+lv_draw_buf_t *lv_canvas_get_draw_buf(lv_obj_t *canvas);
+void *lv_draw_buf_goto_xy(const lv_draw_buf_t *buffer, uint32_t x, uint32_t y);
+void lv_obj_get_coords(const lv_obj_t *object, lv_area_t *at);
+void lv_area_move(lv_area_t *area, int32_t x, int32_t y);
+void lv_obj_invalidate_area(const lv_obj_t *object, const lv_area_t *area);
+
+#endif
