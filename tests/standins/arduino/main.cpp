@@ -1,6 +1,6 @@
 /*
- * main.cpp - stands for what calls a sketch: setup(), and loop() three times; the sketch is included before. GLASS: a display library drew, else SPI's wires.
- */
+ * main.cpp - stands for what calls a sketch, included before: setup(), and loop() three times. GLASS: a display
+ * library drew, else what left on the wires.
 #include <Arduino.h>
 #include <SPI.h>
 
