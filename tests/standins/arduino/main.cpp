@@ -1,6 +1,7 @@
 /*
  * main.cpp - stands for what calls a sketch, included before: setup(), and loop() three times. GLASS: a display
  * library drew, else what left on the wires.
+ */
 #include <Arduino.h>
 #include <SPI.h>
 
