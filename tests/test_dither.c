@@ -7,6 +7,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -143,7 +144,19 @@ static void shaded_pictures(void **state)
     }
 }
 
-/* Pixels of a plain picture that differ from the dithered one's colours rounded at 1/2; *fast: px without a tap. */
+/* The largest step between two 565 values. */
+static int steps_apart(unsigned a, unsigned b)
+{
+    int red = abs((int)(a >> 11) - (int)(b >> 11)), green = abs((int)(a >> 5 & 63) - (int)(b >> 5 & 63));
+    int blue = abs((int)(a & 31) - (int)(b & 31));
+
+    return red > green ? (red > blue ? red : blue) : green > blue ? green : blue;
+}
+
+/*
+ * Pixels of a plain picture that differ from the dithered one's colours rounded at 1/2, by one step each; *fast: px
+ * without a tap.
+ */
 static long compare_plain(struct ref_scene *scene, const struct sheen_mesh *mesh, const struct format *f, long *fast)
 {
     static struct tapped dithered[TAP_HEIGHT][TAP_WIDTH];
@@ -162,13 +175,18 @@ static long compare_plain(struct ref_scene *scene, const struct sheen_mesh *mesh
         if (!dithered[y][x].seen)
             continue;
         *fast += !tapped[y][x].seen;
-        other += memory_target_pixel(&target, x, y) != formula(f, dithered[y][x].level, 0, false, x, y);
+        unsigned value = memory_target_pixel(&target, x, y), rounded = formula(f, dithered[y][x].level, 0, false, x, y);
+        assert_true(steps_apart(value, rounded) <= 1);
+        other += value != rounded;
     }
     memory_target_free(&target);
     return other;
 }
 
-/* Without dither 565 has loops of its own, which round in the planes and hand nothing over. */
+/*
+ * Without dither 565 has loops of its own, which hand nothing over: finished pixels over 1,024 intensities, which
+ * puts a step of green 1/10 of a level aside at the most.
+ */
 static void plain_pictures(void **state)
 {
     (void)state;
@@ -185,8 +203,7 @@ static void plain_pictures(void **state)
         }
         print_message("  565 without dither, shading %d: %ld px by loops of their own, %ld differ\n", shading, fast,
                       other);
-        assert_int_equal(other, 0);
-        assert_true(shading == REF_SLERP || fast > 100000); /* slerp has the one loop */
+        assert_true((shading == REF_SLERP || fast > 100000) && other <= fast / 50); /* slerp has the one loop */
     }
 }
 

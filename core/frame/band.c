@@ -73,24 +73,23 @@ static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
     return rect_empty(r) ? r : sheen_rect_intersection(align_rect(f, r), strip);
 }
 
-/* count pixels of two bytes, at least; the buffer has room for a whole number of words and is aligned to one. */
-static void fill(uint32_t *words, size_t count, uint16_t pixel)
+/* count pixels of two bytes, and up to three more: stores are whole multiples of 8 B. */
+static void fill(uint64_t *at, size_t count, uint16_t pixel)
 {
-    uint32_t pair = pixel | (uint32_t)pixel << 16, *end = words + (count + 1) / 2, *blocks = words + (count / 16) * 8;
+    const uint32_t pair = pixel | (uint32_t)pixel << 16;
+    const uint64_t four = pair | (uint64_t)pair << 32, *end = at + (count + 3) / 4, *blocks = at + (count / 16) * 4;
 
-    for (; words != blocks; words += 8) {
-        words[0] = words[1] = words[2] = words[3] = pair;
-        words[4] = words[5] = words[6] = words[7] = pair;
-    }
-    while (words != end)
-        *words++ = pair;
+    for (; at != blocks; at += 4)
+        at[0] = at[1] = at[2] = at[3] = four;
+    while (at != end)
+        *at++ = four;
 }
 
 static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 {
     size_t count = (size_t)t->pitch * (size_t)(t->rect.y1 - t->rect.y0);
 
-    fill((uint32_t *)(void *)t->depth, count, DEPTH_FAR);
+    fill((uint64_t *)(void *)t->depth, count, DEPTH_FAR);
     if (f->view.underlay != NULL) {
         const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
         f->view.underlay(f->view.ctx, &canvas);

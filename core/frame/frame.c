@@ -257,6 +257,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.strong = object->material->specular > SHEEN_Q16(0.5);
     d->as.dither = f->view.dither != 0;
     d->as.is_565 = !f->format.grey;
+    d->as.swap = f->format.swap;
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
     d->first_vertex = f->vertices;

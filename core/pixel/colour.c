@@ -50,8 +50,27 @@ static uint16_t intensity_of(uint32_t level, uint32_t factor)
     return (uint16_t)(intensity < 2047 ? intensity : 2047);
 }
 
+/* Of diffuse intensities; hardly any where there are none. */
+static void diffuse_range(struct colour_terms *t, int grey)
+{
+    const uint32_t margin = 1u << (t->fraction - 5);
+    uint32_t low = 0, high = grey ? 0 : 32768;
+
+    for (int k = 0; k < 3 && !grey; k++) {
+        uint32_t a = t->a[k], b = t->b[k], most = t->top[k] - margin;
+        if (a > most) {
+            high = 0;
+        } else if (b > 0) {
+            low = max_u32(low, a < margin ? (margin - a) / b + 1 : 0);
+            high = high < (most - a) / b ? high : (most - a) / b;
+        }
+    }
+    t->low = (uint16_t)(low < high ? low : 1);
+    t->high = (uint16_t)(low < high ? high : 1);
+}
+
 /* What set-up needs of them: how much of an intensity shows. */
-static void colour_sensitivity(struct colour_terms *t, int grey)
+static void colour_sensitivity(struct colour_terms *t, unsigned level_bits, int grey)
 {
     uint32_t diffuse = 0, specular = 0, most = 0;
 
@@ -64,8 +83,10 @@ static void colour_sensitivity(struct colour_terms *t, int grey)
             t->dominant = k;
         }
     }
-    t->eighth = intensity_of(1u << (t->fraction - 3), diffuse);
-    t->dim = intensity_of(1u << (t->fraction - 5), specular);
+    diffuse_range(t, grey);
+    t->unit = (uint8_t)(t->fraction + level_bits - 6);
+    t->eighth = intensity_of(1u << (t->unit - 3), diffuse);
+    t->dim = intensity_of(1u << (t->unit - 5), specular);
 }
 
 /*
@@ -103,13 +124,13 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
         t->c[k] = (uint16_t)((c[k] + (1ull << (drop_factor - 1))) >> drop_factor);
         t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
     }
-    colour_sensitivity(t, format->grey);
+    colour_sensitivity(t, format->level_bits, format->grey);
 }
 
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither)
 {
-    const uint32_t faint = 1u << (t->fraction - 5), half = dither ? 0 : 1u << (t->fraction - 1);
+    const uint32_t faint = 1u << (t->unit - 5), half = dither ? 0 : 1u << (t->fraction - 1);
     uint32_t most = 0, low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
 
     for (int k = 0; k < 3; k++)
@@ -153,6 +174,21 @@ const uint8_t sheen_thresholds[9][8] = {
     {1, 65, 17, 81, 5, 69, 21, 85},       {97, 33, 113, 49, 101, 37, 117, 53},  {25, 89, 9, 73, 29, 93, 13, 77},
     {121, 57, 105, 41, 125, 61, 109, 45}, {7, 71, 23, 87, 3, 67, 19, 83},       {103, 39, 119, 55, 99, 35, 115, 51},
     {31, 95, 15, 79, 27, 91, 11, 75},     {127, 63, 111, 47, 123, 59, 107, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
+};
+
+/* A row of the thresholds over and over. */
+#define DITHER_8(a, b, c, d, e, f, g, h) 16 * (a), 16 * (b), 16 * (c), 16 * (d), 16 * (e), 16 * (f), 16 * (g), 16 * (h)
+#define DITHER_ROW(...)                                                                                                \
+    {                                                                                                                  \
+        DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__),                    \
+            DITHER_8(__VA_ARGS__)                                                                                      \
+    }
+
+const uint16_t sheen_dither_rows[8][DITHER_RUN + 8] = {
+    DITHER_ROW(1, 65, 17, 81, 5, 69, 21, 85),   DITHER_ROW(97, 33, 113, 49, 101, 37, 117, 53),
+    DITHER_ROW(25, 89, 9, 73, 29, 93, 13, 77),  DITHER_ROW(121, 57, 105, 41, 125, 61, 109, 45),
+    DITHER_ROW(7, 71, 23, 87, 3, 67, 19, 83),   DITHER_ROW(103, 39, 119, 55, 99, 35, 115, 51),
+    DITHER_ROW(31, 95, 15, 79, 27, 91, 11, 75), DITHER_ROW(127, 63, 111, 47, 123, 59, 107, 43),
 };
 
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */

@@ -123,8 +123,11 @@ struct colour_terms {
     uint8_t fraction;
     uint8_t clamp;    /* some normal may give more */
     uint8_t dominant; /* the channel that changes most; 3: their sum does, on grey */
-    uint16_t dim;     /* specular intensities, UQ1.15, that give at most 1/32 level */
-    uint16_t eighth;  /* a diffuse one that gives at most 1/8 level */
+    uint16_t dim;     /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0 */
+    uint16_t eighth;  /* a diffuse one that gives at most 1/8 of that */
+    uint8_t unit;     /* logarithm of a 64th of 1.0, with the fraction */
+    uint16_t low;     /* from this diffuse one on to */
+    uint16_t high;    /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
 };
 
 /*
@@ -139,6 +142,11 @@ struct loop_terms {
     const uint32_t *power; /* the table */
     uint8_t usable;        /* 1: the target and the colours are such */
 };
+
+static inline uint32_t clamped(uint32_t x, uint32_t top)
+{
+    return x > top ? top : x;
+}
 
 static inline uint32_t colour_channel(const struct colour_terms *t, int k, const struct lit *lit)
 {
@@ -162,6 +170,10 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 #define NO_DITHER 8
 extern const uint8_t sheen_thresholds[9][8];
 
+/* The thresholds in 1/2048 level, as wide as a pixel and its depth: for runs of at most DITHER_RUN px from x & 7 on. */
+#define DITHER_RUN 32
+extern const uint16_t sheen_dither_rows[8][DITHER_RUN + 8];
+
 static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
 {
     return sheen_thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
@@ -182,6 +194,8 @@ struct ramp {
     uint16_t fraction; /* 0: not made yet */
 };
 
+/* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
+uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
 int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t);
 void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const struct pixel_format *format);
 
@@ -254,6 +268,12 @@ SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
     return 1;
 }
 
+/* On 565: the colour that belongs to a depth. */
+static inline uint16_t *pixel_at(uint16_t *depth, intptr_t to_pixel)
+{
+    return (uint16_t *)(void *)((char *)depth + to_pixel);
+}
+
 /* A row's thresholds, and what they are shifted by to the draw's fraction. */
 struct rounding {
     const uint8_t *threshold;
@@ -271,11 +291,6 @@ SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colou
 #ifndef SHEEN_TEST_TAP
 #define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
 #endif
-
-SPECIALISED uint32_t clamped(uint32_t x, uint32_t top)
-{
-    return x > top ? top : x;
-}
 
 /* The one rounding: floor(channel + threshold), each channel at most 1.0; what is constant of a draw is given. */
 SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
@@ -311,7 +326,8 @@ SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fra
  * A 565 pixel in the machine's order: L.N in UQ1.15, the highlight's intensity or none (a constant 0), and what is
  * added to each channel before the one rounding. Range: channels stay below 2^32: below 2.0 and a threshold.
  */
-SPECIALISED uint32_t loop_pixel(const struct loop_terms *q, uint32_t lit, uint32_t specular, uint32_t threshold)
+SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
+                                uint32_t specular, uint32_t threshold)
 {
     uint32_t r = q->ab[0] + q->ab[1] * lit + threshold, g = q->ab[2] + q->ab[3] * lit + threshold;
     uint32_t b = q->ab[4] + q->ab[5] * lit + threshold;
@@ -321,6 +337,10 @@ SPECIALISED uint32_t loop_pixel(const struct loop_terms *q, uint32_t lit, uint32
         g += q->c[1] * specular;
         b += q->c[2] * specular;
     }
+    (void)t;
+    (void)depth;
+    if (threshold != 0)
+        SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r - threshold, g - threshold, b - threshold, LOOP_FRACTION);
     r >>= LOOP_FRACTION;
     g >>= LOOP_FRACTION;
     b >>= LOOP_FRACTION;

@@ -5,17 +5,16 @@
 
 #include "pixel.h"
 
-/* Of an entry's middle: channels as colour_channel has them, clamped and rounded. */
-static uint16_t ramp_pixel(const struct colour_terms *t, uint32_t diffuse)
+uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3])
 {
-    const uint32_t half = 1u << (t->fraction - 1);
-    uint32_t level[3];
+    const unsigned fraction = t->fraction;
+    const uint32_t half = 1u << (fraction - 1);
 
-    for (int k = 0; k < 3; k++) {
-        uint32_t channel = t->a[k] + t->b[k] * diffuse;
-        level[k] = ((channel < t->top[k] ? channel : t->top[k]) + half) >> t->fraction;
-    }
-    return (uint16_t)(level[0] << 11 | level[1] << 5 | level[2]);
+    if (!is_565)
+        return (uint16_t)((channel[0] + channel[1] + channel[2] + half) >> fraction);
+    return pixel_order(((channel[0] + half) >> fraction) << 11 | ((channel[1] + half) >> fraction) << 5 |
+                           (channel[2] + half) >> fraction,
+                       swap);
 }
 
 int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t)
@@ -29,7 +28,10 @@ void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const stru
     for (int i = 0; i < RAMP_PIXELS; i++) {
         int32_t middle = (i - RAMP_GUARD) * (1 << (15 - RAMP_BITS)) + (1 << (14 - RAMP_BITS));
         uint32_t diffuse = (uint32_t)min32(max32(middle, 0), 1 << 15);
-        ramp->pixel[i] = pixel_order(ramp_pixel(t, diffuse), format->swap);
+        uint32_t channel[3];
+        for (int k = 0; k < 3; k++)
+            channel[k] = clamped(t->a[k] + t->b[k] * diffuse, t->top[k]);
+        ramp->pixel[i] = sheen_finished(t, 1, format->swap, channel);
     }
     memcpy(ramp->a, t->a, sizeof t->a);
     memcpy(ramp->b, t->b, sizeof t->b);

@@ -37,20 +37,20 @@ static uint32_t corners_lit(const struct setup *s, const struct surface_corners 
     return most;
 }
 
-/* The largest difference between the corners in the channel that changes most, 1/16 level, 0xffff at the most. */
+/* The largest difference between the corners in the channel that changes most, 1/1024 of 1.0, 0xffff at the most. */
 static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[2])
 {
     uint32_t most = magnitude32(d[0]);
 
     most = magnitude32(d[1]) > most ? magnitude32(d[1]) : most;
     most = magnitude32(d[1] - d[0]) > most ? magnitude32(d[1] - d[0]) : most;
-    most = (most >> (terms->fraction - 20)) + 1;
+    most = (most >> (terms->unit - 20)) + 1;
     return most > 0xffff ? 0xffff : most;
 }
 
 /*
  * Through the edges' middles quadratic is off by about dI (q - 1)^2 / 32, q - 1 the lean. Range: difference < 2^16 in
- * 1/16 level, lean <= 2^16.
+ * 1/1024 of 1.0, lean <= 2^16.
  */
 static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
 {
@@ -89,7 +89,10 @@ static void intensity_quadric(struct quadric *q, const struct quadric_steps *ste
     sheen_corner_quadric(q, steps, ((uint32_t)f[0] << 15) + (1u << 14), 2 * (f[1] - f[0]), 2 * (f[2] - f[0]), k);
 }
 
-/* Returns 0 where the triangle is too small or a needle, or 1/m too uneven. difference: between corners, 1/16 level. */
+/*
+ * Returns 0 where the triangle is too small or a needle, or 1/m too uneven. difference: between corners, 1/1024 of
+ * 1.0.
+ */
 static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
                            const struct lit lit[3], uint32_t difference)
 {
@@ -147,7 +150,7 @@ static APART void curved(struct setup *s, struct surface_corners *c, const struc
         quotient_planes(s, c, g, lit);
 }
 
-/* With a highlight, without a ramp, or where one number alone does not do: channels, to 1/16 level. */
+/* With a highlight, without a ramp, or where one number alone does not do. */
 static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct colour_terms *terms = &s->draw->colour;
@@ -156,7 +159,7 @@ static APART void glossy(struct setup *s, struct surface_corners *c, const struc
 
     corner_channels(terms, lit, channel);
     dominant_differences(terms, channel, d);
-    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->fraction - 18)))
+    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->unit - 19)))
         sheen_setup_linear(s, g, channel);
     else
         curved(s, c, g, lit);
@@ -175,14 +178,15 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
         return;
     }
     s->way = SHEEN_WAY_GOURAUD_LINEAR;
-    if (d->ramp == NULL || specular > d->colour.dim) {
+    if (specular > d->colour.dim) {
         glossy(s, c, g, lit);
         return;
     }
     int32_t d1 = (int32_t)(lit[1].diffuse - lit[0].diffuse), d2 = (int32_t)(lit[2].diffuse - lit[0].diffuse);
-    if (way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth))
+    int straight = way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth);
+    if (straight && d->ramp != NULL)
         sheen_setup_ramp(s, g, lit[0].diffuse, d1, d2);
-    else
+    else if (!straight || !sheen_setup_diffuse(s, g, lit[0].diffuse, d1, d2))
         glossy(s, c, g, lit);
 }
 

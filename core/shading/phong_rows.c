@@ -66,7 +66,7 @@ SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct roun
     if (d->loop.usable) {
         uint32_t threshold = t->dither ? (uint32_t)rounding.threshold[x & 7] << rounding.shift : 0;
         ((uint16_t *)t->pixels)[at] =
-            pixel_order(loop_pixel(&d->loop, lit.diffuse, lit.specular, threshold), t->format->swap);
+            pixel_order(loop_pixel(t, t->depth + at, &d->loop, lit.diffuse, lit.specular, threshold), t->format->swap);
     } else {
         put_general(t, &d->colour, rounding, at, x, colour_channel(&d->colour, 0, &lit),
                     colour_channel(&d->colour, 1, &lit), colour_channel(&d->colour, 2, &lit));

@@ -5,22 +5,26 @@
 
 SETUP_FITS(struct constant_setup);
 
+/* Dithered a colour is a plane without steps, else it is finished here. */
 void sheen_setup_constant(struct setup *s, const struct lit *lit)
 {
-    struct constant_setup *constant = (struct constant_setup *)s;
-    const struct colour_terms *terms = &s->draw->colour;
-    const uint32_t half = 1u << (terms->fraction - 1);
-    uint32_t level[3];
+    const struct draw *d = s->draw;
+    const struct colour_terms *terms = &d->colour;
+    struct linear_setup *linear = (struct linear_setup *)s;
+    uint32_t channel[3];
 
-    for (int k = 0; k < 3; k++) {
-        uint32_t channel = colour_channel(terms, k, lit);
-        constant->channel[k] = channel < terms->top[k] ? channel : terms->top[k];
-        level[k] = (constant->channel[k] + half) >> terms->fraction;
-    }
+    for (int k = 0; k < 3; k++)
+        channel[k] = clamped(colour_channel(terms, k, lit), terms->top[k]);
     s->way = SHEEN_WAY_FLAT;
-    s->fast = s->draw->early != 0;
-    s->rows = sheen_constant_rows;
-    constant->value = (uint16_t)(level[0] << 11 | level[1] << 5 | level[2]);
+    if (!d->dither) {
+        s->rows = sheen_constant_rows;
+        ((struct constant_setup *)s)->pixel = sheen_finished(terms, d->is_565, d->swap, channel);
+        return;
+    }
+    s->fast = d->is_565;
+    s->rows = sheen_linear_rows;
+    for (int k = 0; k < 3; k++)
+        linear->channel[k] = (struct plane){channel[k], 0, 0};
 }
 
 /* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */

@@ -1,27 +1,36 @@
 /*
- * constant_rows.c - one colour a triangle (lecture, "Uniform Shading").
+ * constant_rows.c - one colour a triangle (lecture, "Uniform Shading"), finished at set-up.
  */
 #include "triangle.h"
 
+SPECIALISED void constant_rows(const struct tile *t, const struct constant_setup *s, unsigned grey)
+{
+    const struct plane depth = s->s.depth;
+    const struct span *span = t->spans, *end = span + t->rows;
+    uint32_t z = depth.base + (uint32_t)t->first_row * depth.dy;
+    uint32_t line = (uint32_t)(t->first_row - t->rect.y0) * t->pitch - (uint32_t)t->rect.x0;
+    const uint16_t pixel = s->pixel;
+
+    do {
+        int32_t x = span->x0, count = span->x1 - x;
+        uint32_t at_z = z + (uint32_t)x * depth.dx;
+        for (uint32_t at = line + (uint32_t)x; count > 0; count--, at++, at_z += depth.dx) {
+            if (!nearer(t, t->depth + at, at_z))
+                continue;
+            if (grey)
+                ((uint8_t *)t->pixels)[at] = (uint8_t)pixel;
+            else
+                ((uint16_t *)t->pixels)[at] = pixel;
+        }
+        line += t->pitch;
+        z += depth.dy;
+    } while (++span != end);
+}
+
 void sheen_constant_rows(const struct tile *t, const struct setup *s)
 {
-    const struct constant_setup *constant = (const struct constant_setup *)s;
-    const uint32_t *channel = constant->channel;
-    const uint16_t pixel = pixel_order(constant->value, t->format->swap);
-
-    for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        if (x >= x1)
-            continue;
-        struct rounding rounding = rounding_of(t, &s->draw->colour, y);
-        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
-        for (; x < x1; x++, at++, z += s->depth.dx) {
-            if (!nearer(t, t->depth + at, z))
-                continue;
-            if (FAST_LOOPS && s->fast)
-                ((uint16_t *)t->pixels)[at] = pixel;
-            else
-                put_general(t, &s->draw->colour, rounding, at, x, channel[0], channel[1], channel[2]);
-        }
-    }
+    if (FAST_LOOPS && !t->format->grey)
+        constant_rows(t, (const struct constant_setup *)s, 0);
+    else
+        constant_rows(t, (const struct constant_setup *)s, t->format->grey);
 }

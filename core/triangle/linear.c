@@ -52,23 +52,53 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
     return leave != 0;
 }
 
-/* Exact at the origin pixel, whatever band is drawn. */
-static void pack_planes(struct packed_setup *p, const struct gradients *g, const struct plane channel[3], uint32_t half)
+/* value: of the channels at the origin pixel; dx, dy: their steps. Exact there, whatever band is drawn. */
+static void pack_planes(struct packed_setup *p, const struct gradients *g, uint32_t value[3], const uint32_t dx[3],
+                        const uint32_t dy[3])
 {
-    const unsigned fraction = p->s.draw->colour.fraction;
-    const int32_t x = g->origin[0], y = g->origin[1];
-    const uint32_t dx[3] = {channel[0].dx, channel[1].dx, channel[2].dx};
-    const uint32_t dy[3] = {channel[0].dy, channel[1].dy, channel[2].dy};
-    const uint32_t value[3] = {plane_at(&channel[0], x, y) + half, plane_at(&channel[1], x, y) + half,
-                               plane_at(&channel[2], x, y) + half};
+    const struct draw *d = p->s.draw;
+    const unsigned fraction = d->colour.fraction;
+    const uint32_t x = (uint32_t)g->origin[0], y = (uint32_t)g->origin[1];
+
+    for (int i = 0; i < 3; i++)
+        value[i] += d->dither ? 0 : 1u << (fraction - 1);
     const struct packed at = pack_channels(value, fraction), by_x = pack_channels(dx, fraction);
     const struct packed by_y = pack_channels(dy, fraction);
-
-    p->red_blue = (struct plane){at.red_blue, by_x.red_blue, by_y.red_blue};
-    p->green = (struct plane){at.green, by_x.green, by_y.green};
-    p->red_blue.base -= (uint32_t)x * by_x.red_blue + (uint32_t)y * by_y.red_blue;
-    p->green.base -= (uint32_t)x * by_x.green + (uint32_t)y * by_y.green;
+    p->red_blue.dx = by_x.red_blue;
+    p->red_blue.dy = by_y.red_blue;
+    p->red_blue.base = at.red_blue - x * by_x.red_blue - y * by_y.red_blue;
+    p->green.dx = by_x.green;
+    p->green.dy = by_y.green;
+    p->green.base = at.green - x * by_x.green - y * by_y.green;
+    p->s.fast = 1;
     p->s.rows = sheen_packed_rows;
+}
+
+/*
+ * The intensity in 2^-17, from which the channels follow: a step counts up to 1/4 a px, and between `low` and `high` no
+ * channel comes near 0 or 1.0.
+ */
+int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
+{
+    const struct colour_terms *terms = &s->draw->colour;
+    const uint32_t low = terms->low, range = (uint32_t)terms->high - low;
+    uint32_t value[3], dx[3], dy[3];
+
+    if (g->bits > SUBPIXEL_BITS + COLUMN_BITS || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
+        diffuse + (uint32_t)d2 - low > range)
+        return 0;
+    struct plane l = sheen_plane(g, diffuse << 2, d1, d2, 2);
+    if (l.dx + 32768u > 65535u || l.dy + 32768u > 65535u)
+        return 0;
+    int32_t at = (int32_t)plane_at(&l, g->origin[0], g->origin[1]), whole = asr32(at, 2), rest = at & 3;
+    for (int i = 0; i < 3; i++) {
+        int32_t b = terms->b[i];
+        value[i] = terms->a[i] + (uint32_t)(b * whole) + (uint32_t)(b * rest >> 2);
+        dx[i] = (uint32_t)asr32(b * (int32_t)l.dx, 2);
+        dy[i] = (uint32_t)asr32(b * (int32_t)l.dy, 2);
+    }
+    pack_planes((struct packed_setup *)s, g, value, dx, dy);
+    return 1;
 }
 
 /*
@@ -87,7 +117,11 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
     }
     s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
     if (s->fast && g->bits <= SUBPIXEL_BITS + COLUMN_BITS) {
-        pack_planes((struct packed_setup *)s, g, plane, s->draw->dither ? 0 : 1u << (terms->fraction - 1));
+        const uint32_t dx[3] = {plane[0].dx, plane[1].dx, plane[2].dx}, dy[3] = {plane[0].dy, plane[1].dy, plane[2].dy};
+        uint32_t value[3];
+        for (int i = 0; i < 3; i++)
+            value[i] = plane_at(&plane[i], g->origin[0], g->origin[1]);
+        pack_planes((struct packed_setup *)s, g, value, dx, dy);
         return;
     }
     memcpy(((struct linear_setup *)s)->channel, plane, sizeof plane);

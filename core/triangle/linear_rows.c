@@ -9,20 +9,29 @@
 
 /* ---- one number and a ramp ---- */
 
-/* A run of pixels on the way: what is stepped lies in registers. */
-static inline void ramp_run(const struct tile *t, uint16_t *depth, uint32_t count, uint32_t z, uint32_t dz, uint32_t f,
-                            uint32_t df, const uint16_t *ramp)
-{
-    const uint16_t *end = depth + count;
-    const intptr_t to_pixel = t->to_pixel;
+/* What changes along a run, and its steps. */
+struct ramp_at {
+    uint32_t z, f;
+};
 
-    do {
-        if (nearer(t, depth, z))
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = ramp[f >> (30 - RAMP_BITS)];
-        depth++;
-        z += dz;
-        f += df;
-    } while (depth != end);
+SPECIALISED void ramp_pixel(const struct tile *t, uint16_t *depth, intptr_t to_pixel, struct ramp_at *at,
+                            struct ramp_at step, const uint16_t *ramp)
+{
+    if (nearer(t, depth, at->z))
+        *pixel_at(depth, to_pixel) = ramp[at->f >> (30 - RAMP_BITS)];
+    at->z += step.z;
+    at->f += step.f;
+}
+
+SPECIALISED void ramp_run(const struct tile *t, uint16_t *depth, int32_t count, struct ramp_at at, struct ramp_at step,
+                          const uint16_t *ramp)
+{
+    const intptr_t to_pixel = t->to_pixel;
+    const uint16_t *end = depth + count;
+
+    do
+        ramp_pixel(t, depth, to_pixel, &at, step, ramp);
+    while (++depth != end);
 }
 
 void sheen_ramp_rows(const struct tile *t, const struct setup *s)
@@ -36,9 +45,9 @@ void sheen_ramp_rows(const struct tile *t, const struct setup *s)
 
     do {
         int32_t x = span->x0, count = span->x1 - x;
+        const struct ramp_at at = {z + (uint32_t)x * depth.dx, f + (uint32_t)x * diffuse.dx};
         if (count > 0)
-            ramp_run(t, line + x, (uint32_t)count, z + (uint32_t)x * depth.dx, depth.dx, f + (uint32_t)x * diffuse.dx,
-                     diffuse.dx, ramp);
+            ramp_run(t, line + x, count, at, (struct ramp_at){depth.dx, diffuse.dx}, ramp);
         line += t->pitch;
         z += depth.dy;
         f += diffuse.dy;
@@ -47,88 +56,94 @@ void sheen_ramp_rows(const struct tile *t, const struct setup *s)
 
 /* ---- three channels in two words ---- */
 
-/* Of the thresholds' 1/128 levels. */
-SPECIALISED struct packed pack_threshold(uint32_t threshold)
-{
-    struct packed p = {(threshold << 20) + (threshold << 4), threshold << 19};
-
-    return p;
-}
+_Static_assert(COLUMN <= DITHER_RUN, "a run is longer than its thresholds");
 
 /* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
-SPECIALISED uint16_t packed_pixel(struct packed p, unsigned swap)
+SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
 {
     uint32_t red_blue = p.red_blue & 0xf800f800u;
 
     return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
 }
 
-/* What a run takes along. */
-struct packed_step {
+/* What changes along a run, and its steps. */
+struct packed_at {
     uint32_t z;
     struct packed colour;
 };
 
-/* thresholds: of the row, NULL: none, rounding is in the words. x: where the run begins. */
-SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, uint32_t count, uint32_t z,
-                            struct packed at, const struct packed_step *step, const uint8_t *thresholds, unsigned swap)
+/* to_threshold: bytes from a pixel's depth to its threshold. Without dither rounding is in the words. */
+struct packed_way {
+    intptr_t to_pixel, to_threshold;
+    unsigned dither, swap;
+};
+
+SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
+                              const struct packed_way *way)
+{
+    if (nearer(t, depth, at->z)) {
+        struct packed p = at->colour;
+        if (way->dither) {
+            SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
+            uint32_t threshold = *(const uint16_t *)((intptr_t)depth + way->to_threshold);
+            p.red_blue += (threshold << 16) + threshold;
+            p.green += threshold << 15;
+        }
+        *pixel_at(depth, way->to_pixel) = packed_565(p, way->swap);
+    }
+    at->z += step->z;
+    at->colour.red_blue += step->colour.red_blue;
+    at->colour.green += step->colour.green;
+}
+
+/* From pixel (x, y) on. */
+SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, uint32_t y, int32_t count,
+                            struct packed_at at, struct packed_at step, struct packed_way way)
 {
     const uint16_t *end = depth + count;
-    const intptr_t to_pixel = t->to_pixel;
-    const uint32_t dz = step->z, red_blue = step->colour.red_blue, green = step->colour.green;
 
-    do {
-        if (nearer(t, depth, z)) {
-            struct packed p = at;
-            if (thresholds != NULL) {
-                struct packed threshold = pack_threshold(thresholds[x & 7u]);
-                p.red_blue += threshold.red_blue;
-                p.green += threshold.green;
-            }
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = packed_pixel(p, swap);
-        }
-        depth++;
-        x++;
-        z += dz;
-        at.red_blue += red_blue;
-        at.green += green;
-    } while (depth != end);
+    if (way.dither)
+        way.to_threshold = (intptr_t)&sheen_dither_rows[y & 7u][x & 7u] - (intptr_t)depth;
+    do
+        packed_pixel(t, depth, &at, &step, &way);
+    while (++depth != end);
 }
 
 SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s, unsigned dither, unsigned swap)
 {
     const struct plane depth = s->s.depth, red_blue = s->red_blue, green = s->green;
-    const struct packed_step step = {depth.dx, {red_blue.dx, green.dx}};
+    const struct packed_at step = {depth.dx, {red_blue.dx, green.dx}};
+    const struct packed_way way = {t->to_pixel, 0, dither, swap};
     const struct span *span = t->spans, *end = span + t->rows;
     uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy;
-    struct packed at = {red_blue.base + y * red_blue.dy, green.base + y * green.dy};
+    struct packed row = {red_blue.base + y * red_blue.dy, green.base + y * green.dy};
     uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
 
     do {
-        int32_t x = span->x0, count = span->x1 - x;
-        uint32_t ux = (uint32_t)x;
-        const struct packed first = {at.red_blue + ux * red_blue.dx, at.green + ux * green.dx};
+        int32_t count = span->x1 - span->x0;
+        uint32_t x = (uint32_t)(int32_t)span->x0;
+        const struct packed_at at = {z + x * depth.dx, {row.red_blue + x * red_blue.dx, row.green + x * green.dx}};
         if (count > 0)
-            packed_run(t, line + x, ux, (uint32_t)count, z + ux * depth.dx, first, &step,
-                       dither ? threshold_row(1, (int32_t)y) : NULL, swap);
+            packed_run(t, line + span->x0, x, y, count, at, step, way);
         line += t->pitch;
         y++;
         z += depth.dy;
-        at.red_blue += red_blue.dy;
-        at.green += green.dy;
+        row.red_blue += red_blue.dy;
+        row.green += green.dy;
     } while (++span != end);
 }
 
 void sheen_packed_rows(const struct tile *t, const struct setup *s)
 {
     const struct packed_setup *p = (const struct packed_setup *)s;
+    const unsigned swap = t->format->swap;
 
-    if (t->dither)
-        packed_rows(t, p, 1, t->format->swap);
-    else if (FAST_LOOPS && t->format->swap)
-        packed_rows(t, p, 0, 1);
+    if (!FAST_LOOPS)
+        packed_rows(t, p, t->dither, swap);
+    else if (t->dither)
+        swap ? packed_rows(t, p, 1, 1) : packed_rows(t, p, 1, 0);
     else
-        packed_rows(t, p, 0, t->format->swap);
+        swap ? packed_rows(t, p, 0, 1) : packed_rows(t, p, 0, 0);
 }
 
 /* Wide triangles: packed anew every COLUMN px. */
@@ -137,17 +152,17 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
     const struct plane *c = l->channel;
     const unsigned fraction = l->s.draw->colour.fraction;
     const uint32_t steps[3] = {c[0].dx, c[1].dx, c[2].dx}, half = dither ? 0 : 1u << (fraction - 1);
-    const struct packed_step step = {l->s.depth.dx, pack_channels(steps, fraction)};
+    const struct packed_at step = {l->s.depth.dx, pack_channels(steps, fraction)};
+    const struct packed_way way = {t->to_pixel, 0, dither, swap};
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        const uint8_t *thresholds = dither ? threshold_row(1, y) : NULL;
         while (x < x1) {
             int32_t end = min32(x1, (x | (COLUMN - 1)) + 1);
             uint32_t channel[3] = {plane_at(&c[0], x, y) + half, plane_at(&c[1], x, y) + half,
                                    plane_at(&c[2], x, y) + half};
-            packed_run(t, t->depth + tile_offset(t, x, y), (uint32_t)x, (uint32_t)(end - x),
-                       plane_at(&l->s.depth, x, y), pack_channels(channel, fraction), &step, thresholds, swap);
+            const struct packed_at at = {plane_at(&l->s.depth, x, y), pack_channels(channel, fraction)};
+            packed_run(t, t->depth + tile_offset(t, x, y), (uint32_t)x, (uint32_t)y, end - x, at, step, way);
             x = end;
         }
     }
@@ -180,15 +195,14 @@ SPECIALISED void clamped_rows(const struct tile *t, const struct linear_setup *l
 void sheen_linear_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
+    const unsigned swap = t->format->swap;
 
-    if (!s->fast && FAST_LOOPS && !t->format->grey)
-        clamped_rows(t, l, 0);
-    else if (!s->fast)
-        clamped_rows(t, l, t->format->grey);
+    if (!s->fast)
+        FAST_LOOPS && !t->format->grey ? clamped_rows(t, l, 0) : clamped_rows(t, l, t->format->grey);
+    else if (!FAST_LOOPS)
+        column_rows(t, l, t->dither, swap);
     else if (t->dither)
-        column_rows(t, l, 1, t->format->swap);
-    else if (FAST_LOOPS && t->format->swap)
-        column_rows(t, l, 0, 1);
+        swap ? column_rows(t, l, 1, 1) : column_rows(t, l, 1, 0);
     else
-        column_rows(t, l, 0, t->format->swap);
+        swap ? column_rows(t, l, 0, 1) : column_rows(t, l, 0, 0);
 }

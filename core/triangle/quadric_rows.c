@@ -34,7 +34,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
             OPAQUE(q); /* the loop's numbers have the registers */
             struct lit lit = lit_of(q, f, u, second);
             uint32_t threshold = plain || thresholds == NULL ? 0 : (uint32_t)thresholds[x & 7] << (LOOP_FRACTION - 7);
-            uint32_t value = loop_pixel(q, lit.diffuse, lit.specular, threshold);
+            uint32_t value = loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
             *(uint16_t *)(void *)((char *)depth + to_pixel) = pixel_order(value, plain ? 1 : swap);
         }
         depth++;

@@ -22,6 +22,7 @@ struct draw {
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
+    uint8_t swap;   /* as in struct pixel_format */
     uint8_t is_565; /* the target's pixels are */
     uint8_t early;  /* 565 without dither: the half of the one rounding can be added in advance */
     uint8_t forced; /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
@@ -193,8 +194,7 @@ void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
 /* One colour: what flat shading and degenerate triangles use. */
 struct constant_setup {
     struct setup s;
-    uint32_t channel[3];
-    uint16_t value; /* fast: 565 */
+    uint16_t pixel; /* as it stands in a tile */
 };
 
 /* From intensities; from the mean of the corners' normals. */
@@ -245,6 +245,8 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
 void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3]);
 /* diffuse: at corner 0, UQ1.15; d1, d2: what corners 1 and 2 have more. */
 void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
+/* The same for draws without a ramp, in channels; 0 where that is not good enough. */
+int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
 void sheen_linear_rows(const struct tile *t, const struct setup *s);
 void sheen_packed_rows(const struct tile *t, const struct setup *s);
 void sheen_ramp_rows(const struct tile *t, const struct setup *s);
