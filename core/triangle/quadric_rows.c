@@ -49,8 +49,8 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
 }
 
 /* The draw's ramp: L.N alone, not dithered. */
-SPECIALISED void ramp_run(const struct tile *t, const uint16_t *ramp, uint16_t *depth, int32_t count,
-                          const struct shaded_run *run)
+SPECIALISED void cosine_ramp_run(const struct tile *t, const uint16_t *ramp, uint16_t *depth, int32_t count,
+                                 const struct shaded_run *run)
 {
     const intptr_t to_pixel = (char *)t->pixels - (char *)t->depth;
     const uint32_t dz = run->dz, ddf = run->ddf;
@@ -111,7 +111,7 @@ SPECIALISED void run_by(const struct tile *t, const struct draw *d, int32_t x, i
     uint32_t at = tile_offset(t, x, y);
 
     if (loop == LOOP_RAMP)
-        ramp_run(t, d->ramp + RAMP_GUARD, t->depth + at, x1 - x, run);
+        cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + at, x1 - x, run);
     else if (loop == LOOP_PLAIN)
         quick_run(t, d, t->depth + at, x, x1, NULL, run, SECOND_POWER, 1);
     else if (loop == LOOP_QUICK)
