@@ -96,7 +96,8 @@ static void depth_begin(struct projection *p, struct scaled depth)
     p->depth = depth.mantissa - (depth.mantissa >> 27);
     p->depth_shift = 38 - (int)fraction - depth.exponent;
     p->depth_fraction = fraction;
-    p->depth_base = (DEPTH_FAR << fraction) + (1u << fraction >> 1) - depth_at(p, inverse_of((uint32_t)p->far), p->far);
+    p->depth_base =
+        ((uint32_t)DEPTH_FAR << fraction) + (1u << fraction >> 1) - depth_at(p, inverse_of((uint32_t)p->far), p->far);
 }
 
 /*
