@@ -96,12 +96,13 @@ struct sheen_mesh {
     const int16_t *normals;         /* 3 a vertex: unit vectors, 1.0 = 32767; NULL: flat shading only */
     const int16_t *polygon_normals; /* 3 a polygon, likewise, for flat; NULL: from each triangle's corners */
     const uint16_t *polygons;       /* a triangle's polygon; NULL: triangle t is polygon t */
-    const void *indices;            /* 3 a triangle */
-    uint8_t index_bytes;            /* 1 or 2: uint8_t or uint16_t indices */
-    uint16_t vertices;              /* 1..65535 */
-    uint16_t triangles;             /* 1..65535 */
-    sheen_q24_t scale;              /* units that raw 32768 stands for, > 0 */
-    sheen_q24_t offset[3];          /* units */
+    const uint8_t *warp;   /* 1 a polygon, of sheen_mesh_warp: those that face away are passed over; NULL: none is */
+    const void *indices;   /* 3 a triangle */
+    uint8_t index_bytes;   /* 1 or 2: uint8_t or uint16_t indices */
+    uint16_t vertices;     /* 1..65535 */
+    uint16_t triangles;    /* 1..65535 */
+    sheen_q24_t scale;     /* units that raw 32768 stands for, > 0 */
+    sheen_q24_t offset[3]; /* units */
 };
 
 #define SHEEN_POWER_ENTRIES 256
@@ -215,6 +216,7 @@ struct sheen_config {
     uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
     uint8_t workers;                   /* 1..4 with buffers of their own, to call sheen_band at once [1] */
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
+    uint16_t max_used;                 /* of them, those of polygons that may face the eye [max_vertices] */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
@@ -278,6 +280,7 @@ enum sheen_subject {
     SHEEN_ABOUT_WORKERS,
     SHEEN_ABOUT_LOCK,
     SHEEN_ABOUT_MAX_VERTICES, /* capacities: of the configuration, or exceeded by a draw */
+    SHEEN_ABOUT_MAX_USED,
     SHEEN_ABOUT_MAX_TRIANGLES,
     SHEEN_ABOUT_MAX_DRAWS,
     SHEEN_ABOUT_MAX_CLIPPED,
@@ -326,6 +329,7 @@ void sheen_invalidate(struct sheen_frame *frame);
 /* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
 struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
+    uint32_t used;                             /* vertices: what max_used holds */
     uint32_t setups, spans;   /* set-ups made, more than one for a triangle that was not carried; rows of triangles */
     uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels;                            /* pushes and their area */
@@ -335,6 +339,15 @@ struct sheen_stats {
 void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
 
 /* ---- making what is drawn ---- */
+
+/*
+ * For a mesh that is made or moves at run time: its `warp`. Of a polygon's triangles the largest |unit normal - the
+ * polygon's stored one|, plus the distance of its plane from the first corner of the polygon's first triangle, of
+ * which 56,756 raw units (a corner's farthest from the origin) count as 1.0; UQ-2.10 rounded up, SHEEN_WARP_UNKNOWN
+ * where that is too small. The mesh MUST have polygon normals and have passed sheen_mesh_check.
+ */
+#define SHEEN_WARP_UNKNOWN 255
+void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp);
 
 /* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index or polygon id is out of range. */
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);

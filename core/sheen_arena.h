@@ -1,10 +1,10 @@
 /*
  * sheen_arena.h - how many bytes a frame's arena takes, at compile time: sheen_arena_size() in the preprocessor.
  *
- *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 512, 4, 0, 80) / 8];
+ *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
  *
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
- * buffers 1; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each, and
+ * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each, and
  * on 565 further ramps SHEEN_STORE(ramps - 1, SHEEN_BYTES_RAMP).
  * The result is a multiple of 8.
  */
@@ -16,14 +16,14 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 480
+#define SHEEN_BYTES_FRAME 512
 #define SHEEN_BYTES_DRAW 272
 #define SHEEN_BYTES_WORKER 152
 #define SHEEN_BYTES_SETUP 176
 #else
-#define SHEEN_BYTES_FRAME 392
+#define SHEEN_BYTES_FRAME 412
 #define SHEEN_BYTES_DRAW 244
-#define SHEEN_BYTES_WORKER 124
+#define SHEEN_BYTES_WORKER 128
 #define SHEEN_BYTES_SETUP 160
 #endif
 #define SHEEN_BYTES_VERTEX 12
@@ -47,11 +47,11 @@
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
     (SHEEN_BYTES_WORKER + SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
-#define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, triangles, draws, clipped,         \
+#define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, used, triangles, draws, clipped,   \
                           carried)                                                                                     \
     (SHEEN_STORE(1, SHEEN_BYTES_FRAME) + SHEEN_STORE(SHEEN_BANDS(height, band_rows), SHEEN_BYTES_BAND) +               \
      SHEEN_BIT_STORE(SHEEN_BANDS(height, band_rows)) + SHEEN_STORE(draws, SHEEN_BYTES_DRAW) +                          \
-     SHEEN_STORE(vertices, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +                           \
+     SHEEN_STORE(vertices, 2) + SHEEN_STORE(used, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +    \
      SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
      ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_RAMP) : 0) + SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +               \
      SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))

@@ -31,8 +31,9 @@ static const struct {
 enum {
     LIGHTINGS = sizeof lightings / sizeof lightings[0],
     SHADINGS = sizeof shadings / sizeof shadings[0],
-    TURN = 60,      /* frames */
-    MAX_FRONT = 512 /* of the teapot 508 triangles face the eye at most */
+    TURN = 60,       /* frames */
+    MAX_FRONT = 512, /* of the teapot 508 triangles face the eye at most, */
+    MAX_USED = 380   /* and 353 vertices are used at most, from any side */
 };
 
 const char *demo_shading_name(const struct demo *demo)
@@ -114,6 +115,7 @@ int demo_open(struct demo *demo, const struct sheen_target *target, void *arena,
     struct sheen_config config = {.target = target,
                                   .buffers = (uint8_t)buffers,
                                   .max_vertices = teapot.vertices,
+                                  .max_used = MAX_USED,
                                   .max_triangles = MAX_FRONT,
                                   .max_draws = 1};
 

@@ -1,6 +1,6 @@
 # The measured scenes (bench/scenes.h), as data that boards can take.
 add_executable(bench_export bench/export.c)
-target_link_libraries(bench_export PRIVATE m)
+target_link_libraries(bench_export PRIVATE sheen::core m)
 set(bench_data ${CMAKE_CURRENT_BINARY_DIR}/bench_data.c)
 add_custom_command(OUTPUT ${bench_data} COMMAND bench_export > ${bench_data} DEPENDS bench_export VERBATIM)
 add_library(bench_scenes STATIC bench/scenes.c ${bench_data})

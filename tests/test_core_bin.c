@@ -188,7 +188,8 @@ struct trace {
     struct piece piece[TRIANGLES];
     struct vertex vertex[9 * TRIANGLES];
     struct sheen_stats stats;
-    uint32_t entries, pieces, vertices, draws;
+    uint16_t place[9 * TRIANGLES];
+    uint32_t entries, pieces, vertices, used, draws;
 };
 
 static void trace_of(const struct sheen_frame *f, struct trace *t)
@@ -197,13 +198,15 @@ static void trace_of(const struct sheen_frame *f, struct trace *t)
     memcpy(t->band, f->band, f->bands * sizeof *f->band);
     memcpy(t->entry, f->entry, f->entries * sizeof *f->entry);
     memcpy(t->piece, f->piece, f->pieces * sizeof *f->piece);
-    memcpy(t->vertex, f->vertex, f->vertices * sizeof *f->vertex);
+    memcpy(t->vertex, f->vertex, f->used * sizeof *f->vertex);
+    memcpy(t->place, f->place, f->vertices * sizeof *f->place);
     for (uint32_t e = 0; e < f->entries; e++)
         t->cut[e / 32] |= f->cut[e / 32] & 1u << e % 32;
     sheen_frame_stats(f, &t->stats);
     t->entries = f->entries;
     t->pieces = f->pieces;
     t->vertices = f->vertices;
+    t->used = f->used;
     t->draws = f->draws;
 }
 

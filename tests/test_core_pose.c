@@ -189,7 +189,7 @@ static void test_orthonormalize(void **unused)
             length += (double)was.rotation[k] * was.rotation[k];
         for (int k = 6; k < 9; k++)
             worst_note(&third, pose.rotation[k] - was.rotation[k] / sqrt(length) * ONE, "case %d", i);
-        assert_true(sheen_is_rotation(pose.rotation));
+        assert_true(sheen_is_rotation(pose.rotation, 1 << 20));
         assert_true(dot(pose.rotation + 3, was.rotation + 3) > 0);
     }
     worst_assert(&rows, 16, "repaired rows");

@@ -82,6 +82,7 @@ static uint32_t short_of(enum sheen_subject subject, uint32_t room)
     stage_config(&config, &target, 2);
     config.max_clipped = 400;
     *(subject == SHEEN_ABOUT_MAX_VERTICES    ? &config.max_vertices
+      : subject == SHEEN_ABOUT_MAX_USED      ? &config.max_used
       : subject == SHEEN_ABOUT_MAX_TRIANGLES ? &config.max_triangles
       : subject == SHEEN_ABOUT_MAX_DRAWS     ? &config.max_draws
                                              : &config.max_clipped) = (uint16_t)room;
@@ -104,8 +105,9 @@ static uint32_t short_of(enum sheen_subject subject, uint32_t room)
 /* What a capacity says would have done does, and one less does not: for the first draw, then for both. */
 static void capacities_name_what_would_do(void **state)
 {
-    static const enum sheen_subject subjects[] = {SHEEN_ABOUT_MAX_VERTICES, SHEEN_ABOUT_MAX_TRIANGLES,
-                                                  SHEEN_ABOUT_MAX_DRAWS, SHEEN_ABOUT_MAX_CLIPPED};
+    static const enum sheen_subject subjects[] = {SHEEN_ABOUT_MAX_VERTICES, SHEEN_ABOUT_MAX_USED,
+                                                  SHEEN_ABOUT_MAX_TRIANGLES, SHEEN_ABOUT_MAX_DRAWS,
+                                                  SHEEN_ABOUT_MAX_CLIPPED};
 
     (void)state;
     for (size_t k = 0; k < sizeof subjects / sizeof subjects[0]; k++) {
@@ -134,7 +136,7 @@ static void configurations_name_the_field(void **state)
 /* The macro and the function, over configurations; a constant expression it is here. */
 static void arena_at_compile_time(void **state)
 {
-    static uint64_t constant[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 512, 4, 0, 80) / 8];
+    static uint64_t constant[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
     struct memory_target target;
     uint32_t seed = 1;
 
@@ -152,11 +154,13 @@ static void arena_at_compile_time(void **state)
                                  .buffers = (uint8_t)(1 + stage_random(&seed) % 2),
                                  .workers = (uint8_t)(1 + stage_random(&seed) % 4),
                                  .max_vertices = (uint16_t)(1 + stage_random(&seed) % 65535),
+                                 .max_used = (uint16_t)(stage_random(&seed) % 65536),
                                  .max_triangles = (uint16_t)(1 + stage_random(&seed) % 65535),
                                  .max_draws = (uint16_t)(1 + stage_random(&seed) % 100),
                                  .max_clipped = (uint16_t)(stage_random(&seed) % 3 * 77),
                                  .max_carried = (uint16_t)(1 + stage_random(&seed) % 254)};
-        size_t bytes = SHEEN_ARENA_BYTES(width, height, grey ? 1 : 2, c.band_rows, c.buffers, c.max_vertices,
+        uint16_t used = c.max_used == 0 || c.max_used > c.max_vertices ? c.max_vertices : c.max_used;
+        size_t bytes = SHEEN_ARENA_BYTES(width, height, grey ? 1 : 2, c.band_rows, c.buffers, c.max_vertices, used,
                                          c.max_triangles, c.max_draws, c.max_clipped, c.max_carried);
         size_t worker = SHEEN_WORKER_BYTES(width, grey ? 1 : 2, c.band_rows, c.buffers, c.max_triangles, c.max_carried);
         assert_int_equal(sheen_arena_size(&c), bytes + (c.workers - 1u) * worker);

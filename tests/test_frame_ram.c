@@ -12,7 +12,7 @@
 #include "../host-sim/command/shadings.h"
 #include "scenes.h"
 
-#define LIMIT (68 * 1024) /* B: arena and material tables; bands of 16 rows, one buffer */
+#define LIMIT (60 * 1024) /* B: arena and material tables; bands of 16 rows, one buffer */
 
 static void sphere_fits(void **state)
 {

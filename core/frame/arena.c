@@ -27,6 +27,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
     c->band_rows = (uint16_t)((c->band_rows + align - 1) / align * align);
     c->buffers = (uint8_t)or_default(c->buffers, 1);
     c->workers = (uint8_t)or_default(c->workers, 1);
+    c->max_used = (uint16_t)min32((int32_t)or_default(c->max_used, c->max_vertices), c->max_vertices);
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
     c->max_ramps = (uint8_t)or_default(c->max_ramps, 1);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
@@ -76,7 +77,8 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
     f->draw = take(base, &used, c->max_draws, SHEEN_BYTES_DRAW);
     f->ramp = take(base, &used, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_ramps, SHEEN_BYTES_RAMP);
-    f->vertex = take(base, &used, c->max_vertices, SHEEN_BYTES_VERTEX);
+    f->place = take(base, &used, c->max_vertices, sizeof *f->place);
+    f->vertex = take(base, &used, c->max_used, SHEEN_BYTES_VERTEX);
     f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);
     f->piece = take(base, &used, c->max_clipped, SHEEN_BYTES_PIECE);
     f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));

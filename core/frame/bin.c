@@ -24,15 +24,34 @@ struct sheen_rect sheen_rect_intersection(struct sheen_rect a, struct sheen_rect
     return r;
 }
 
-/* Pixels whose centres may lie inside: the box of the corners, within the viewport. */
-static struct sheen_rect covered(const struct sheen_frame *f, const struct vertex *const v[3])
-{
-    int32_t left = min32(v[0]->x, min32(v[1]->x, v[2]->x)), right = max32(v[0]->x, max32(v[1]->x, v[2]->x));
-    int32_t top = min32(v[0]->y, min32(v[1]->y, v[2]->y)), bottom = max32(v[0]->y, max32(v[1]->y, v[2]->y));
-    struct sheen_rect r = {(int16_t)first_centre(target_x(f, left)), (int16_t)first_centre(target_y(f, top)),
-                           (int16_t)first_centre(target_x(f, right)), (int16_t)first_centre(target_y(f, bottom))};
+/* Columns and rows, [x0, x1) by [y0, y1). */
+struct box {
+    int32_t x0, y0, x1, y1;
+};
 
-    return sheen_rect_intersection(r, f->viewport);
+/* Pixels whose centres may lie inside: the box of the corners, within the viewport. */
+static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[3])
+{
+    const int32_t across = f->screen.centre_x + SUBPIXEL_HALF - 1, down = f->screen.centre_y + SUBPIXEL_HALF - 1;
+    struct box b = {min32(v[0]->x, min32(v[1]->x, v[2]->x)), min32(v[0]->y, min32(v[1]->y, v[2]->y)),
+                    max32(v[0]->x, max32(v[1]->x, v[2]->x)), max32(v[0]->y, max32(v[1]->y, v[2]->y))};
+
+    b.x0 = asr32(b.x0 + across, SUBPIXEL_BITS);
+    b.y0 = asr32(b.y0 + down, SUBPIXEL_BITS);
+    b.x1 = asr32(b.x1 + across, SUBPIXEL_BITS);
+    b.y1 = asr32(b.y1 + down, SUBPIXEL_BITS);
+    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OFF_VIEW) != 0) {
+        b.x0 = max32(b.x0, f->viewport.x0);
+        b.y0 = max32(b.y0, f->viewport.y0);
+        b.x1 = min32(b.x1, f->viewport.x1);
+        b.y1 = min32(b.y1, f->viewport.y1);
+    }
+    return b;
+}
+
+static inline int box_empty(struct box b)
+{
+    return b.x0 >= b.x1 || b.y0 >= b.y1;
 }
 
 static unsigned band_of(const struct sheen_frame *f, int32_t row)
@@ -40,52 +59,61 @@ static unsigned band_of(const struct sheen_frame *f, int32_t row)
     return ((uint32_t)(row - f->viewport.y0) * f->band_scale) >> 20;
 }
 
-/* Link an entry into the band where its rectangle begins, and grow the bands it crosses. */
-static void link_entry(struct sheen_frame *f, uint32_t entry, struct sheen_rect r)
+static inline void cover(struct sheen_rect *r, struct box b)
 {
-    unsigned first = band_of(f, r.y0), last = band_of(f, r.y1 - 1);
-
-    f->entry[entry].next = f->band[first].first;
-    f->band[first].first = (uint16_t)entry;
-    for (unsigned b = first; b <= last; b++) {
-        struct band *band = &f->band[b];
-        band->cover = sheen_rect_union(band->cover, r);
-        if (band->back < b - first)
-            band->back = (uint16_t)(b - first);
-    }
+    if (b.x0 < r->x0)
+        r->x0 = (int16_t)b.x0;
+    if (b.y0 < r->y0)
+        r->y0 = (int16_t)b.y0;
+    if (b.x1 > r->x1)
+        r->x1 = (int16_t)b.x1;
+    if (b.y1 > r->y1)
+        r->y1 = (int16_t)b.y1;
 }
 
 /* 1 where a triangle covers the centre of some pixel's column and row. */
 int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3])
 {
-    return !rect_empty(covered(f, v));
+    return !box_empty(covered(f, v));
 }
 
-/* 1: listed; 0: covers no pixel centre, or no entry is left, and f->entries_short counts it. */
+/*
+ * Link a triangle into the band where its box begins, and grow the bands it crosses. 1: listed; 0: covers no pixel
+ * centre, or no entry is left, and f->entries_short counts it.
+ */
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece)
 {
-    struct sheen_rect r = covered(f, v);
+    struct box b = covered(f, v);
+    uint32_t e = f->entries;
 
-    if (rect_empty(r))
+    if (box_empty(b))
         return 0;
-    if (f->entries == f->config.max_triangles) {
+    if (e == f->config.max_triangles) {
         f->entries_short++;
         return 0;
     }
-    uint32_t e = f->entries++;
-    f->entry[e].triangle = (uint16_t)triangle;
+    f->entries = e + 1;
     if (f->cut != NULL) {
         uint32_t bit = 1u << (e & 31u);
         f->cut[e >> 5] = is_piece ? f->cut[e >> 5] | bit : f->cut[e >> 5] & ~bit;
     }
-    link_entry(f, e, r);
+    unsigned first = band_of(f, b.y0), more = band_of(f, b.y1 - 1) - first;
+    struct band *band = &f->band[first];
+    f->entry[e].triangle = (uint16_t)triangle;
+    f->entry[e].next = band->first;
+    band->first = (uint16_t)e;
+    for (unsigned back = 0; back <= more; back++, band++) {
+        cover(&band->cover, b);
+        if (band->back < back)
+            band->back = (uint16_t)back;
+    }
     return 1;
 }
 
 /* No triangle yet; what the last frame touched is kept. */
 void sheen_bin_clear(struct sheen_frame *f)
 {
-    const struct sheen_rect none = {0, 0, 0, 0};
+    const struct sheen_rect none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
 
     for (unsigned b = 0; b < f->bands; b++) {
         f->band[b].first = NONE;
@@ -94,19 +122,24 @@ void sheen_bin_clear(struct sheen_frame *f)
     }
 }
 
-/* Forget the entries from `entries` on: lists and rectangles as they were. */
+static int is_cut(const struct sheen_frame *f, uint32_t entry)
+{
+    return f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0;
+}
+
+/* Forget the entries from `entries` on: the others are listed anew, each in its place, so that rectangles are as they were. */
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 {
     struct corners c;
     unsigned d = 0;
 
     sheen_bin_clear(f);
-    f->entries = entries;
+    f->entries = 0;
     for (uint32_t e = 0; e < entries; e++) {
         while (e >= f->draw[d].end_entry)
             d++;
         sheen_entry_corners(f, &f->draw[d], e, &c);
-        link_entry(f, e, covered(f, c.v));
+        (void)sheen_bin_triangle(f, c.v, f->entry[e].triangle, is_cut(f, e));
     }
 }
 
@@ -115,7 +148,7 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     static const uint8_t order[3] = {0, 2, 1}; /* meshes are counterclockwise */
     uint32_t id = f->entry[entry].triangle;
 
-    if (f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0) {
+    if (is_cut(f, entry)) {
         const struct piece *piece = &f->piece[id];
         c->triangle = piece->triangle;
         for (int k = 0; k < 3; k++) {
@@ -127,7 +160,7 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     c->triangle = (uint16_t)id;
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t index = mesh_index(d->as.mesh, 3 * id + order[k]);
-        c->v[k] = &f->vertex[d->first_vertex + index];
+        c->v[k] = used_vertex(f, d, index);
         c->normal[k] = d->as.mesh->normals != NULL ? d->as.mesh->normals + 3 * index : NULL;
     }
 }

@@ -101,7 +101,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                                 .weight_offset = projection.weight_offset,
                                 .weight_shift = (uint8_t)projection.weight_shift,
                                 .flat_weight = view->affine || projection.orthographic != 0};
-    f->vertices = f->entries = f->pieces = f->draws = 0;
+    f->vertices = f->used = f->entries = f->pieces = f->draws = 0;
     f->ramps = 0;
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
@@ -112,22 +112,35 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 
 /* ---- draw: transform, light, clip, bin ---- */
 
-static void transform_mesh(struct sheen_frame *f, const struct sheen_mesh *mesh, const struct transform *t,
-                           struct vertex *v)
+/* Transform the vertices of a triangle that are used for the first time; 0 where one found no room. */
+static APART int use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                             const uint32_t index[3])
 {
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
-        sheen_project(&f->projection, t->screen_shift, sheen_transform_point(t, mesh->positions + 3 * i), &v[i]);
+    int all = 1;
+
+    for (int k = 0; k < 3; k++) {
+        uint16_t *place = &f->place[d->first_vertex + index[k]];
+        if (*place == NO_PLACE && f->used < f->config.max_used) {
+            struct point point = sheen_transform_point(t, d->as.mesh->positions + 3 * index[k]);
+            sheen_project(&f->projection, t->screen_shift, point, &f->vertex[f->used]);
+            *place = (uint16_t)f->used++;
+        } else if (*place == NO_PLACE) {
+            *place = f->config.max_used;
+            f->used_short++;
+        }
+        all &= *place < f->config.max_used;
     }
+    return all;
 }
 
 /* Light the corners of a listed triangle, each vertex once. */
-static void light_corners(const struct draw *d, struct vertex *store, const uint32_t index[3])
+static APART void light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t index[3])
 {
     for (int k = 0; k < 3; k++) {
-        struct vertex *v = &store[index[k]];
+        struct vertex *v = used_vertex(f, d, index[k]);
         if ((v->flags & LIT) != 0)
             continue;
-        d->shader->light(d, d->mesh->normals + 3 * index[k], v->kept);
+        d->as.shader->light(&d->as, d->as.mesh->normals + 3 * index[k], v->kept);
         v->flags |= LIT;
     }
 }
@@ -136,24 +149,27 @@ static void light_corners(const struct draw *d, struct vertex *store, const uint
 static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                           uint32_t triangle)
 {
-    struct vertex *store = f->vertex + d->first_vertex;
     const uint32_t index[3] = {mesh_index(d->as.mesh, 3 * triangle), mesh_index(d->as.mesh, 3 * triangle + 1),
-                               mesh_index(d->as.mesh, 3 * triangle + 2)};
-    const struct vertex *const v[3] = {&store[index[0]], &store[index[1]], &store[index[2]]};
+                               mesh_index(d->as.mesh, 3 * triangle + 2)},
+                   none = f->config.max_used;
+    const uint16_t *place = f->place + d->first_vertex;
 
-    if ((v[0]->flags & v[1]->flags & v[2]->flags & OUTSIDE) != 0)
+    if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) && !use_corners(f, d, t, index))
         return;
-    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OUTSIDE) != 0) {
-        sheen_cut_triangle(f, d, t, (uint16_t)triangle);
+    const struct vertex *const v[3] = {f->vertex + place[index[0]], f->vertex + place[index[1]],
+                                       f->vertex + place[index[2]]};
+    unsigned all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
+    if ((any & OUTSIDE) != 0) {
+        if ((all & OUTSIDE) == 0)
+            sheen_cut_triangle(f, d, t, (uint16_t)triangle);
         return;
     }
-
-    int64_t area = twice_area(v[0], v[1], v[2]);
+    int64_t area = (any & OFF_VIEW) == 0 ? small_twice_area(v[0], v[1], v[2]) : twice_area(v[0], v[1], v[2]);
     if (area >= 0 && (area == 0 || !d->as.two_sided))
         return;
     f->stats.front++;
-    if (sheen_bin_triangle(f, v, triangle, 0) && d->as.shader->light != NULL)
-        light_corners(&d->as, store, index);
+    if (sheen_bin_triangle(f, v, triangle, 0) && (all & LIT) == 0 && d->as.shader->light != NULL)
+        light_corners(f, d, index);
 }
 
 /* What is wrong with a material, SHEEN_ABOUT_NOTHING if nothing is. */
@@ -189,8 +205,9 @@ static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
     return SHEEN_OK;
 }
 
-/* Model to eye, lights in the model's space: what a draw's vertices and normals go by. */
-static int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t)
+/* Model to eye, lights in the model's space: what a draw's vertices and normals go by. viewpoint->a_warp 0: no test. */
+static APART int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
+                              struct viewpoint *viewpoint)
 {
     struct sheen_pose pose;
     const struct sheen_pose *view = &f->view.pose;
@@ -198,17 +215,32 @@ static int place_object(struct sheen_frame *f, const struct sheen_object *o, str
 
     if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, &f->projection, o->mesh, &pose) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
+    sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
+    if (o->two_sided)
+        viewpoint->a_warp = 0;
     int error = sheen_light_begin(&d->light, o->lights, o->light_count, pose.rotation,
                                   posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);
     return error < 0 ? refuse(f, error, SHEEN_ABOUT_LIGHTS, 0) : SHEEN_OK;
 }
 
-/* Every triangle, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. */
-static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t)
+/*
+ * Every triangle that may face the eye, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. Where
+ * vertices are short, what they would have made is not known.
+ */
+static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                          const struct viewpoint *viewpoint)
 {
-    f->entries_short = f->pieces_short = 0;
-    for (uint32_t i = 0; i < d->as.mesh->triangles; i++)
+    uint32_t faces = UINT32_MAX, end = d->as.mesh->triangles;
+
+    f->used_short = f->entries_short = f->pieces_short = 0;
+    memset(f->place + d->first_vertex, 0xff, d->as.mesh->vertices * sizeof *f->place);
+    for (uint32_t i = 0; i < end; i++) {
+        if (viewpoint->a_warp != 0 && (i = sheen_next_facing(viewpoint, d->as.mesh, i, &faces)) == end)
+            break;
         draw_triangle(f, d, t, i);
+    }
+    if (f->used_short > 0)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_USED, f->config.max_used + f->used_short);
     if (f->pieces_short > 0)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_CLIPPED, f->config.max_clipped + f->pieces_short);
     if (f->entries_short > 0)
@@ -238,8 +270,9 @@ static const uint16_t *ramp_of(struct sheen_frame *f, const struct colour_terms 
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
-    struct sheen_stats stats = f->stats;
-    uint32_t entries = f->entries, pieces = f->pieces;
+    struct viewpoint viewpoint;
+    uint32_t entries = f->entries, pieces = f->pieces, used = f->used, front = f->stats.front,
+             clipped = f->stats.clipped;
     unsigned ramps = f->ramps;
     struct draw_record *d = &f->draw[f->draws];
 
@@ -247,7 +280,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
         return SHEEN_ERR_STATE;
     int error = object_valid(f, object);
     if (error == SHEEN_OK)
-        error = place_object(f, object, &d->as, &t);
+        error = place_object(f, object, &d->as, &t, &viewpoint);
     if (error < 0)
         return error;
     d->as.mesh = object->mesh;
@@ -264,12 +297,13 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
     d->as.ramp = ramp_of(f, &d->as.colour);
     sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
-    transform_mesh(f, object->mesh, &t, f->vertex + d->first_vertex);
-    error = draw_triangles(f, d, &t);
+    error = draw_triangles(f, d, &t, &viewpoint);
     if (error < 0) {
         f->pieces = pieces;
         f->ramps = ramps;
-        f->stats = stats;
+        f->used = used;
+        f->stats.front = front;
+        f->stats.clipped = clipped;
         sheen_bin_rollback(f, entries);
         return error;
     }

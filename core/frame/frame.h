@@ -17,7 +17,7 @@
 /* What a draw call left behind for the bands. */
 struct draw_record {
     struct draw as;        /* what its triangles need */
-    uint32_t first_vertex; /* of the mesh in the frame's store */
+    uint32_t first_vertex; /* of the mesh in the frame's `place` */
     uint32_t end_entry;    /* entries of this draw end here */
 };
 
@@ -85,9 +85,10 @@ struct sheen_frame {
     unsigned bands, max_bands, bands_left;
     uint32_t *done;      /* a bit a band of this frame that has begun */
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
-    uint32_t vertices, entries, pieces, draws;
-    uint32_t entries_short, pieces_short; /* of this draw, found no room */
-    struct vertex *vertex;
+    uint32_t vertices, used, entries, pieces, draws;
+    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
+    uint16_t *place; /* of each vertex of the drawn meshes its place in `vertex`; config.max_used and more: none */
+    struct vertex *vertex; /* the used ones: transformed */
     struct entry *entry;
     uint32_t *cut; /* a bit an entry: its triangle is a piece */
     struct piece *piece;
@@ -110,6 +111,14 @@ static inline int32_t target_x(const struct sheen_frame *f, int32_t x)
 static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
 {
     return y + f->screen.centre_y;
+}
+
+#define NO_PLACE 0xffffu /* not used yet; a vertex that found no room has config.max_used */
+
+/* Vertex `index` of a draw's mesh, which is used. */
+static inline struct vertex *used_vertex(const struct sheen_frame *f, const struct draw_record *d, uint32_t index)
+{
+    return &f->vertex[f->place[d->first_vertex + index]];
 }
 
 /* pieces.c: cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */

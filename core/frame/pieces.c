@@ -12,7 +12,7 @@ static void triangle_corners(const struct sheen_frame *f, const struct draw_reco
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t index = mesh_index(d->as.mesh, 3u * triangle + k);
         corner[k].point = sheen_transform_point(t, d->as.mesh->positions + 3 * index);
-        corner[k].v = f->vertex[d->first_vertex + index];
+        corner[k].v = *used_vertex(f, d, index);
         for (uint32_t i = 0; i < 3; i++)
             corner[k].share[i] = i == k ? 1 << 30 : 0;
         normal[k] = d->as.mesh->normals != NULL ? d->as.mesh->normals + 3 * index : NULL;

@@ -10,6 +10,7 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     size_t tile = (size_t)c->target->width * c->band_rows, pixel = f->format.grey ? 1 : 2;
 
     *stats = f->stats;
+    stats->used = f->used;
     for (unsigned i = 0; i < c->workers; i++) {
         const struct sheen_stats *w = &f->worker[i].stats;
         stats->setups += w->setups;
@@ -20,7 +21,7 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
         stats->pixels += w->pixels;
     }
     stats->ram_arena = (uint32_t)f->arena_bytes;
-    stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof(struct vertex));
+    stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof *f->place + c->max_used * sizeof(struct vertex));
     stats->ram_lists = (uint32_t)(c->max_triangles * sizeof(struct entry));
     stats->ram_bands = (uint32_t)(c->workers * tile * (c->buffers * pixel + sizeof(uint16_t)));
 }
@@ -48,10 +49,10 @@ enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *need
 
 const char *sheen_subject_name(enum sheen_subject subject)
 {
-    static const char *const name[] = {"nothing",      "target",        "buffers",       "workers",     "lock",
-                                       "max_vertices", "max_triangles", "max_draws",     "max_clipped", "max_carried",
-                                       "viewport",     "fov",           "z_near, z_far", "pose",        "mesh",
-                                       "normals",      "material",      "shine",         "shader",      "lights"};
+    static const char *const name[] = {
+        "nothing",       "target",    "buffers",     "workers",     "lock",     "max_vertices", "max_used",
+        "max_triangles", "max_draws", "max_clipped", "max_carried", "viewport", "fov",          "z_near, z_far",
+        "pose",          "mesh",      "normals",     "material",    "shine",    "shader",       "lights"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }

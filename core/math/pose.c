@@ -13,7 +13,7 @@ void sheen_pose_identity(struct sheen_pose *pose)
         pose->translation[k] = 0;
 }
 
-int sheen_is_rotation(const sheen_q30_t r[9])
+int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
 {
     for (int i = 0; i < 3; i++)
         for (int j = i; j < 3; j++) {
@@ -21,7 +21,7 @@ int sheen_is_rotation(const sheen_q30_t r[9])
             for (int k = 0; k < 3; k++)
                 dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
             dot -= i == j ? 1 << 30 : 0;
-            if (dot > 1 << 20 || dot < -(1 << 20))
+            if (dot > within || dot < -within)
                 return 0;
         }
     return 1;
@@ -44,7 +44,7 @@ int sheen_pose_is_zero(const struct sheen_pose *p)
 
 int sheen_pose_valid(const struct sheen_pose *p)
 {
-    return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation));
+    return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation, 1 << 20));
 }
 
 /* A pose with its defaults filled in. */

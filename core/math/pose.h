@@ -6,8 +6,8 @@
 
 #include "../sheen.h"
 
-/* 1 where rows are of unit length and at right angles, within 1/1024; a mirror counts. */
-int sheen_is_rotation(const sheen_q30_t r[9]);
+/* 1 where rows' squared lengths and right angles are off by no more than `within`, Q1.30; a mirror counts. */
+int sheen_is_rotation(const sheen_q30_t r[9], int32_t within);
 
 /* No rotation given; nothing given at all. */
 int sheen_rotation_is_zero(const sheen_q30_t r[9]);

@@ -92,6 +92,12 @@ struct point sheen_transform_point(const struct transform *t, const int16_t posi
 /* screen_shift: of the point's transform. */
 void sheen_project(const struct projection *p, int screen_shift, struct point point, struct vertex *v);
 
+/* As twice_area, where no corner is OFF_VIEW: differences fit 16 bits, products 31. */
+static inline int32_t small_twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+    return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
+}
+
 /* Twice the signed area, 1/4096 px^2, positive where clockwise on the screen (y down). Range: < 2^33. */
 static inline int64_t twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
 {
@@ -113,6 +119,24 @@ static inline uint32_t mesh_index(const struct sheen_mesh *mesh, uint32_t i)
 {
     return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
 }
+
+/* ---- polygons that face away ---- */
+
+/*
+ * The eye from a mesh, raw units / 2^shift, and what n.(p - eye), n in Q0.15, has to be above to face away for sure: so
+ * much for each 1/1024 of warp, besides what is rounded.
+ */
+struct viewpoint {
+    int32_t eye[3];
+    int32_t a_warp; /* 0: no test */
+    unsigned shift;
+};
+
+void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
+                           const struct sheen_pose *pose);
+/* The first triangle from i on (i < triangles) that may face the eye; *faces: its polygon, at first UINT32_MAX. */
+uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen_mesh *mesh, uint32_t i,
+                           uint32_t *faces);
 
 /* ---- light ---- */
 

@@ -23,6 +23,9 @@ static const int16_t cube_polygon_normals[18] = {
 static const uint16_t cube_polygons[12] = {
     0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5,
 };
+static const uint8_t cube_warp[6] = {
+    1, 1, 1, 1, 1, 1,
+};
 static const uint8_t cube_indices[36] = {
     0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 8, 9, 10, 8, 10, 11, 12, 13, 14, 12, 14, 15, 16, 17, 18, 16, 18, 19, 20, 21,
     22, 20, 22, 23,
@@ -32,6 +35,7 @@ static const struct sheen_mesh cube = {
     .normals = cube_normals,
     .polygon_normals = cube_polygon_normals,
     .polygons = cube_polygons,
+    .warp = cube_warp,
     .indices = cube_indices,
     .index_bytes = 1,
     .vertices = 24,

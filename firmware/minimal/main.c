@@ -62,7 +62,7 @@ static const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN
 
 int main(void)
 {
-    static uint64_t arena[SHEEN_ARENA_BYTES(128, 64, 1, 16, 1, 8, 12, 1, 0, 12) / 8];
+    static uint64_t arena[SHEEN_ARENA_BYTES(128, 64, 1, 16, 1, 8, 8, 12, 1, 0, 12) / 8];
     size_t size = sizeof arena;
     struct sheen_bus bus = {.send = send, .delay = delay};
     struct sheen_panel panel;

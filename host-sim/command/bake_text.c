@@ -69,6 +69,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
         put_signed(stream, name, "polygon_normals", mesh->polygon_normals, 3u * quantised->polygon_count);
     if (flat && mesh->polygons)
         put_unsigned(stream, name, "polygons", mesh->polygons, 2, mesh->triangles);
+    if (flat)
+        put_unsigned(stream, name, "warp", mesh->warp, 1, quantised->polygon_count);
     put_unsigned(stream, name, "indices", mesh->indices, mesh->index_bytes, 3u * mesh->triangles);
 
     fprintf(stream, "static const struct sheen_mesh %s = {\n", name);
@@ -77,6 +79,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
         fprintf(stream, "    .polygon_normals = %s_polygon_normals,\n", name);
     if (flat && mesh->polygons)
         fprintf(stream, "    .polygons = %s_polygons,\n", name);
+    if (flat)
+        fprintf(stream, "    .warp = %s_warp,\n", name);
     fprintf(stream, "    .indices = %s_indices,\n    .index_bytes = %u,\n", name, mesh->index_bytes);
     fprintf(stream, "    .vertices = %u,\n    .triangles = %u,\n", mesh->vertices, mesh->triangles);
     fprintf(stream, "    .scale = %" PRId32 ",\n    .offset = {%" PRId32 ", %" PRId32 ", %" PRId32 "},\n};\n\n",

@@ -76,10 +76,11 @@ static int allocate(struct sheen_quantised *out, const struct chosen *chosen)
     out->positions = calloc(chosen->vertices, 3 * sizeof *out->positions);
     out->normals = calloc(chosen->vertices, 3 * sizeof *out->normals);
     out->polygon_normals = calloc(chosen->polygons, 3 * sizeof *out->polygon_normals);
+    out->warp = calloc(chosen->polygons, sizeof *out->warp);
     out->indices = calloc(chosen->triangles, 3 * (size_t)out->mesh.index_bytes);
     if (chosen->polygons < chosen->triangles)
         out->polygons = calloc(chosen->triangles, sizeof *out->polygons);
-    if (!out->positions || !out->normals || !out->polygon_normals || !out->indices ||
+    if (!out->positions || !out->normals || !out->polygon_normals || !out->warp || !out->indices ||
         (chosen->polygons < chosen->triangles && !out->polygons))
         return SHEEN_ERR_MEMORY;
     return SHEEN_OK;
@@ -140,6 +141,8 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
         out->mesh.polygons = out->polygons;
         out->mesh.indices = out->indices;
         out->mesh.scale = SHEEN_Q24(32768 / ONE);
+        sheen_mesh_warp(&out->mesh, out->polygon_count, out->warp);
+        out->mesh.warp = out->warp;
     }
     free(chosen.vertex);
     free(chosen.polygon);
@@ -154,6 +157,7 @@ void sheen_quantised_free(struct sheen_quantised *quantised)
     free(quantised->normals);
     free(quantised->polygon_normals);
     free(quantised->polygons);
+    free(quantised->warp);
     free(quantised->indices);
     memset(quantised, 0, sizeof *quantised);
 }

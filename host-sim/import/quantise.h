@@ -16,6 +16,7 @@ struct sheen_quantised {
     struct sheen_mesh mesh; /* points into the arrays below */
     int16_t *positions, *normals, *polygon_normals;
     uint16_t *polygons; /* NULL where every polygon is a triangle */
+    uint8_t *warp;
     void *indices;
     uint32_t polygon_count;
 };

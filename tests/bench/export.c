@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "sheen.h"
+
 #define PI 3.14159265358979323846
 #define MAX_VERTICES 2112
 #define MAX_TRIANGLES 3968
@@ -187,11 +189,16 @@ static void icosahedron(void)
     }
 }
 
+static long quantised(double (*v)[3], int i, double unit)
+{
+    return lround(32767 * v[i / 3][i % 3] / unit);
+}
+
 static void print_vectors(const char *name, int scene, double (*v)[3], int count, double unit)
 {
     printf("static const int16_t %s_%d[] = {", name, scene);
     for (int i = 0; i < 3 * count; i++)
-        printf("%s%ld,", i % 12 ? " " : "\n    ", lround(32767 * v[i / 3][i % 3] / unit));
+        printf("%s%ld,", i % 12 ? " " : "\n    ", quantised(v, i, unit));
     printf("\n};\n");
 }
 
@@ -211,19 +218,47 @@ static void print_pose(double degrees, double depth)
            lround(-s * 1073741824), lround(s * 1073741824), lround(c * 1073741824), lround(-depth * 16777216));
 }
 
-/* unit: what raw 32767 stands for; listed: room for triangles that face the eye. */
+/* unit: what raw 32767 stands for; used, listed: room for vertices and triangles that face the eye. */
 static struct scene {
     int number;
     void (*make)(void);
     double unit, depth, degrees;
-    int listed, vertices, triangles;
+    int used, listed, vertices, triangles;
 } scenes[] = {
-    {1, sphere, 1, 2.2195, 45, 1300, 0, 0},
-    {2, torus, 1.08, 2.6, 45, 1300, 0, 0},
-    {3, screen, 1.6, 2, 0, 2, 0, 0},
-    {5, icosahedron, 1, 2.2195, 45, 80, 0, 0},
+    {1, sphere, 1, 2.2195, 45, 800, 1300, 0, 0},
+    {2, torus, 1.08, 2.6, 45, 700, 1300, 0, 0},
+    {3, screen, 1.6, 2, 0, 4, 2, 0, 0},
+    {5, icosahedron, 1, 2.2195, 45, 42, 80, 0, 0},
 };
 #define SCENES (int)(sizeof scenes / sizeof scenes[0])
+
+/* What the baker would say of the mesh. */
+static void print_warp(const struct scene *s)
+{
+    static int16_t positions[3 * MAX_VERTICES], facing[3 * MAX_TRIANGLES];
+    static uint16_t polygon_of[MAX_TRIANGLES], indices[3 * MAX_TRIANGLES];
+    static uint8_t warp[MAX_TRIANGLES];
+    const struct sheen_mesh mesh = {.positions = positions,
+                                    .polygon_normals = facing,
+                                    .polygons = polygon_of,
+                                    .indices = indices,
+                                    .index_bytes = 2,
+                                    .triangles = (uint16_t)triangles};
+
+    for (int i = 0; i < 3 * vertices; i++)
+        positions[i] = (int16_t)quantised(position, i, s->unit);
+    for (int i = 0; i < 3 * polygons; i++)
+        facing[i] = (int16_t)quantised(polygon_normal, i, 1);
+    for (int i = 0; i < 3 * triangles; i++) {
+        polygon_of[i / 3] = (uint16_t)polygon[i / 3];
+        indices[i] = (uint16_t)triangle[i / 3][i % 3];
+    }
+    sheen_mesh_warp(&mesh, (uint32_t)polygons, warp);
+    printf("static const uint8_t warp_%d[] = {", s->number);
+    for (int i = 0; i < polygons; i++)
+        printf("%s%d,", i % 24 ? " " : "\n    ", warp[i]);
+    printf("\n};\n");
+}
 
 static void print_scene(const struct scene *s)
 {
@@ -231,15 +266,15 @@ static void print_scene(const struct scene *s)
 
     printf("    {\"S%d\",\n"
            "     {.positions = positions_%d, .normals = normals_%d, .polygon_normals = polygon_normals_%d,\n"
-           "      .polygons = polygons_%d, .indices = indices_%d, .index_bytes = 2,\n"
+           "      .polygons = polygons_%d, .indices = indices_%d, .warp = warp_%d, .index_bytes = 2,\n"
            "      .vertices = %d, .triangles = %d, .scale = %ld},\n     {",
-           number, number, number, number, number, number, s->vertices, s->triangles,
+           number, number, number, number, number, number, number, s->vertices, s->triangles,
            lround(s->unit * 32768 / 32767 * 16777216));
     print_pose(s->degrees - 1, s->depth);
     printf(",\n      ");
     print_pose(s->degrees, s->depth);
-    printf("},\n     %ld, %ld, %d},\n", lround((s->depth - 1.1) * 16777216), lround((s->depth + 1.1) * 16777216),
-           s->listed);
+    printf("},\n     %ld, %ld, %d, %d},\n", lround((s->depth - 1.1) * 16777216), lround((s->depth + 1.1) * 16777216),
+           s->used, s->listed);
 }
 
 int main(void)
@@ -255,6 +290,7 @@ int main(void)
         print_vectors("polygon_normals", s->number, polygon_normal, polygons, 1);
         print_numbers("polygons", s->number, polygon, triangles);
         print_numbers("indices", s->number, triangle[0], 3 * triangles);
+        print_warp(s);
     }
     printf("\nconst struct bench_scene bench_scenes[BENCH_SCENES] = {\n");
     for (int i = 0; i < SCENES; i++)

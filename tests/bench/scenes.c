@@ -25,6 +25,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
                                           .band_rows = (uint16_t)band_rows,
                                           .buffers = 1,
                                           .max_vertices = scene->mesh.vertices,
+                                          .max_used = scene->max_used,
                                           .max_triangles = scene->max_triangles,
                                           .max_draws = 1};
 }

@@ -24,7 +24,7 @@ struct bench_scene {
     struct sheen_mesh mesh;
     struct sheen_pose pose[2]; /* of both frames */
     sheen_q24_t near, far;
-    uint16_t max_triangles; /* listed, with some to spare */
+    uint16_t max_used, max_triangles; /* used and listed, with some to spare */
 };
 
 /* Made by export.c at build time: boards have no libm to make them with. */

@@ -1,0 +1,75 @@
+/*
+ * warp.c - how far the triangles of a mesh lie off their polygons' normals.
+ */
+#include "../math/fixed.h"
+#include "../math/vector.h"
+
+/* floor(sqrt(x)), x < 2^60. */
+static uint32_t whole_root(uint64_t x)
+{
+    uint32_t root = 0;
+
+    for (uint32_t bit = 1u << 29; bit != 0; bit >>= 1)
+        if ((uint64_t)(root | bit) * (root | bit) <= x)
+            root |= bit;
+    return root;
+}
+
+static uint32_t corner_index(const struct sheen_mesh *mesh, uint32_t i)
+{
+    return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
+}
+
+/* A triangle's unit normal, Q1.30; 0 where it has no area. Range: differences < 2^16.01, their products < 2^33.1. */
+static int unit_normal(const int16_t *const corner[3], sheen_q30_t normal[3])
+{
+    int64_t cross[3];
+
+    for (int k = 0; k < 3; k++) {
+        int u = k == 2 ? 0 : k + 1, v = k == 0 ? 2 : k - 1;
+        cross[k] = (int64_t)(corner[1][u] - corner[0][u]) * (corner[2][v] - corner[0][v]) -
+                   (int64_t)(corner[1][v] - corner[0][v]) * (corner[2][u] - corner[0][u]);
+    }
+    return sheen_normalize_wide(cross, normal) == SHEEN_OK;
+}
+
+/* Of one triangle, rounded up. `at`: where its polygon begins, a distance of 56,756 raw units counts as 1.0. */
+static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_normal[3], const int16_t at[3])
+{
+    sheen_q30_t normal[3];
+    uint64_t square = 0;
+    int64_t distance = 0; /* Q.30, < 2^17 raw units */
+
+    if (!unit_normal(corner, normal))
+        return 0;
+    for (int k = 0; k < 3; k++) {
+        int32_t off = normal[k] - polygon_normal[k] * 32769; /* 2^30 / 32767, less 2^-15 of it */
+        if (magnitude32(off) >= 1u << 29)
+            return SHEEN_WARP_UNKNOWN;
+        square += (uint64_t)((int64_t)off * off);
+        distance += (int64_t)normal[k] * (corner[0][k] - at[k]);
+    }
+    uint32_t away = (uint32_t)asr64(distance < 0 ? -distance : distance, 30) + 1;
+    uint32_t warp = whole_root(square) + 8 + away * 18919; /* Q.30: 2^30 / 56756 = 18918.6; 8: rounded parts */
+    return (uint8_t)(warp >> 20 < SHEEN_WARP_UNKNOWN - 1 ? (warp >> 20) + 1 : SHEEN_WARP_UNKNOWN);
+}
+
+void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp)
+{
+    uint32_t polygon = UINT32_MAX;
+    const int16_t *at = mesh->positions;
+
+    for (uint32_t p = 0; p < polygon_count; p++)
+        warp[p] = 0;
+    for (uint32_t t = 0; t < mesh->triangles; t++) {
+        const int16_t *corner[3];
+        for (uint32_t k = 0; k < 3; k++)
+            corner[k] = mesh->positions + 3 * corner_index(mesh, 3 * t + k);
+        uint32_t own = mesh->polygons != NULL ? mesh->polygons[t] : t;
+        if (own != polygon)
+            at = corner[0];
+        polygon = own;
+        uint8_t here = warp_of(corner, mesh->polygon_normals + 3 * polygon, at);
+        warp[polygon] = here > warp[polygon] ? here : warp[polygon];
+    }
+}
