@@ -122,11 +122,11 @@ int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, co
     return status;
 }
 
-bool accuracy_kept(const struct ref_score *score, enum ref_shading shading)
+bool accuracy_kept(const struct ref_score *score, enum ref_shading shading, double least_compared)
 {
     const struct accuracy_limit *limit = &accuracy_limits[shading];
     double compared = (double)score->compared;
 
-    return compared >= ACCURACY_COMPARED * (double)score->covered && score->equal >= limit->equal * compared &&
+    return compared >= least_compared * (double)score->covered && score->equal >= limit->equal * compared &&
            score->within_one >= limit->within_one * compared && score->worst <= limit->worst;
 }

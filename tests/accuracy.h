@@ -49,7 +49,7 @@ struct accuracy_shot {
 int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
                    const struct sheen_mesh *mesh, unsigned way);
 
-/* True where the score keeps the limit for its shading. */
-bool accuracy_kept(const struct ref_score *score, enum ref_shading shading);
+/* True where the score keeps the limits of its shading, and so much of what is covered was compared. */
+bool accuracy_kept(const struct ref_score *score, enum ref_shading shading, double least_compared);
 
 #endif

@@ -17,7 +17,8 @@ static double share(long part, long whole)
 
 void accuracy_line_begin(struct accuracy_line *line)
 {
-    *line = (struct accuracy_line){.compared = 1, .equal = 2, .within_one = 1, .highlight = 1};
+    *line = (struct accuracy_line){
+        .compared = 1, .equal = 2, .within_one = 1, .highlight = 1, .least_compared = ACCURACY_COMPARED};
 }
 
 int accuracy_line_add(struct accuracy_line *line, const struct accuracy_shot *shot, const struct ref_scene *scene,
@@ -45,7 +46,7 @@ int accuracy_line_add(struct accuracy_line *line, const struct accuracy_shot *sh
     line->setups += shot->stats.frame.setups;
     for (int way = 0; way < SHEEN_WAYS; way++)
         line->by_way[way] += shot->stats.by_way[way];
-    if (accuracy_kept(score, scene->shading))
+    if (accuracy_kept(score, scene->shading, line->least_compared))
         return 0;
     printf("  FAILED %s: %ld covered, %ld compared, %ld equal, %ld within one step, worst %d at (%d, %d) of triangle "
            "%u\n",

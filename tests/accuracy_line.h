@@ -10,7 +10,8 @@
 struct accuracy_line {
     double compared, equal, mean, within_one, highlight;
     int worst, pictures;
-    char lowest[64]; /* which picture had the lowest equal share */
+    double least_compared; /* of the covered pixels, ACCURACY_COMPARED after accuracy_line_begin */
+    char lowest[64];       /* which picture had the lowest equal share */
     uint64_t setups, by_way[SHEEN_WAYS];
 };
 

@@ -2,12 +2,13 @@
  * test_accuracy.c - how close the integers come to the picture in double precision.
  *
  * Every picture is judged by itself; a line sums up one mesh, view and shading: both sizes, perspective and
- * affine, shininess 8, 32 and 128. There the core chooses how each triangle is shaded. Then each of the ways it
+ * affine, shininess 8, 32 and 128; the light behind, strong highlights, cuts and dither besides. There the core chooses how each triangle is shaded. Then each of the ways it
  * chooses among is forced on all of the mesh's pictures, on every triangle that admits it (struct sheen_object's
  * `way`), and has to keep the same limits. With an argument each picture that fails is written as PPM files with
  * that prefix.
  */
 #include <stdio.h>
+#include <string.h>
 
 #include "accuracy_line.h"
 #include "loaded_mesh.h"
@@ -15,13 +16,20 @@
 static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 static const char *prefix;
 
+#define COARSE 100 /* triangles of a mesh whose highlights are as large as its triangles, at most */
+
 /* What a line varies besides. */
 enum variant {
     PLAIN,
     LIGHTS,
-    ORTHO
+    ORTHO,
+    BEHIND, /* the light, behind the mesh; full highlights */
+    STRONG, /* full highlights of shininess 1, 4, 24, 128 */
+    CUT,    /* by the near plane and the far one; every other picture magnified, by the guard band */
+    DITHER,
+    VARIANTS
 };
-static const char *const variant_name[] = {"", "lights", "ortho"};
+static const char *const variant_name[VARIANTS] = {"", "lights", "ortho", "behind", "strong", "cut", "dither"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
 #define FORCED 5
@@ -43,6 +51,8 @@ struct mesh_lines {
 };
 
 static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
+static struct accuracy_line lowest[4];         /* by shading: the line that holds the lowest equal share, as chosen */
+static char lowest_mesh[4][24];
 
 /* Without perspective linear is exact and the only way; with several lights Phong has one way. */
 static bool has_ways(const struct ref_scene *scene, const struct forced *f)
@@ -85,9 +95,9 @@ static int draw_and_add(struct accuracy_line *line, struct accuracy_shot *shot, 
     return failed;
 }
 
-/* One picture, chosen and forced. Pictures that failed. */
+/* One picture, chosen and, where asked for, forced. Pictures that failed. */
 static int judge(struct accuracy_line *line, struct mesh_lines *lines, const struct ref_scene *scene,
-                 const struct sheen_mesh *mesh, int view)
+                 const struct sheen_mesh *mesh, int view, bool forcing)
 {
     static struct accuracy_shot shot;
     struct ref_picture picture;
@@ -101,7 +111,7 @@ static int judge(struct accuracy_line *line, struct mesh_lines *lines, const str
     lines->chosen.setups += shot.stats.frame.setups;
     for (int way = 0; way < SHEEN_WAYS; way++)
         lines->chosen.by_way[way] += shot.stats.by_way[way];
-    for (int i = 0; i < FORCED; i++) {
+    for (int i = 0; forcing && i < FORCED; i++) {
         const struct forced *f = &forced[i];
         if (f->shading != scene->shading || !has_ways(scene, f))
             continue;
@@ -110,6 +120,39 @@ static int judge(struct accuracy_line *line, struct mesh_lines *lines, const str
     }
     ref_picture_free(&picture);
     return failed;
+}
+
+static void vary(struct ref_scene *scene, enum variant variant, int i)
+{
+    static const double behind[3] = {-0.6, 0.3, -0.7}, shininess[4] = {1, 4, 24, 128};
+
+    switch (variant) {
+    case LIGHTS:
+        accuracy_more_lights(scene);
+        break;
+    case ORTHO:
+        accuracy_ortho(scene);
+        break;
+    case BEHIND:
+        memcpy(scene->light[0], behind, sizeof behind);
+        scene->specular = 1;
+        break;
+    case STRONG:
+        scene->shininess = shininess[i % 4];
+        scene->specular = 1;
+        break;
+    case CUT:
+        scene->near = scene->distance - 0.9;
+        scene->far = scene->distance - 0.1;
+        if (i % 2)
+            scene->fov = 14;
+        break;
+    case DITHER:
+        scene->dither = true;
+        break;
+    default:
+        break;
+    }
 }
 
 /* A line of the table: 12 pictures. */
@@ -122,6 +165,8 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
     int failed = 0;
 
     accuracy_line_begin(&line);
+    if (variant == CUT)
+        line.least_compared = 0.1; /* much of what is left lies at the cut */
     for (int i = 0; i < 12; i++) {
         struct ref_scene scene;
         accuracy_view(&scene, &mesh->reference, view);
@@ -129,14 +174,15 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
         scene.shininess = shininess[i % 3];
         scene.affine = i / 3 % 2;
         scene.width = i / 6 ? 240 : 320;
-        if (variant == LIGHTS)
-            accuracy_more_lights(&scene);
-        if (variant == ORTHO)
-            accuracy_ortho(&scene);
-        failed += judge(&line, lines, &scene, mesh->mesh, view);
+        vary(&scene, variant, i);
+        failed += judge(&line, lines, &scene, mesh->mesh, view, variant <= ORTHO);
     }
     snprintf(what, sizeof what, "%d %s", view, variant_name[variant]);
     accuracy_line_print(&line, mesh->name, what, shading_name[shading]);
+    if (line.equal < lowest[shading].equal) {
+        lowest[shading] = line;
+        snprintf(lowest_mesh[shading], sizeof lowest_mesh[shading], "%s", mesh->name);
+    }
     return failed;
 }
 
@@ -172,6 +218,12 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
         failed += judge_line(&lines, mesh, view, shading, PLAIN);
     failed += judge_line(&lines, mesh, 1, shading, LIGHTS);
     failed += judge_line(&lines, mesh, 0, shading, ORTHO);
+    failed += judge_line(&lines, mesh, 0, shading, BEHIND);
+    failed += judge_line(&lines, mesh, 2, shading, DITHER);
+    if (shading != REF_SLERP) /* which the definition exempts where triangles were cut */
+        failed += judge_line(&lines, mesh, 1, shading, CUT);
+    if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)
+        failed += judge_line(&lines, mesh, 1, shading, STRONG);
     print_ways(&lines, mesh, shading);
     return failed;
 }
@@ -230,6 +282,8 @@ int main(int argc, char **argv)
     int failed = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
+    for (int i = 0; i < 4; i++)
+        accuracy_line_begin(&lowest[i]);
     accuracy_line_heading();
     for (size_t i = 0; i < sizeof loaded / sizeof *loaded; i++)
         failed += judge_loaded(loaded[i], REF_GOURAUD);
@@ -237,6 +291,9 @@ int main(int argc, char **argv)
     for (int index = 0; index < ACCURACY_SHAPES; index++)
         failed += judge_shape(index);
     failed += judge_shares();
+    for (int i = 0; i < 4; i++)
+        printf("lowest equal share of %-8s %.2f %%: %s, %s\n", shading_name[i], 100 * lowest[i].equal, lowest_mesh[i],
+               lowest[i].lowest);
     printf("%d pictures outside their limits\n", failed);
     return failed != 0;
 }

@@ -76,7 +76,7 @@ static int missed(void)
         accuracy_view(&scene, &sphere.reference, i / 3);
         scene.shininess = shininess[i % 3];
         shoot(&scene);
-        count += !accuracy_kept(score, REF_PHONG);
+        count += !accuracy_kept(score, REF_PHONG, ACCURACY_COMPARED);
         double share = (double)score->equal / (double)score->compared;
         equal = share < equal ? share : equal;
         share = (double)score->within_one / (double)score->compared;
