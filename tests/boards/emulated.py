@@ -3,10 +3,12 @@ import array
 import json
 import os
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 PATIENCE = 20  # s, for an answer of the firmware
 
@@ -41,6 +43,37 @@ def read_pictures(path, pixels):
     if not values or len(values) % pixels:
         raise Failed(f"{path}: {len(values)} values are not whole pictures of {pixels}")
     return [values[i:i + pixels] for i in range(0, len(values), pixels)]
+
+
+def read_png(path):
+    """The levels of a 128 x 64 picture, 8 bits, RGB: what png_file.c writes."""
+    with open(path, "rb") as f:
+        data = f.read()
+    width, height, depth, colour = struct.unpack(">IIBB", data[16:26])
+    if (width, height, depth, colour) != (128, 64, 8, 2):
+        raise Failed(f"{path}: {width} x {height}, depth {depth}, colour {colour}")
+    packed, at = b"", 8
+    while at < len(data):
+        (length,) = struct.unpack(">I", data[at:at + 4])
+        if data[at + 4:at + 8] == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        at += length + 12
+    return unfilter(zlib.decompress(packed), 3 * width, height)
+
+
+def unfilter(raw, row_bytes, height):
+    """Undoes PNG's row filters (PNG specification, chapter 9); returns the levels 0..15 of the red bytes."""
+    above, levels = bytearray(row_bytes), array.array("H")
+    for y in range(height):
+        kind, row = raw[y * (row_bytes + 1)], bytearray(raw[y * (row_bytes + 1) + 1:(y + 1) * (row_bytes + 1)])
+        for i in range(row_bytes):
+            left, up, corner = (row[i - 3], above[i], above[i - 3]) if i >= 3 else (0, above[i], 0)
+            near = min((abs(up - corner), 0, left), (abs(left - corner), 1, up),
+                       (abs(left + up - 2 * corner), 2, corner))[2]
+            row[i] = (row[i] + (0, left, up, (left + up) // 2, near)[kind]) & 255
+        levels.extend((value * 15 + 127) // 255 for value in row[::3])
+        above = row
+    return levels
 
 
 def different(got, want):

@@ -7,8 +7,8 @@ const sheen_panel_record &record = sheen_panel_ssd0323;
 const unsigned orientation = 0;
 const sheen_shader &shading = sheen_phong;
 
-// Width, height, bytes a pixel (greys: 1), rows a band, buffers; what is drawn.
-uint64_t arena[SHEEN_ARENA_BYTES(128, 64, 1, 16, 1, 529, 992, 1, 0, 40) / 8];
+// 128 x 64 greys, bands of 16 rows, this mesh; for others: sheen_arena_size(), or SHEEN_ARENA_BYTES() in sheen_arena.h.
+uint64_t arena[32000 / 8];
 sheen_frame *frame;
 sheen_material gold;
 sheen_light lamp;
