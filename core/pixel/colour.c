@@ -37,7 +37,7 @@ static uint32_t colour_share(uint8_t colour)
 }
 
 /* scale * colour * intensity, UQ.32. Range: 2^24 * 2^16 * 2^22 = 2^62. */
-static uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
+static APART uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
 {
     return ((uint64_t)format->scale[k] * colour_share(colour) * intensity) >> 16;
 }
@@ -176,6 +176,7 @@ const uint8_t sheen_thresholds[9][8] = {
     {31, 95, 15, 79, 27, 91, 11, 75},     {127, 63, 111, 47, 123, 59, 107, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
 };
 
+#if FAST_LOOPS
 /* A row of the thresholds over and over. */
 #define DITHER_8(a, b, c, d, e, f, g, h) 16 * (a), 16 * (b), 16 * (c), 16 * (d), 16 * (e), 16 * (f), 16 * (g), 16 * (h)
 #define DITHER_ROW(...)                                                                                                \
@@ -190,6 +191,7 @@ const uint16_t sheen_dither_rows[8][DITHER_RUN + 8] = {
     DITHER_ROW(7, 71, 23, 87, 3, 67, 19, 83),   DITHER_ROW(103, 39, 119, 55, 99, 35, 115, 51),
     DITHER_ROW(31, 95, 15, 79, 27, 91, 11, 75), DITHER_ROW(127, 63, 111, 47, 123, 59, 107, 43),
 };
+#endif
 
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)

@@ -45,6 +45,12 @@ struct wide_steps {
     unsigned exponent; /* 20..40 */
 };
 
+/* (a x + b y) / 2^shift, rounded. */
+static APART int64_t wide_sum(int64_t a, int32_t x, int64_t b, int32_t y, unsigned shift)
+{
+    return round_shift64(a * x + b * y, shift);
+}
+
 /* Range: differences <= 65,408 (2 * 511 px), bits <= 16; a difference times the reciprocal <= (2^bits - 1) 2^32. */
 static void wide_steps_of(const struct gradients *g, struct wide_steps *w)
 {
@@ -52,10 +58,10 @@ static void wide_steps_of(const struct gradients *g, struct wide_steps *w)
     int64_t scale = sheen_reciprocal(g->area << zeros); /* 1/area = scale * 2^(zeros - 63) */
 
     w->exponent = 56 - zeros - g->bits;
-    w->b1[0] = (int32_t)round_shift64(g->to2[1] * scale, shift);
-    w->b1[1] = (int32_t)round_shift64(-g->to2[0] * scale, shift);
-    w->b2[0] = (int32_t)round_shift64(-g->to1[1] * scale, shift);
-    w->b2[1] = (int32_t)round_shift64(g->to1[0] * scale, shift);
+    w->b1[0] = (int32_t)wide_sum(scale, g->to2[1], 0, 0, shift);
+    w->b1[1] = (int32_t)wide_sum(scale, -g->to2[0], 0, 0, shift);
+    w->b2[0] = (int32_t)wide_sum(scale, -g->to1[1], 0, 0, shift);
+    w->b2[1] = (int32_t)wide_sum(scale, g->to1[0], 0, 0, shift);
 }
 
 /*
@@ -71,10 +77,9 @@ void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up,
 
     wide_steps_of(g, &w);
     unsigned shift = w.exponent - up;
-    s->dx = round_shift64(d1 * w.b1[0] + d2 * w.b2[0], shift);
-    s->dy = round_shift64(d1 * w.b1[1] + d2 * w.b2[1], shift);
-    s->value =
-        value[0] * ((int64_t)1 << up) + round_shift64(s->dx * g->centre[0] + s->dy * g->centre[1], SUBPIXEL_BITS);
+    s->dx = wide_sum(d1, w.b1[0], d2, w.b2[0], shift);
+    s->dy = wide_sum(d1, w.b1[1], d2, w.b2[1], shift);
+    s->value = value[0] * ((int64_t)1 << up) + wide_sum(s->dx, g->centre[0], s->dy, g->centre[1], SUBPIXEL_BITS);
 }
 
 /* Modulo 2^32, moved from the origin pixel to pixel (0, 0) of the target. */

@@ -72,11 +72,40 @@ struct packed_at {
     struct packed colour;
 };
 
-/* to_threshold: bytes from a pixel's depth to its threshold. Without dither rounding is in the words. */
+/* Without dither rounding is in the words. */
 struct packed_way {
-    intptr_t to_pixel, to_threshold;
+    intptr_t to_pixel;
     unsigned dither, swap;
+#if FAST_LOOPS
+    intptr_t to_threshold; /* bytes from a pixel's depth */
+#else
+    const uint8_t *thresholds; /* of the row */
+    const uint16_t *row;       /* the depth in column 0, or any other that is a multiple of 8 */
+#endif
 };
+
+/* The way of a run that begins in pixel (x, y). */
+SPECIALISED void packed_begin(struct packed_way *way, const uint16_t *depth, uint32_t x, uint32_t y)
+{
+    if (!way->dither)
+        return;
+#if FAST_LOOPS
+    way->to_threshold = (intptr_t)&sheen_dither_rows[y & 7u][x & 7u] - (intptr_t)depth;
+#else
+    way->thresholds = sheen_thresholds[y & 7u];
+    way->row = depth - (x & 7u);
+#endif
+}
+
+/* In 1/2048 level. */
+SPECIALISED uint32_t packed_threshold(const uint16_t *depth, const struct packed_way *way)
+{
+#if FAST_LOOPS
+    return *(const uint16_t *)((intptr_t)depth + way->to_threshold);
+#else
+    return (uint32_t)way->thresholds[(depth - way->row) & 7] << 4;
+#endif
+}
 
 SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
                               const struct packed_way *way)
@@ -85,7 +114,7 @@ SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct pack
         struct packed p = at->colour;
         if (way->dither) {
             SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
-            uint32_t threshold = *(const uint16_t *)((intptr_t)depth + way->to_threshold);
+            uint32_t threshold = packed_threshold(depth, way);
             p.red_blue += (threshold << 16) + threshold;
             p.green += threshold << 15;
         }
@@ -102,8 +131,7 @@ SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, u
 {
     const uint16_t *end = depth + count;
 
-    if (way.dither)
-        way.to_threshold = (intptr_t)&sheen_dither_rows[y & 7u][x & 7u] - (intptr_t)depth;
+    packed_begin(&way, depth, x, y);
     do
         packed_pixel(t, depth, &at, &step, &way);
     while (++depth != end);
@@ -113,7 +141,7 @@ SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s,
 {
     const struct plane depth = s->s.depth, red_blue = s->red_blue, green = s->green;
     const struct packed_at step = {depth.dx, {red_blue.dx, green.dx}};
-    const struct packed_way way = {t->to_pixel, 0, dither, swap};
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
     const struct span *span = t->spans, *end = span + t->rows;
     uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy;
     struct packed row = {red_blue.base + y * red_blue.dy, green.base + y * green.dy};
@@ -153,7 +181,7 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
     const unsigned fraction = l->s.draw->colour.fraction;
     const uint32_t steps[3] = {c[0].dx, c[1].dx, c[2].dx}, half = dither ? 0 : 1u << (fraction - 1);
     const struct packed_at step = {l->s.depth.dx, pack_channels(steps, fraction)};
-    const struct packed_way way = {t->to_pixel, 0, dither, swap};
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
