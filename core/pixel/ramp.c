@@ -19,8 +19,11 @@ uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned 
 
 int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t)
 {
-    return ramp->fraction == t->fraction && memcmp(ramp->a, t->a, sizeof t->a) == 0 &&
-           memcmp(ramp->b, t->b, sizeof t->b) == 0;
+    int same = ramp->fraction == t->fraction;
+
+    for (int k = 0; k < 3; k++)
+        same &= ramp->a[k] == t->a[k] && ramp->b[k] == t->b[k];
+    return same;
 }
 
 void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const struct pixel_format *format)
