@@ -5,7 +5,7 @@
 'use strict';
 
 /*
- * An instance of the module. files: a Map of names to bytes, which may change. Has exports `x`; `output`, all bytes
+ * An instance of the compiled module. files: a Map of names to bytes, which may change. Has exports `x`; `output`, all bytes
  * that went to standard output, and `errors`, the text of standard error, both the caller's to empty.
  */
 async function sheenHost(code, files) {
@@ -86,8 +86,7 @@ async function sheenHost(code, files) {
         fd_seek: () => NO_SEEK,
         proc_exit: status => { throw new SheenEnd(status); },
     };
-    const { instance } = await WebAssembly.instantiate(code, { wasi_snapshot_preview1: wasi });
-    host.x = instance.exports;
+    host.x = (await WebAssembly.instantiate(code, { wasi_snapshot_preview1: wasi })).exports;
     host.x._initialize();
 
     // Text at an address, null at 0; a list of words into the module, which returns how many there are.

@@ -20,7 +20,7 @@ const PRESETS = { // color, ambient, diffuse, specular, shininess
 const SPIN_DEGREES = 36; // a second
 const READ_SECONDS = 10;
 
-let code, sheen; // the module's bytes, its instance that draws
+let code, sheen; // the module, its instance that draws
 const defaults = {}, choices = {}, helps = {}; // of the options of `sheen view`, by name
 let settings = {}; // those that are not the default; lights: a list
 let lights = [];
@@ -202,6 +202,8 @@ function show() {
     if (error) {
         takeWarnings();
         failed(sheen.text(sheen.x.web_problem()));
+        if (!mesh.startsWith('builtin:') && !sheen.files.has(mesh))
+            $('messages').append(make('li', {}, 'The link is to a file of somebody’s own. Dropped here it is shown as the link says.'));
         return false;
     }
     const is_first = !shown || timed !== mesh; // which loads it
@@ -726,7 +728,7 @@ async function begin() {
         return;
     }
     try {
-        code = Uint8Array.from(atob($('wasm').textContent.trim()), c => c.charCodeAt(0));
+        code = await WebAssembly.compile(Uint8Array.from(atob($('wasm').textContent.trim()), c => c.charCodeAt(0)));
         sheen = await sheenHost(code, new Map());
     } catch (error) {
         banner.textContent = `sheen does not start in this browser: ${error.message}`;

@@ -173,12 +173,7 @@ void EXPORT(web_forget)(void)
     close_viewer();
 }
 
-/* The next frame, turned by yaw_step; the next band of it. 0, or a negative code and web_problem(). */
-int EXPORT(web_next)(void)
-{
-    return sheen_viewer_next(&viewer, &problem);
-}
-
+/* The next band, of a frame turned by yaw_step where none is under way. 0, or a negative code and web_problem(). */
 int EXPORT(web_band)(void)
 {
     return sheen_viewer_band(&viewer, &problem);

@@ -136,13 +136,16 @@ for (const [bad, line] of [['#panel=tv', /no panel|tv/], ['#nonsense=1', /unknow
     ['#mesh=absent.stl', /absent.stl: No such file/], ['#mesh=%3Cimg src=x onerror=alert(1)%3E', /: No such file/]]) {
     const other = await browser.page({ hash: bad });
     const lines = await said(other);
-    check(`${bad} says ${lines}`, lines.length === 1 && line.test(lines[0]) && lines[0].startsWith('sheen: '));
+    check(`${bad} says ${lines}`, lines.length === (bad.startsWith('#mesh') ? 2 : 1) && line.test(lines[0]) && lines[0].startsWith('sheen: '));
     await other.click('#reset');
     await settle(other);
     check(`${bad}: reset`, differing(await glass(other), render(sheen, folder,
         ['builtin:teapot', '--distance', '2.4', '--specular', '.6', '--cull', 'none'])) === 0);
     await other.close();
 }
+await page.click('#copy');
+await page.waitForFunction('/link/.test(document.querySelector("#messages").textContent)');
+check('the address is the link', await page.evaluate('location.hash === link()'));
 await page.close();
 
 // ---- bands ----
@@ -212,10 +215,47 @@ async function bakeAndCompare(name, mesh, ...words) {
     check(`flash of ${name}: ${bytes}`, report.some(line => line === `flash: ${bytes} B`) || name === 'box');
 }
 await bakeAndCompare('box', data('box.obj'));
+await page.evaluate(() => { // a reader that never answers, and a clock that does not wait for it
+    const [worker, timeout] = [Worker, setTimeout];
+    Worker = class { postMessage() {} terminate() { Worker = worker; window.setTimeout = timeout; } };
+    window.setTimeout = (act, ms) => timeout(act, ms === 1000 * READ_SECONDS ? 50 : ms);
+});
+await (await page.$('#file')).uploadFile(data('egg.obj'));
+await page.waitForFunction('/more than/.test(document.querySelector("#messages").textContent)');
+check(`a reader without end: ${await said(page)}`, (await said(page))[0] === 'sheen: egg.obj: reading it takes more than 10 s');
+await checkLine(page, 'after a reader without end', path.join(source, 'tests', 'data'));
+
 await page.click('#reset');
 await page.select('#normals', 'average');
 await settle(page);
 await bakeAndCompare('teapot', 'builtin:teapot', '--normals', 'average');
+await page.close();
+
+// ---- a stranger: his STL, his panel, the header, a program with it ----
+page = await browser.page();
+const walk = await page.createCDPSession();
+await walk.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+const stl = path.join(folder, 'wedge.stl');
+fs.writeFileSync(stl, ['0 0 0 4 0 0 0 3 0', '0 0 0 0 3 0 0 0 2', '0 0 0 0 0 2 4 0 0', '4 0 0 0 0 2 0 3 0'].reduce((text, facet) => {
+    const n = facet.split(' ').map(Number);
+    return text + `facet normal 0 0 0\nouter loop\n${[0, 3, 6].map(at => `vertex ${n.slice(at, at + 3).join(' ')}\n`).join('')}` +
+        'endloop\nendfacet\n';
+}, 'solid wedge\n') + 'endsolid wedge\n');
+await (await page.$('#file')).uploadFile(stl);
+await page.waitForFunction('mesh === "wedge.stl" && !is_busy');
+await page.select('#panel', 'st7789-135x240');
+check('a stranger', (await checkLine(page, 'a stranger')).includes('--panel st7789-135x240'));
+await bakeAndCompare('wedge', stl);
+fs.writeFileSync(path.join(folder, 'wedge.c'), `#include <stdio.h>
+#include "wedge.h"
+int main(void)
+{
+    printf("%u vertices, %u triangles\\n", wedge.vertices, wedge.triangles);
+    return sheen_mesh_check(&wedge, wedge.triangles);
+}
+`);
+execFileSync('bash', ['-c', 'gcc -O0 -I "$1/core" -I "$2/downloads" -o "$2/wedge" "$2/wedge.c" "$1"/core/*/*.c', '-', source, folder]);
+check('the header runs', execFileSync(path.join(folder, 'wedge')).toString() === '12 vertices, 4 triangles\n');
 await page.close();
 
 // ---- a phone: touch, and no scrolling sideways ----
@@ -268,7 +308,7 @@ server.close();
 
 // ---- where it cannot run ----
 for (const [before, line] of [['delete window.WebAssembly', /has no WebAssembly/],
-    ['WebAssembly.instantiate = () => Promise.reject(new Error("no memory"))', /does not start in this browser: no memory/]]) {
+    ['WebAssembly.compile = () => Promise.reject(new Error("no memory"))', /does not start in this browser: no memory/]]) {
     page = await browser.page({ before });
     const banner = await page.$eval('#banner', element => element.hidden ? '' : element.textContent);
     check(`${before}: says ${banner}`, line.test(banner));
