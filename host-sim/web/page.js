@@ -179,7 +179,7 @@ function showNumbers() {
         `${count(stats.pixels.shaded)} pixels shaded`
         : `band ${band + 1} of ${x.web_bands()}: rows ${x.web_band_row(0)} to ${x.web_band_row(1) - 1}, ` +
         `${count(sent)} B so far`);
-    const box = $('band');
+    const box = $('rows');
     box.hidden = band < 0;
     box.style.top = `${100 * x.web_band_row(0) / x.web_height()}%`;
     box.style.height = `${100 * (x.web_band_row(1) - x.web_band_row(0)) / x.web_height()}%`;

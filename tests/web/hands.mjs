@@ -80,6 +80,12 @@ check('a slider', (await checkLine(page, 'a slider')).includes('--shininess 9'))
 await page.$eval('details', element => { element.open = true; });
 await page.select('#dither', 'off');
 check('dither off', (await checkLine(page, 'dither off')).includes('--dither off'));
+await page.type('#band', '8');
+await page.keyboard.press('Enter');
+check('bands of 8 rows', (await checkLine(page, 'bands of 8 rows')).includes('--band 8') &&
+    await page.evaluate('sheen.x.web_bands() * 8 >= sheen.x.web_height()'));
+const ids = await page.$$eval('[id]', list => list.map(element => element.id));
+check(`ids given twice: ${ids.filter((id, i) => ids.indexOf(id) !== i)}`, new Set(ids).size === ids.length);
 await (await page.$('#ortho')).click();
 check('no perspective', (await checkLine(page, 'no perspective')).includes('--ortho'));
 
@@ -170,7 +176,7 @@ for (let band = 0; band < bands; band++) {
 check('all bands make the next frame', differing(above, first) > 1000 && (await checkLine(page, 'all bands')).includes('--yaw 6'));
 await page.click('#step');
 await page.click('#spin');
-await page.waitForFunction('document.querySelector("#band").hidden');
+await page.waitForFunction('document.querySelector("#rows").hidden');
 await page.evaluate('setSpin(false)');
 await checkLine(page, 'a frame begun is ended');
 
