@@ -6,6 +6,7 @@
  * e is cut to 14 bits, a rotation need not be one exactly. So only what faces away is skipped; the rest is left to the
  * area on the screen. Orthographic, e is the direction to the eye and p does not count.
  */
+#include "../math/newton.h"
 #include "../math/pose.h"
 #include "vertex.h"
 
@@ -29,36 +30,59 @@ static int turns(const sheen_q30_t r[9])
     return volume > 0 && sheen_is_rotation(r, STRAIGHT);
 }
 
+/*
+ * The eye in raw units, 0 where it lies 2^27 of them away or more: -(R^T t) / (pose.scale mesh.scale) - offset /
+ * mesh.scale, by reciprocals. Within 1 raw unit and 2^-27 of it.
+ */
+static int find_eye(const struct sheen_mesh *mesh, const struct sheen_pose *pose, int64_t unit, int64_t eye[3])
+{
+    unsigned zeros = clz64((uint64_t)unit), shift = 59 - zeros, up = clz32((uint32_t)mesh->scale);
+    uint32_t over_unit = sheen_reciprocal((uint32_t)((uint64_t)unit << zeros >> 32));
+    uint32_t over_scale = sheen_reciprocal((uint32_t)mesh->scale << up);
+
+    for (int k = 0; k < 3; k++) {
+        const sheen_q30_t *column = pose->rotation + k;
+        int64_t sum = asr64((int64_t)column[0] * pose->translation[0] + (int64_t)column[3] * pose->translation[1] +
+                                (int64_t)column[6] * pose->translation[2],
+                            shift);
+        if (sum > INT32_MAX || sum < -INT32_MAX)
+            return 0;
+        eye[k] = -asr64(sum * over_unit, 35) - asr64(mesh->offset[k] * (int64_t)over_scale, 48 - up);
+        if (eye[k] >= 1 << (EYE_BITS + MOST_SHIFT) || eye[k] <= -(1 << (EYE_BITS + MOST_SHIFT)))
+            return 0;
+    }
+    return 1;
+}
+
 void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
                            const struct sheen_pose *pose)
 {
-    int64_t eye[3], unit = (int64_t)pose->scale * mesh->scale, distance = CORNER;
-    uint64_t all = 0;
+    int64_t eye[3], unit = (int64_t)pose->scale * mesh->scale;
+    uint32_t all = 0, distance = CORNER; /* < 2^29 */
 
     viewpoint->a_warp = 0;
     if (mesh->warp == NULL || mesh->polygon_normals == NULL || unit < LEAST_UNIT || !turns(pose->rotation))
         return;
-    viewpoint->shift = p->orthographic != 0 ? 31 : 1;
-    for (int k = 0; k < 3; k++) {
-        const sheen_q30_t *column = pose->rotation + k;
-        int64_t sum = (int64_t)column[0] * pose->translation[0] + (int64_t)column[3] * pose->translation[1] +
-                      (int64_t)column[6] * pose->translation[2];
-        viewpoint->eye[k] = asr32(column[6], 30 - EYE_BITS);
-        eye[k] = -(sum / (unit / 2)) - (int64_t)mesh->offset[k] * 32768 / mesh->scale;
-        uint64_t away = (uint64_t)(eye[k] < 0 ? -eye[k] : eye[k]);
-        distance += (int64_t)away;
-        all |= away;
-    }
     if (p->orthographic != 0) {
+        viewpoint->shift = 31;
         viewpoint->a_warp = 1 << (15 + EYE_BITS - WARP_BITS);
+        for (int k = 0; k < 3; k++)
+            viewpoint->eye[k] = asr32(pose->rotation[6 + k], 30 - EYE_BITS);
         return;
     }
+    if (!find_eye(mesh, pose, unit, eye))
+        return;
+    for (int k = 0; k < 3; k++) {
+        uint32_t away = magnitude32((int32_t)eye[k]);
+        distance += away;
+        all |= away;
+    }
+    viewpoint->shift = 1;
     while (all >> viewpoint->shift >= 1u << EYE_BITS)
         viewpoint->shift++;
     for (int k = 0; k < 3; k++)
-        viewpoint->eye[k] = (int32_t)asr64(eye[k], viewpoint->shift);
-    if (viewpoint->shift <= MOST_SHIFT) /* a_warp < 2^22 */
-        viewpoint->a_warp = (int32_t)asr64(distance * (1 << (15 - WARP_BITS)), viewpoint->shift) + 1;
+        viewpoint->eye[k] = asr32((int32_t)eye[k], viewpoint->shift);
+    viewpoint->a_warp = (int32_t)((distance >> viewpoint->shift << (15 - WARP_BITS)) + (2u << (15 - WARP_BITS)));
 }
 
 /* n.v modulo 2^32; a unit n and |v| < 2^16 fit. */
