@@ -398,6 +398,7 @@ static void test_wide_and_halves(void **unused)
         uint32_t n = any_length(&state) & 0xffffu, v = any_length(&state);
         int32_t s = (int32_t)((stage_random(&state) & 1) != 0 ? v : 0u - v);
         assert_int_equal(wide_share(n, v), halves_share(n, v));
+        assert_int_equal(wide_part((int16_t)n, s), halves_part((int16_t)n, s));
         assert_int_equal(wide_share(n, v), (uint64_t)n * v >> 16);
         assert_int_equal(wide_signed_share(n, s), halves_signed_share(n, s));
         assert_int_equal(wide_signed_share(n, s), asr64((int64_t)n * s, 17));

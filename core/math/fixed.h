@@ -110,12 +110,41 @@ static inline int32_t mul_16_32(int32_t n, int32_t v)
 }
 
 /*
+ * Products of more than 32 bits have two forms that give the same bits: wide, where the processor multiplies to 64
+ * bits, and halves, of 16-bit products, for one that has no such instruction (Armv6-M and its like).
+ */
+#ifndef WIDE_PRODUCTS
+#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1
+#define WIDE_PRODUCTS 0
+#else
+#define WIDE_PRODUCTS 1
+#endif
+#endif
+
+#if WIDE_PRODUCTS
+#define PRODUCT_FORM(name) wide_##name
+#else
+#define PRODUCT_FORM(name) halves_##name
+#endif
+
+/* As mul_16_32, of a number that has 16 bits. */
+static inline int32_t wide_part(int16_t n, int32_t v)
+{
+    return (int32_t)asr64((int64_t)(n * (1 << 16)) * v, 32);
+}
+
+static inline int32_t halves_part(int16_t n, int32_t v)
+{
+    return mul_16_32(n, v);
+}
+
+/*
  * Dot product of a 16-bit unit vector (Q0.15) and a Q1.30 one: Q2.29, within 3
  * raw steps. Range: |v| <= 1.001, so every partial sum stays below 2^31.
  */
 static inline int32_t dot_q29(const int16_t n[3], const int32_t v[3])
 {
-    return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
+    return PRODUCT_FORM(part)(n[0], v[0]) + PRODUCT_FORM(part)(n[1], v[1]) + PRODUCT_FORM(part)(n[2], v[2]);
 }
 
 /* The same for |n| <= 2^15 in 32 bits. */

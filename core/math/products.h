@@ -1,21 +1,12 @@
 /*
  * products.h - private: products of more than 32 bits, for vertices and triangles.
  *
- * Each has two forms that give the same bits: wide, where the processor multiplies to 64 bits, and halves, of 16-bit
- * products, for one that has no such instruction. WIDE_PRODUCTS chooses.
+ * Each has the two forms that fixed.h speaks of.
  */
 #ifndef SHEEN_PRODUCTS_H
 #define SHEEN_PRODUCTS_H
 
 #include "fixed.h"
-
-#ifndef WIDE_PRODUCTS
-#if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1 /* Armv6-M and its like */
-#define WIDE_PRODUCTS 0
-#else
-#define WIDE_PRODUCTS 1
-#endif
-#endif
 
 /* floor(n v / 2^16), n < 2^16. */
 static inline uint32_t wide_share(uint32_t n, uint32_t v)
@@ -76,11 +67,5 @@ static inline int32_t halves_row_times(const struct halves_row *row, int32_t x, 
     return x * row->high[0] + y * row->high[1] + z * row->high[2] +
            asr32(x * row->low[0] + y * row->low[1] + z * row->low[2], 14);
 }
-
-#if WIDE_PRODUCTS
-#define PRODUCT_FORM(name) wide_##name
-#else
-#define PRODUCT_FORM(name) halves_##name
-#endif
 
 #endif
