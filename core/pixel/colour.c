@@ -151,7 +151,7 @@ void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct co
     }
     q->power_end = low > 0 ? (low << POWER_STEP) + POWER_GUARD : 0;
     q->power = power->table;
-    q->usable = FAST_LOOPS && !format->grey && t->fraction == LOOP_FRACTION;
+    q->usable = !format->grey && t->fraction == LOOP_FRACTION;
 }
 
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])

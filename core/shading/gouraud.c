@@ -9,7 +9,7 @@ SETUP_FITS(struct linear_setup);
 SETUP_FITS(struct quadric_setup);
 SETUP_FITS(struct quotient_setup);
 
-#define STEEPEST_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
+#define GOURAUD_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
 
 /* Intensities at a corner of a back face, which vertices do not keep. */
 static APART void light_back(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
@@ -102,7 +102,7 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     struct quadric_steps steps;
     int32_t lean[3];
 
-    if (g->wide || !sheen_leans(lean, c, STEEPEST_LEAN) || !quadratic_will_do(lean, difference) ||
+    if (g->wide || !sheen_leans(lean, c, GOURAUD_LEAN) || !quadratic_will_do(lean, difference) ||
         !sheen_quadric_steps(&steps, g))
         return 0;
     s->rows = sheen_quadric_rows;

@@ -5,15 +5,18 @@
 #include "phong.h"
 
 SETUP_FITS(struct phong_setup);
-SETUP_FITS(struct phong_lights_setup);
+SETUP_FITS(struct phong_normals_setup);
 
-/* ---- one light, normals far apart ---- */
+#define SMALLEST_CELLS (4u << 2 * 3) /* px: four of 8 px square */
+#define FAR_SUM 26000                /* UQ0.15: the sum of |Ni - Nj|^2 / 4 is 0.8 */
 
-/* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; */
-#define MOST_STRETCHED (24u << 16)
-/* and where it gets small: 50 degrees and 1/m over an edge in the ratio of 1 1/4 at once. */
-#define FAR_APART 767107767u
-#define STEEPEST_LEAN 65536
+/* Weights, UQ0.15, up to 1.0. */
+static void corner_weights(struct surface_corners *c, int32_t w[3])
+{
+    sheen_weigh(c);
+    for (int k = 0; k < 3; k++)
+        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
+}
 
 /* A difference of Q0.30 in 2^-14: |f - f0| <= 2^31 - 2^16. */
 static int32_t cut_cosine(int32_t f, int32_t f0)
@@ -21,13 +24,21 @@ static int32_t cut_cosine(int32_t f, int32_t f0)
     return asr32(asr32(f, 1) - asr32(f0, 1) + (1 << 14), 15);
 }
 
-/* L.N or N.V times weight at the corners, Q0.30, as a plane. */
-static struct plane weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t cosine[3])
+/* A cosine, or a part of N, at the corners, Q0.15, times weight. */
+static struct plane weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
-    const int32_t f = w[0] * cosine[0];
+    const int32_t f0 = w[0] * x[0];
 
-    return sheen_plane(g, (uint32_t)f, cut_cosine(w[1] * cosine[1], f), cut_cosine(w[2] * cosine[2], f), 16);
+    return sheen_plane(g, (uint32_t)f0, cut_cosine(w[1] * x[1], f0), cut_cosine(w[2] * x[2], f0), 16);
 }
+
+/* ---- one light, normals far apart ---- */
+
+/* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; */
+#define MOST_STRETCHED (24u << 16)
+/* and where it gets small: 50 degrees and 1/m over an edge in the ratio of 1 1/4 at once. */
+#define FAR_APART 767107767u
+#define ROOT_LEAN 65536
 
 /* |wi Ni - wj Nj|^2 = wi wj h + (wi - wj)^2 is what N.N lacks between corners: Q.17. w: UQ0.15, up to 1.0. */
 static int32_t square_excess(const int32_t w[3], int i, int j, uint32_t h)
@@ -47,11 +58,9 @@ static APART int square_root_way(struct setup *s, struct surface_corners *c, con
 
     if (g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED)
         return 0;
-    if ((f->apart > FAR_APART && !sheen_leans(lean, c, STEEPEST_LEAN)) || !sheen_quadric_steps(&steps, g))
+    if ((f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)) || !sheen_quadric_steps(&steps, g))
         return 0;
-    sheen_weigh(c);
-    for (int k = 0; k < 3; k++)
-        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
+    corner_weights(c, w);
     const int32_t square = w[0] * w[0];
     const int32_t k[3] = {square_excess(w, 0, 1, f->h[0]), square_excess(w, 0, 2, f->h[1]),
                           square_excess(w, 1, 2, f->h[2])};
@@ -66,25 +75,109 @@ static APART int square_root_way(struct setup *s, struct surface_corners *c, con
     return 1;
 }
 
-/* ---- several lights, and the rest ---- */
+/* ---- several lights, and one over large triangles or what the others do not take ---- */
 
-/* Planes of the normal times weight, Q1.30. Range: |normal| <= 2^15, weight <= 2^15. */
-static APART void normal_planes(struct setup *s, struct surface_corners *c, const struct gradients *g)
+/* Weights below 2^15: what the differences lack of 15 bits makes a second plane. */
+static struct plane fine_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
-    struct phong_lights_setup *p = (struct phong_lights_setup *)s;
-    int32_t w[3];
+    const int32_t f0 = w[0] * x[0], f1 = w[1] * x[1], f2 = w[2] * x[2];
+    const int32_t low1 = asr32(f1, 1) - asr32(f0, 1) - cut_cosine(f1, f0) * 32768;
+    const int32_t low2 = asr32(f2, 1) - asr32(f0, 1) - cut_cosine(f2, f0) * 32768;
+    struct plane p = weighted_plane(g, w, x), rest = sheen_plane(g, 0, low1, low2, 1);
 
-    sheen_weigh(c);
+    p.base += rest.base;
+    p.dx += rest.dx;
+    p.dy += rest.dy;
+    return p;
+}
+
+/* Over a cell the normal may turn by so many 1/1000 rad; by half of that where normals are far apart. */
+static uint32_t cell_turn(const struct draw *d, int far)
+{
+    static const uint8_t turn[2][3] = {{140, 100, 50}, {100, 65, 33}}; /* also for highlights above 1/2 */
+    const unsigned n = d->power.shininess;
+
+    return (uint32_t)turn[d->strong][n > 32 ? 2 : n > 16 ? 1 : 0] >> far;
+}
+
+/* N.N of the shortest corner normal, UQ0.15: pieces' are linear between those of a mesh. */
+static uint32_t shortest_of(const struct surface_corners *c)
+{
+    uint32_t least = UINT32_MAX;
+
     for (int k = 0; k < 3; k++) {
-        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
-        w[k] = c->back ? -w[k] : w[k];
+        const int16_t *n = c->at.normal[k];
+        uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
+        least = square < least ? square : least;
+    }
+    return least < 1u << 30 ? least >> 15 : 1u << 15;
+}
+
+/* A sum of squares of steps, Q1.30 each and below 2^-5: UQ.40. */
+static uint32_t square_of_steps(uint32_t x, uint32_t y, uint32_t z)
+{
+    const int32_t s[3] = {asr32((int32_t)x, 10), asr32((int32_t)y, 10), asr32((int32_t)z, 10)};
+
+    return (uint32_t)(s[0] * s[0]) + (uint32_t)(s[1] * s[1]) + (uint32_t)(s[2] * s[2]);
+}
+
+/*
+ * What goes into detail, 0: too steep or too small for cells. The normal turns by at most |Nx| / |N| a
+ * px; over the triangle N.N is at least the smallest weight's square times the shortest normal's less the sum of
+ * |Ni - Nj|^2 / 4.
+ */
+static unsigned cells_of(const struct phong_normals_setup *p, const struct surface_corners *c,
+                         const struct gradients *g, const struct facing *f, const int32_t w[3])
+{
+    const struct plane *n = p->normal;
+    const uint32_t apart = ((f->h[0] >> 2) + (f->h[1] >> 2) + (f->h[2] >> 2)) >> 15, pixels = g->area >> 13;
+    const uint32_t smallest = (uint32_t)min32(w[0], min32(w[1], w[2]));
+    const uint32_t shortest = shortest_of(c);
+    const uint32_t least = (smallest * smallest >> 15) * (apart < shortest ? shortest - apart : 0) >> 15;
+    unsigned shift = 5;
+
+    for (int i = 0; i < 3; i++)
+        if (magnitude32((int32_t)n[i].dx) >= 1u << 25 || magnitude32((int32_t)n[i].dy) >= 1u << 25)
+            return 0;
+    const uint32_t xx = square_of_steps(n[0].dx, n[1].dx, n[2].dx), yy = square_of_steps(n[0].dy, n[1].dy, n[2].dy);
+    if (least == 0)
+        return 0;
+    const struct draw *draw = p->s.draw;
+    const int far = apart > FAR_SUM;
+    const uint32_t turn = cell_turn(draw, far), rate = (xx > yy ? xx : yy) / least; /* UQ.25 */
+    while (shift >= 3 && (rate > (turn * turn * 33u + 500u) >> 2 * shift || pixels < 4u << 2 * shift))
+        shift--;
+    if (shift < 3)
+        return 0;
+    /* 4 px apart it is off by at most 4^2 / 8 of its second difference, 4 n rate: 1/6 level */
+    const uint32_t most = draw->colour.c[0] > draw->colour.c[1] ? draw->colour.c[0] : draw->colour.c[1];
+    int squares = draw->loop.usable && !draw->dither && rate < 1u << 16 &&
+                  (rate * draw->power.shininess >> 8) * (most >> 7) < 10486u >> far;
+    return shift | (squares ? CELLS_IN_SQUARES : 0);
+}
+
+/* Planes of N. f: of one light, cells are wanted; NULL else. Returns 0 where there are none. */
+static APART int normal_planes(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                               const struct facing *f)
+{
+    struct phong_normals_setup *p = (struct phong_normals_setup *)s;
+    int32_t w[3], seen[3];
+
+    corner_weights(c, w);
+    for (int k = 0; k < 3; k++)
+        seen[k] = c->back ? -w[k] : w[k];
+    for (int i = 0; i < 3; i++) {
+        const int32_t x[3] = {c->at.normal[0][i], c->at.normal[1][i], c->at.normal[2][i]};
+        p->normal[i] = fine_plane(g, seen, x);
     }
     s->way = SHEEN_WAY_PHONG_LIGHTS;
     s->rows = sheen_phong_lights_rows;
-    for (int i = 0; i < 3; i++) {
-        const int32_t n[3] = {c->at.normal[0][i], c->at.normal[1][i], c->at.normal[2][i]};
-        p->normal[i] = weighted_plane(g, w, n);
-    }
+    if (f == NULL)
+        return 1;
+    s->detail = cells_of(p, c, g, f, w) & 15u;
+    s->way = SHEEN_WAY_PHONG_CELLS;
+    s->rows = sheen_phong_cell_rows;
+    return s->detail != 0;
 }
 
 static void phong_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
@@ -96,12 +189,16 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         sheen_setup_mean_normal(s, c);
         return;
     }
-    if (lights == 1 && (c->at.v[0]->flags & LIT_AS_SEEN) == 0) { /* pieces keep no cosines */
+    if (lights == 1) {
+        const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* these keep no cosines */
         sheen_face(&f, c);
-        if (sheen_setup_reflection(s, c, g, &f) || square_root_way(s, c, g, &f))
+        if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
+            (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
+             normal_planes(s, c, g, &f)) ||
+            (!piece && square_root_way(s, c, g, &f)))
             return;
     }
-    normal_planes(s, c, g);
+    (void)normal_planes(s, c, g, NULL);
 }
 
 const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines, .setup = phong_setup, .needs_normals = 1};

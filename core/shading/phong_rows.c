@@ -63,7 +63,7 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
 SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
                          struct lit lit)
 {
-    if (d->loop.usable) {
+    if (FAST_LOOPS && d->loop.usable) {
         uint32_t threshold = t->dither ? (uint32_t)rounding.threshold[x & 7] << rounding.shift : 0;
         ((uint16_t *)t->pixels)[at] =
             pixel_order(loop_pixel(t, t->depth + at, &d->loop, lit.diffuse, lit.specular, threshold), t->format->swap);
@@ -150,7 +150,7 @@ static void light_normal(const struct draw *d, const int32_t n[3], uint32_t root
 
 void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
 {
-    const struct plane *p = ((const struct phong_lights_setup *)s)->normal;
+    const struct plane *p = ((const struct phong_normals_setup *)s)->normal;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;

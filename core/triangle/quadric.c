@@ -139,3 +139,36 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
     return (uint32_t)(lean[0] + most) <= width && (uint32_t)(lean[1] + most) <= width &&
            (uint32_t)(lean[2] + most) <= width;
 }
+
+struct quadric sheen_quadric_from(const struct quadric *q, int32_t n)
+{
+    const uint32_t y = (uint32_t)n;
+    struct quadric r = {
+        q->base + y * q->dy + pairs(n) * q->dyy, q->dx + y * q->dxy, q->dy + y * q->dyy, q->dxx, q->dxy, q->dyy};
+
+    return r;
+}
+
+void sheen_quadric_rows(const struct tile *t, const struct setup *s)
+{
+    const struct quadric_setup *q = (const struct quadric_setup *)s;
+    const enum second second = (enum second)s->detail;
+
+#if FAST_LOOPS
+    if (sheen_quadric_own_rows(t, q))
+        return;
+#endif
+    struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y);
+    struct quadric u = sheen_quadric_from(second != SECOND_NONE ? &q->second : &q->diffuse, t->first_row - q->y);
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x < x1) {
+            struct shaded_run run = {plane_at(&s->depth, x, y), s->depth.dx, 0, 0, 0, 0, 0, 0};
+            quadric_run(&f, x - q->x, &run.f, &run.df, &run.ddf);
+            quadric_run(&u, x - q->x, &run.u, &run.du, &run.ddu);
+            sheen_shaded_run(t, s->draw, x, x1, y, &run, second);
+        }
+        quadric_down(&f);
+        quadric_down(&u);
+    }
+}

@@ -32,7 +32,7 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3]);
 
-/* n rows down from the pixel that it counts from; quadric_rows.c. */
+/* n rows down from the pixel that it counts from. */
 struct quadric sheen_quadric_from(const struct quadric *q, int32_t n);
 
 /* To the next row. */
@@ -41,6 +41,14 @@ SPECIALISED void quadric_down(struct quadric *q)
     q->base += q->dy;
     q->dy += q->dyy;
     q->dx += q->dxy;
+}
+
+/* Where a run begins n columns from the pixel that it counts from. */
+SPECIALISED void quadric_run(const struct quadric *q, int32_t n, uint32_t *value, uint32_t *step, uint32_t *bend)
+{
+    *value = q->base + (uint32_t)n * q->dx + pairs(n) * q->dxx;
+    *step = q->dx + (uint32_t)n * q->dxx;
+    *bend = q->dxx;
 }
 
 /* What the second quadric is. */
@@ -63,8 +71,10 @@ struct shaded_run {
     uint32_t u, du, ddu; /* and second */
 };
 
-/* quadric_rows.c */
 void sheen_quadric_rows(const struct tile *t, const struct setup *s);
+
+/* quadric_rows.c: 0 where the rows need other loops than those that are specialised; nothing is drawn then. */
+int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q);
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct shaded_run *run, enum second second);
 

@@ -24,7 +24,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
                            const uint8_t *thresholds, const struct shaded_run *run, enum second second, int plain)
 {
     const struct loop_terms *q = &d->loop;
-    const intptr_t to_pixel = (char *)t->pixels - (char *)t->depth;
+    const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf, ddu = run->ddu;
     const unsigned swap = t->format->swap;
     uint32_t z = run->z, f = run->f, df = run->df, u = run->u, du = run->du;
@@ -52,7 +52,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
 SPECIALISED void cosine_ramp_run(const struct tile *t, const uint16_t *ramp, uint16_t *depth, int32_t count,
                                  const struct shaded_run *run)
 {
-    const intptr_t to_pixel = (char *)t->pixels - (char *)t->depth;
+    const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
     const uint16_t *end = depth + count;
     uint32_t z = run->z, f = run->f, df = run->df;
@@ -88,50 +88,29 @@ static APART void general_run(const struct tile *t, const struct draw *d, uint32
     }
 }
 
-/* Which loop a draw's pixels go through. */
-enum loop {
-    LOOP_RAMP,
-    LOOP_PLAIN,
-    LOOP_QUICK,
-    LOOP_GENERAL
-};
-
-static enum loop loop_of(const struct tile *t, const struct draw *d, enum second second)
+/* 1 where there is a loop of its own: without highlight, and with one. */
+static int ramp_will_do(const struct draw *d, enum second second)
 {
-    if (second == SECOND_NONE && d->ramp != NULL)
-        return LOOP_RAMP;
-    if (!d->loop.usable)
-        return LOOP_GENERAL;
-    return second == SECOND_POWER && !t->dither && t->format->swap ? LOOP_PLAIN : LOOP_QUICK;
+    return second == SECOND_NONE && d->ramp != NULL;
 }
 
-SPECIALISED void run_by(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                        const struct shaded_run *run, enum second second, enum loop loop)
+void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                      const struct shaded_run *run, enum second second)
 {
-    uint32_t at = tile_offset(t, x, y);
+    const uint32_t at = tile_offset(t, x, y);
 
-    if (loop == LOOP_RAMP)
+    if (ramp_will_do(d, second))
         cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + at, x1 - x, run);
-    else if (loop == LOOP_PLAIN)
-        quick_run(t, d, t->depth + at, x, x1, NULL, run, SECOND_POWER, 1);
-    else if (loop == LOOP_QUICK)
+    else if (FAST_LOOPS && d->loop.usable)
         quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(1, y) : NULL, run, second, 0);
     else
         general_run(t, d, at, x, x1, y, run, second);
 }
 
-struct quadric sheen_quadric_from(const struct quadric *q, int32_t n)
+#if FAST_LOOPS
+SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second)
 {
-    const uint32_t y = (uint32_t)n;
-    struct quadric r = {
-        q->base + y * q->dy + pairs(n) * q->dyy, q->dx + y * q->dxy, q->dy + y * q->dyy, q->dxx, q->dxy, q->dyy};
-
-    return r;
-}
-
-SPECIALISED void rows_by(const struct tile *t, const struct quadric_setup *q, enum second second, enum loop loop)
-{
-    struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y), u = {0, 0, 0, 0, 0, 0};
+    struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y), u = f;
     struct quadric *stepped = &f, *second_stepped = &u;
     const struct draw *d = q->s.draw;
     int32_t y = t->first_row;
@@ -143,22 +122,14 @@ SPECIALISED void rows_by(const struct tile *t, const struct quadric_setup *q, en
         OPAQUE(stepped); /* what is stepped a row stays in memory: the pixels' loop takes all registers */
         OPAQUE(second_stepped);
         if (x < x1) {
-            const int32_t n = x - q->x;
-            const uint32_t across = (uint32_t)n, pair = pairs(n);
-            struct shaded_run run = {plane_at(&q->s.depth, x, y),
-                                     q->s.depth.dx,
-                                     stepped->base + across * stepped->dx + pair * stepped->dxx,
-                                     stepped->dx + across * stepped->dxx,
-                                     stepped->dxx,
-                                     0,
-                                     0,
-                                     0};
-            if (second != SECOND_NONE) {
-                run.u = second_stepped->base + across * second_stepped->dx + pair * second_stepped->dxx;
-                run.du = second_stepped->dx + across * second_stepped->dxx;
-                run.ddu = second_stepped->dxx;
-            }
-            run_by(t, d, x, x1, y, &run, second, loop);
+            struct shaded_run run = {plane_at(&q->s.depth, x, y), q->s.depth.dx, 0, 0, 0, 0, 0, 0};
+            quadric_run(stepped, x - q->x, &run.f, &run.df, &run.ddf);
+            if (second != SECOND_NONE)
+                quadric_run(second_stepped, x - q->x, &run.u, &run.du, &run.ddu);
+            if (second == SECOND_NONE)
+                cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
+            else
+                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, NULL, &run, second, 1);
         }
         quadric_down(stepped);
         if (second != SECOND_NONE)
@@ -166,44 +137,31 @@ SPECIALISED void rows_by(const struct tile *t, const struct quadric_setup *q, en
     }
 }
 
-#if FAST_LOOPS
-static APART void ramp_rows(const struct tile *t, const struct quadric_setup *q)
+static int plain_will_do(const struct tile *t, const struct draw *d, enum second second)
 {
-    rows_by(t, q, SECOND_NONE, LOOP_RAMP);
+    return second == SECOND_POWER && d->loop.usable && !t->dither && t->format->swap;
+}
+
+static APART void cosine_ramp_rows(const struct tile *t, const struct quadric_setup *q)
+{
+    own_rows(t, q, SECOND_NONE);
 }
 
 static APART void plain_rows(const struct tile *t, const struct quadric_setup *q)
 {
-    rows_by(t, q, SECOND_POWER, LOOP_PLAIN);
-}
-#endif
-
-static APART void any_rows(const struct tile *t, const struct quadric_setup *q, enum second second, enum loop loop)
-{
-    rows_by(t, q, second, loop);
+    own_rows(t, q, SECOND_POWER);
 }
 
-void sheen_quadric_rows(const struct tile *t, const struct setup *s)
+int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
 {
-    const struct quadric_setup *q = (const struct quadric_setup *)s;
-    const enum second second = (enum second)s->detail;
-    const enum loop loop = loop_of(t, s->draw, second);
+    const enum second second = (enum second)q->s.detail;
 
-#if FAST_LOOPS
-    if (loop == LOOP_RAMP) {
-        ramp_rows(t, q);
-        return;
-    }
-    if (loop == LOOP_PLAIN) {
+    if (plain_will_do(t, q->s.draw, second))
         plain_rows(t, q);
-        return;
-    }
+    else if (ramp_will_do(q->s.draw, second))
+        cosine_ramp_rows(t, q);
+    else
+        return 0;
+    return 1;
+}
 #endif
-    any_rows(t, q, second, loop);
-}
-
-void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      const struct shaded_run *run, enum second second)
-{
-    run_by(t, d, x, x1, y, run, second, loop_of(t, d, second));
-}

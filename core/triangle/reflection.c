@@ -15,7 +15,8 @@ SETUP_FITS(struct quadric_setup);
 #define WIDEST_DIFFUSE 217338131u
 /* with one 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2, as what it is off by grows with both. */
 static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {55039867u, 26439087u}};
-#define REFLECTION_LEAN 32768     /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define REFLECTION_LEAN 32768 /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define MAGNIFIED 12          /* gradients' bits: 16 bits of L.N and N.V at corners 64 px apart show in highlights */
 #define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
 
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
@@ -149,7 +150,7 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
         return 0;
     light_excesses(&e, f);
     int highlight = has_highlight(&e, f, s->draw);
-    if ((highlight && too_sharp(&e, f, s->draw)) || !sheen_quadric_steps(&steps, g))
+    if ((highlight && (g->bits > MAGNIFIED || too_sharp(&e, f, s->draw))) || !sheen_quadric_steps(&steps, g))
         return 0;
     s->way = SHEEN_WAY_PHONG_QUADRATIC;
     s->rows = sheen_quadric_rows;

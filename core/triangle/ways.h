@@ -11,7 +11,7 @@ enum sheen_way {
     SHEEN_WAY_GOURAUD_QUADRATIC, /* quadratic on the screen, through the middles of the edges */
     SHEEN_WAY_GOURAUD_QUOTIENT,  /* Blinn's I/m over 1/m, a reciprocal a pixel */
     SHEEN_WAY_PHONG_QUADRATIC,   /* diffuse part and R.V quadratic over the triangle, power by table */
-    SHEEN_WAY_PHONG_BLOCKS,      /* quadratic over cells of 8 to 32 px with exact nodes */
+    SHEEN_WAY_PHONG_CELLS,       /* quadratic over cells of 8 to 32 px with exact nodes */
     SHEEN_WAY_PHONG_ROOT,        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
     SHEEN_WAY_PHONG_LIGHTS,      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
     SHEEN_WAY_SLERP,             /* L.N and R.V by recurrences along great arcs */
