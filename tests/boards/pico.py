@@ -38,8 +38,17 @@ def check_frame(frame):
         raise Failed(f"'{frame['line']}', but {frame['bytes']} B left SPI0")
     if abs(frame["busy"] / 125 - us) > 1:
         raise Failed(f"'{frame['line']}', but the bus was busy for {frame['busy'] / 125:.0f} us")
+    drawing, waiting = map(int, re.search(r"drawing (\d+), waiting (\d+)", frame["line"]).groups())
+    if abs(drawing + waiting - clocks) > 1 or waiting >= clocks:
+        raise Failed(f"'{frame['line']}': drawing and waiting are not the whole")
     if not LEAST_BANDS <= frame["rectangles"] <= frame["feeds"]:
         raise Failed(f"'{frame['line']}': {frame['rectangles']} bands, the watchdog was fed {frame['feeds']} times")
+
+
+def lap(line):
+    """Clocks of a frame of the running demo, by its own log: drawing, waiting, the bus sending; frames a second."""
+    us, drawing, waiting, rate = re.search(r"(\d+) us, drawing (\d+), waiting (\d+), ([\d.]+) frames/s", line).groups()
+    return int(drawing), int(waiting), 125 * int(us), float(rate)
 
 
 def functions(elf):
