@@ -230,12 +230,14 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
 static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                           const struct viewpoint *viewpoint)
 {
-    uint32_t faces = UINT32_MAX, end = d->as.mesh->triangles;
+    const struct sheen_mesh *mesh = d->as.mesh;
+    uint32_t faces = UINT32_MAX, end = mesh->triangles;
 
     f->used_short = f->entries_short = f->pieces_short = 0;
-    memset(f->place + d->first_vertex, 0xff, d->as.mesh->vertices * sizeof *f->place);
+    memset(f->place + d->first_vertex, 0xff, mesh->vertices * sizeof *f->place);
     for (uint32_t i = 0; i < end; i++) {
-        if (viewpoint->a_warp != 0 && (i = sheen_next_facing(viewpoint, d->as.mesh, i, &faces)) == end)
+        int known = mesh->polygons != NULL && mesh->polygons[i] == faces;
+        if (viewpoint->a_warp != 0 && !known && (i = sheen_next_facing(viewpoint, mesh, i, &faces)) == end)
             break;
         draw_triangle(f, d, t, i);
     }
