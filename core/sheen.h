@@ -73,9 +73,13 @@ typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
 #else
 #define SHEEN_CONSTANT(x) 0
 #endif
+/* x in Q15.16, see above. */
 #define SHEEN_Q16(x) ((sheen_q16_t)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+/* x in Q7.24. */
 #define SHEEN_Q24(x) ((sheen_q24_t)((x)*16777216.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+/* x in Q1.30. */
 #define SHEEN_Q30(x) ((sheen_q30_t)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)) + SHEEN_CONSTANT(x))
+/* x degrees as turns. */
 #define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0) + (sheen_angle_t)SHEEN_CONSTANT(x))
 
 /* Any whole number of degrees, within 1e-7 of one: 2^32 / 360 = 11930464.711, in Q24.8. */
@@ -105,7 +109,7 @@ struct sheen_mesh {
     sheen_q24_t offset[3]; /* units */
 };
 
-#define SHEEN_POWER_ENTRIES 256
+#define SHEEN_POWER_ENTRIES 256 /* steps of a power table */
 
 /*
  * The table of s^n that highlights look up, of one shininess n: const data, shared by materials. Those below are
@@ -118,6 +122,7 @@ struct sheen_shine {
     uint8_t shift;     /* 0..3 */
 };
 
+/* n as the name says. */
 extern const struct sheen_shine sheen_shine_4, sheen_shine_8, sheen_shine_16, sheen_shine_32, sheen_shine_64,
     sheen_shine_128;
 
@@ -142,7 +147,7 @@ struct sheen_light {
     uint8_t with_eye;      /* 1: it stays where it is before the eye when the view turns */
 };
 
-#define SHEEN_MAX_LIGHTS 4
+#define SHEEN_MAX_LIGHTS 4 /* of an object */
 
 /* p -> scale * rotation * p + translation. All zero, and sheen_pose_identity's: nothing moves. */
 struct sheen_pose {
@@ -151,22 +156,23 @@ struct sheen_pose {
     sheen_q24_t translation[3]; /* units */
 };
 
+struct sheen_shader;
+
 /*
  * How light is brought over a triangle: name one, and that one is linked. slerp is a scan-line
  * method: it depends on the triangle's orientation on the screen.
  */
-struct sheen_shader;
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
 
 /* What is drawn. Mesh, material and shader MUST be there. */
 struct sheen_object {
-    const struct sheen_mesh *mesh;
-    const struct sheen_material *material;
-    const struct sheen_shader *shader;
-    const struct sheen_light *lights; /* copied by sheen_draw */
-    uint8_t light_count;              /* 0..SHEEN_MAX_LIGHTS; 0: ambient light alone */
-    uint8_t two_sided;                /* 1: back faces are drawn too, with their normals negated */
-    struct sheen_pose pose;           /* model to world */
+    const struct sheen_mesh *mesh;         /* borrowed */
+    const struct sheen_material *material; /* borrowed */
+    const struct sheen_shader *shader;     /* how it is shaded */
+    const struct sheen_light *lights;      /* copied by sheen_draw */
+    uint8_t light_count;                   /* 0..SHEEN_MAX_LIGHTS; 0: ambient light alone */
+    uint8_t two_sided;                     /* 1: back faces are drawn too, with their normals negated */
+    struct sheen_pose pose;                /* model to world */
 };
 
 /*
@@ -178,9 +184,9 @@ struct sheen_object {
  */
 struct sheen_canvas {
     struct sheen_rect rect; /* px on the target */
-    unsigned pitch;
-    void *pixels;
-    uint16_t *depth;
+    unsigned pitch;         /* entries from a row to the next */
+    void *pixels;           /* uint16_t, or uint8_t on greys */
+    uint16_t *depth;        /* as many entries as pixels */
 };
 
 /* What the eye sees, a frame long. */
@@ -336,6 +342,7 @@ struct sheen_stats {
     uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
 };
 
+/* Copies them; they stand until the next sheen_begin(). */
 void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stats);
 
 /* ---- making what is drawn ---- */
@@ -353,7 +360,7 @@ void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
 
 sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 3 raw steps of exact */
-sheen_q30_t sheen_cos(sheen_angle_t angle);
+sheen_q30_t sheen_cos(sheen_angle_t angle); /* likewise */
 
 /* rotation = Rz(roll) * Rx(pitch) * Ry(yaw), scale 1, the model's origin at depth `distance`. */
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
@@ -420,7 +427,7 @@ struct sheen_polygon_list {
     const int32_t *points;   /* 3 a point, any common scale, |coordinate| <= 2^28 */
     const uint32_t *corners; /* indices into points, those of all polygons one after another */
     const uint32_t *sizes;   /* corners of each polygon, >= 3 */
-    uint32_t point_count, corner_count, polygon_count;
+    uint32_t point_count, corner_count, polygon_count; /* of what the three arrays hold */
 };
 
 /*

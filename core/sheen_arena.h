@@ -44,9 +44,11 @@
      SHEEN_STORE(band_rows, SHEEN_BYTES_SPAN) + SHEEN_STORE((width) * (size_t)(band_rows), 2) +                        \
      (buffers)*SHEEN_STORE((width) * (size_t)(band_rows), pixel_bytes))
 
+/* What each further worker takes. */
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
     (SHEEN_BYTES_WORKER + SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
+/* Bytes of an arena, see above. */
 #define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, used, triangles, draws, clipped,   \
                           carried)                                                                                     \
     (SHEEN_STORE(1, SHEEN_BYTES_FRAME) + SHEEN_STORE(SHEEN_BANDS(height, band_rows), SHEEN_BYTES_BAND) +               \

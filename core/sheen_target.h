@@ -83,17 +83,17 @@ static inline unsigned sheen_row_bytes(enum sheen_pixel pixel, unsigned pixels)
  * everything. Of one frame neither is called while a call of either goes on.
  */
 struct sheen_target {
-    void *ctx;
-    int (*push)(void *ctx, struct sheen_rect rect, const void *pixels);
-    int (*wait)(void *ctx);
-    uint16_t width, height;   /* px, 1..640 and 1..480 */
-    uint8_t pixel;            /* enum sheen_pixel */
+    void *ctx;                                                          /* handed to both */
+    int (*push)(void *ctx, struct sheen_rect rect, const void *pixels); /* see above */
+    int (*wait)(void *ctx);                                             /* see above; may be NULL */
+    uint16_t width, height;                                             /* px, 1..640 and 1..480 */
+    uint8_t pixel;                                                      /* enum sheen_pixel */
     uint8_t align_x, align_y; /* px, powers of two 1..16; 0 counts as 1; GREY16 needs x >= 2, GREY2 x >= 8 */
 };
 
 /* Pixels in memory, a row every `stride` bytes: a canvas of another library, a texture, a framebuffer. */
 struct sheen_memory {
-    void *pixels;
+    void *pixels;  /* of the top left one */
     size_t stride; /* bytes, at least sheen_row_bytes of the width; a multiple of 2 on 565 */
     uint8_t pixel; /* enum sheen_pixel, set by sheen_memory_target */
 };

@@ -4,9 +4,9 @@
 #ifndef SHEEN_VERSION_H
 #define SHEEN_VERSION_H
 
-#define SHEEN_VERSION_MAJOR 0
-#define SHEEN_VERSION_MINOR 2
-#define SHEEN_VERSION_PATCH 0
-#define SHEEN_VERSION "0.2.0"
+#define SHEEN_VERSION_MAJOR 0 /* of the interface, once it is 1 */
+#define SHEEN_VERSION_MINOR 2 /* until then of the interface */
+#define SHEEN_VERSION_PATCH 0 /* repairs */
+#define SHEEN_VERSION "0.2.0" /* all three */
 
 #endif

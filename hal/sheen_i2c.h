@@ -26,6 +26,7 @@ extern "C" {
 /* The longest message, B: a control byte, and as much as a driver that packs sends at once (SHEEN_PANEL_PACK_BYTES). */
 #define SHEEN_I2C_MESSAGE 65u
 
+/* A bus around one that sends I2C messages. */
 struct sheen_i2c {
     struct sheen_bus_layer layer;       /* layer.bus is what the panel driver is given; not to be moved */
     size_t longest;                     /* B of a message; private */

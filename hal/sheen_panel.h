@@ -30,7 +30,7 @@ extern "C" {
 
 /* A command of an init table, its parameters, and the wait after it. */
 struct sheen_panel_step {
-    uint8_t command;
+    uint8_t command;     /* its first byte */
     uint8_t wait_ms;     /* ms after the last parameter, 0..255 */
     uint8_t count;       /* parameters, 0..255; at most 15 where they leave with D/C low (greys, black and white) */
     const uint8_t *data; /* count bytes; NULL where count is 0 */
@@ -62,27 +62,27 @@ extern const struct sheen_panel_driver sheen_driver_dcs, /* MIPI-DCS colour: ILI
  * orientation follows from them (sheen_panel_offset in driver.h).
  */
 struct sheen_panel_record {
-    const char *name;       /* controller-WxH of rotation 0, and -variant */
-    const char *controller; /* as printed on a data sheet */
-    const char *note;       /* a line for who chooses a panel, or NULL */
-    const struct sheen_panel_driver *driver;
-    const struct sheen_panel_step *init; /* sent after reset, before orientation and display on */
-    uint32_t clock_hz;                   /* rated write clock, 1 / minimum cycle of the data sheet */
-    uint16_t glass_w, glass_h;           /* px, rotation 0 */
-    uint16_t ram_w, ram_h;               /* px */
-    uint16_t gap_x, gap_y;               /* RAM column and row, px */
-    uint16_t reset_low_us, reset_ms;     /* reset pulse; rest after it (and after a reset by command) */
-    uint8_t steps;                       /* entries of init */
-    uint8_t spi_mode;                    /* 0 or 3 */
-    uint8_t i2c_address;                 /* 7 bits, as modules leave the factory; 0: no I2C */
-    uint8_t pixel;                       /* enum sheen_pixel that the target asks for */
-    uint8_t scan[4];                     /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
-    uint8_t brightness_command;          /* takes a byte; 0: it has none */
-    uint8_t brightness_shift;            /* of 0..255, to the right, for registers of fewer bits */
-    uint8_t bits_18;                     /* 1: on the wire RGB565 becomes three bytes a pixel (DCS) */
-    uint8_t bgr;                         /* 1: the sub-pixels stand blue, green, red */
-    uint8_t inverted;                    /* 1: shows true colours with inversion on (IPS glass) */
-    uint8_t round;                       /* 1: only the disc that touches all four sides is glass */
+    const char *name;                        /* controller-WxH of rotation 0, and -variant */
+    const char *controller;                  /* as printed on a data sheet */
+    const char *note;                        /* a line for who chooses a panel, or NULL */
+    const struct sheen_panel_driver *driver; /* the kind of controller */
+    const struct sheen_panel_step *init;     /* sent after reset, before orientation and display on */
+    uint32_t clock_hz;                       /* rated write clock, 1 / minimum cycle of the data sheet */
+    uint16_t glass_w, glass_h;               /* px, rotation 0 */
+    uint16_t ram_w, ram_h;                   /* px */
+    uint16_t gap_x, gap_y;                   /* RAM column and row, px */
+    uint16_t reset_low_us, reset_ms;         /* reset pulse; rest after it (and after a reset by command) */
+    uint8_t steps;                           /* entries of init */
+    uint8_t spi_mode;                        /* 0 or 3 */
+    uint8_t i2c_address;                     /* 7 bits, as modules leave the factory; 0: no I2C */
+    uint8_t pixel;                           /* enum sheen_pixel that the target asks for */
+    uint8_t scan[4];            /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
+    uint8_t brightness_command; /* takes a byte; 0: it has none */
+    uint8_t brightness_shift;   /* of 0..255, to the right, for registers of fewer bits */
+    uint8_t bits_18;            /* 1: on the wire RGB565 becomes three bytes a pixel (DCS) */
+    uint8_t bgr;                /* 1: the sub-pixels stand blue, green, red */
+    uint8_t inverted;           /* 1: shows true colours with inversion on (IPS glass) */
+    uint8_t round;              /* 1: only the disc that touches all four sides is glass */
 };
 
 /* The most bytes that a driver turns at once, for pages and nibbles. */
@@ -90,8 +90,8 @@ struct sheen_panel_record {
 
 /* Run-time state of a panel. Private: touched by hal/ only. */
 struct sheen_panel {
-    const struct sheen_panel_record *record;
-    const struct sheen_bus *bus;
+    const struct sheen_panel_record *record;    /* borrowed */
+    const struct sheen_bus *bus;                /* borrowed */
     int (*settings)(struct sheen_panel *panel); /* what an initialisation adds; NULL: nothing */
     int (*due)(struct sheen_panel *panel);      /* before the next push, once; NULL: nothing */
     uint16_t window[4];                         /* x0, x1, y0, y1 last sent, in the controller's own units */

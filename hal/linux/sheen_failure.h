@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* What went wrong, in words. */
 struct sheen_failure {
     char text[320]; /* without a line end; cut where longer */
 };

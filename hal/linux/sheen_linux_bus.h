@@ -37,21 +37,22 @@ struct sheen_wiring {
     uint8_t address;   /* of i2c, 7 bits; 0: SHEEN_I2C_ADDRESS */
 };
 
-#define SHEEN_I2C_ADDRESS 0x3Cu
+#define SHEEN_I2C_ADDRESS 0x3Cu /* of most OLEDs */
 
 /* Private to hal/linux but for bus. All zero: closed. */
 struct sheen_linux_bus {
-    struct sheen_bus bus; /* what a panel driver is given: of wire, or around it; must not be moved */
-    struct sheen_bus wire;
-    struct sheen_i2c i2c; /* around wire */
-    struct sheen_pin sclk, mosi, cs, dc, reset, te;
-    int (*put)(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more);
-    struct sheen_failure *why;
-    int fd;       /* of spidev or i2c; -1: none */
-    size_t chunk; /* B, the largest transfer that spidev takes */
-    uint32_t clock_hz;
-    uint8_t spi_mode, address;
-    const char *path; /* borrowed, for messages */
+    struct sheen_bus bus;  /* what a panel driver is given: of wire, or around it; must not be moved */
+    struct sheen_bus wire; /* the wires themselves */
+    struct sheen_i2c i2c;  /* around wire */
+    struct sheen_pin sclk, mosi, cs, dc, reset, te; /* closed where they are not wired */
+    int (*put)(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count,
+               int more);      /* sends bytes; more: CS stays */
+    struct sheen_failure *why; /* borrowed, for messages */
+    int fd;                    /* of spidev or i2c; -1: none */
+    size_t chunk;              /* B, the largest transfer that spidev takes */
+    uint32_t clock_hz;         /* of spidev */
+    uint8_t spi_mode, address; /* as in the wiring */
+    const char *path;          /* borrowed, for messages */
 };
 
 /*

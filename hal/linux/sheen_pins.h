@@ -33,7 +33,7 @@ struct gpiod_line_request;
 
 /* All zero: no line, which may be closed again. Fields are private to hal/linux. */
 struct sheen_pin {
-    struct gpiod_chip *chip;
+    struct gpiod_chip *chip;            /* NULL: no line */
     struct gpiod_line *line;            /* libgpiod 1 */
     struct gpiod_line_request *request; /* libgpiod 2 */
     int level;                          /* as last driven; -1: unknown */

@@ -17,18 +17,19 @@
 extern "C" {
 #endif
 
+/* A bus whose calls a thread makes. Private but for layer.bus and busy_ns. */
 struct sheen_sender {
-    struct sheen_bus_layer layer; /* layer.bus is what the panel driver is given; not to be moved */
-    pthread_t thread;
-    pthread_mutex_t lock; /* guards what follows */
-    pthread_cond_t changed;
-    uint8_t command[SHEEN_BUS_COMMANDS];
-    size_t commands;
-    const void *bytes; /* the call under way, with the command; NULL: none */
-    size_t count;
-    uint64_t busy_ns; /* time spent in the inner bus's send, since the start */
-    int error;        /* of the last call, until wait takes it */
-    int quit;
+    struct sheen_bus_layer layer;        /* layer.bus is what the panel driver is given; not to be moved */
+    pthread_t thread;                    /* makes the calls */
+    pthread_mutex_t lock;                /* guards what follows */
+    pthread_cond_t changed;              /* a call came, or has been made */
+    uint8_t command[SHEEN_BUS_COMMANDS]; /* of that call, copied */
+    size_t commands;                     /* how many of them */
+    const void *bytes;                   /* the call under way, with the command; NULL: none */
+    size_t count;                        /* B of them */
+    uint64_t busy_ns;                    /* time spent in the inner bus's send, since the start */
+    int error;                           /* of the last call, until wait takes it */
+    int quit;                            /* 1: the thread is to end */
 };
 
 /* 0, or SHEEN_ERR_MEMORY where there is no thread to be had. *to must outlive the sender. */

@@ -109,12 +109,14 @@ void sheen_display_target(sheen_target *target, Display &display, uint8_t pixel,
     target->pixel = pixel;
 }
 
+/* The push of sheen_push_image(). */
 template <class Display> int sheen_pushes_image(void *display, sheen_rect r, const void *pixels)
 {
     ((Display *)display)->pushImage(r.x0, r.y0, r.x1 - r.x0, r.y1 - r.y0, (uint16_t *)const_cast<void *>(pixels));
     return SHEEN_OK;
 }
 
+/* The push of sheen_draw_bitmap(). */
 template <class Display> int sheen_draws_bitmap(void *display, sheen_rect r, const void *pixels)
 {
     ((Display *)display)->drawRGBBitmap(r.x0, r.y0, (uint16_t *)const_cast<void *>(pixels), r.x1 - r.x0, r.y1 - r.y0);

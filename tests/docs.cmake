@@ -1,0 +1,2 @@
+# The pages of host-sim/pages.
+sheen_script(docs docs COMMAND tests/docs ${PROJECT_BINARY_DIR})
