@@ -86,7 +86,7 @@ void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection 
 }
 
 /* n.v modulo 2^32; a unit n and |v| < 2^16 fit. */
-static inline int32_t dot_of(const int16_t n[3], int32_t x, int32_t y, int32_t z)
+static inline int32_t facing_dot(const int16_t n[3], int32_t x, int32_t y, int32_t z)
 {
     return (int32_t)((uint32_t)n[0] * (uint32_t)x + (uint32_t)n[1] * (uint32_t)y + (uint32_t)n[2] * (uint32_t)z);
 }
@@ -103,7 +103,7 @@ uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen
     while (polygon != *faces) {
         const int16_t *n = mesh->polygon_normals + 3 * polygon, *p = mesh->positions + 3 * mesh_index(mesh, 3 * i);
         uint32_t away = polygon, warp = mesh->warp[polygon];
-        uint32_t above = (uint32_t)asr32(dot_of(n, p[0], p[1], p[2]), shift) - (uint32_t)dot_of(n, x, y, z);
+        uint32_t above = (uint32_t)asr32(facing_dot(n, p[0], p[1], p[2]), shift) - (uint32_t)facing_dot(n, x, y, z);
         if ((int32_t)above <= (int32_t)warp * a_warp + ROUNDED || warp == SHEEN_WARP_UNKNOWN) {
             *faces = polygon;
             break;
