@@ -32,7 +32,7 @@ enum variant {
 static const char *const variant_name[VARIANTS] = {"", "lights", "ortho", "behind", "strong", "cut", "dither"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
-#define FORCED 6
+#define FORCED 8
 static const struct forced {
     enum ref_shading shading;
     enum sheen_way way, exact;
@@ -44,6 +44,8 @@ static const struct forced {
     {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic"},
     {REF_PHONG, SHEEN_WAY_PHONG_CELLS, SHEEN_WAY_PHONG_ROOT, "phong cells"},
     {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root"},
+    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP, "slerp quadratic"},
+    {REF_SLERP, SHEEN_WAY_SLERP, SHEEN_WAY_SLERP, "slerp arcs"},
 };
 
 /* Of one mesh and shading: what was chosen, and what was forced. */
@@ -55,10 +57,10 @@ static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
 static struct accuracy_line lowest[4];         /* by shading: the line that holds the lowest equal share, as chosen */
 static char lowest_mesh[4][24];
 
-/* Without perspective linear is exact and the only way; with several lights Phong has one way. */
+/* Without perspective linear is exact and the only way; with several lights Phong and slerp have one way. */
 static bool has_ways(const struct ref_scene *scene, const struct forced *f)
 {
-    if (f->shading == REF_PHONG)
+    if (f->shading == REF_PHONG || f->shading == REF_SLERP)
         return scene->light_count == 1;
     return f->way == SHEEN_WAY_GOURAUD_LINEAR || !(scene->affine || scene->ortho);
 }

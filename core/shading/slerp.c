@@ -9,6 +9,7 @@
 #include "slerp.h"
 #include "../math/angle.h"
 #include "../math/arc.h"
+#include "../triangle/reflection.h"
 
 SETUP_FITS(struct slerp_setup);
 
@@ -249,6 +250,17 @@ static void slerp_rows(const struct tile *t, const struct setup *setup)
 
 /* ---- set-up ---- */
 
+/* One light and normals so close that great arcs do not show: as Phong. 0 where they are not. */
+static int close_arcs(struct setup *s, const struct surface_corners *c, const struct gradients *g)
+{
+    struct facing f;
+
+    if (s->draw->light.count != 1 || (c->at.v[0]->flags & LIT_AS_SEEN) != 0)
+        return 0; /* pieces keep no cosines */
+    sheen_face(&f, c);
+    return f.apart <= CLOSE_ARCS && sheen_setup_reflection(s, c, g, &f);
+}
+
 static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
 {
     struct slerp_setup *s = (struct slerp_setup *)setup;
@@ -258,6 +270,8 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         sheen_setup_mean_normal(setup, c);
         return;
     }
+    if (close_arcs(setup, c, g))
+        return;
     sheen_weigh(c);
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
@@ -276,4 +290,5 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         s->angle[k] = sheen_arc_between(unit[k], unit[k == 2 ? 0 : k + 1]).angle;
 }
 
-const struct sheen_shader sheen_slerp = {.setup = slerp_setup, .needs_normals = 1, .unit_normals = 1};
+const struct sheen_shader sheen_slerp = {
+    .light = sheen_keep_cosines, .setup = slerp_setup, .needs_normals = 1, .unit_normals = 1};
