@@ -18,7 +18,7 @@ struct node {
  * N in Q1.30 times itself, UQ2.30, and times a unit vector in Q1.30; 14 bits and 16 of N each. Off by a few steps.
  * Range: cells reach so little beyond the triangle that |N| stays below 1.2.
  */
-static uint32_t square_of(const int32_t n[3])
+static uint32_t node_square(const int32_t n[3])
 {
     uint32_t sum = 0;
 
@@ -30,7 +30,7 @@ static uint32_t square_of(const int32_t n[3])
     return sum;
 }
 
-static int32_t dot_of(const int32_t n[3], const int32_t v[3])
+static int32_t node_dot(const int32_t n[3], const int32_t v[3])
 {
     int32_t sum = 0;
 
@@ -42,7 +42,7 @@ static int32_t dot_of(const int32_t n[3], const int32_t v[3])
 /* v.N over |N|, held at +-1.0. 1 / |N| = root 2^(up - 1), so the product is below 2^62. */
 static int32_t unit_dot(const int32_t n[3], const int32_t v[3], uint32_t root, unsigned up)
 {
-    int32_t dot = min32(max32(dot_of(n, v), -(INT32_MAX >> up)), INT32_MAX >> up) * (1 << up);
+    int32_t dot = min32(max32(node_dot(n, v), -(INT32_MAX >> up)), INT32_MAX >> up) * (1 << up);
     int32_t half = mul_round(dot, (int32_t)(root >> 1), 32);
 
     return 2 * min32(max32(half, -(1 << 29)), 1 << 29);
@@ -62,7 +62,7 @@ static struct node node_at(const struct phong_normals_setup *p, int32_t x, int32
 
     for (int i = 0; i < 3; i++)
         n[i] = (int32_t)plane_at(&p->normal[i], x, y);
-    uint32_t square = square_of(n);
+    uint32_t square = node_square(n);
     if (square < 1u << 8)
         return node;
     unsigned up = clz32(square) / 2; /* N.N / 4 * 4^up lies in [1/4, 1) */

@@ -19,6 +19,20 @@ SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u
     return lit;
 }
 
+/* A pixel in a highlight that is not dithered. On M0+ a function of its own has the registers that it takes. */
+#if defined(__ARM_ARCH_6M__)
+static APART
+#else
+SPECIALISED
+#endif
+    uint32_t
+    plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, const struct tile *t, const uint16_t *depth)
+{
+    struct lit lit = lit_of(q, f, u, SECOND_POWER);
+
+    return pixel_order(loop_pixel(t, depth, q, lit.diffuse, lit.specular, 0), 1);
+}
+
 /* 565 with the loop's terms; `plain`: neither dithered nor in this machine's order. */
 SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, int32_t x, int32_t x1,
                            const uint8_t *thresholds, const struct shaded_run *run, enum second second, int plain)
@@ -32,10 +46,15 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     do {
         if (nearer(t, depth, z)) {
             OPAQUE(q); /* the loop's numbers have the registers */
-            struct lit lit = lit_of(q, f, u, second);
-            uint32_t threshold = plain || thresholds == NULL ? 0 : (uint32_t)thresholds[x & 7] << (LOOP_FRACTION - 7);
-            uint32_t value = loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = pixel_order(value, plain ? 1 : swap);
+            uint32_t value;
+            if (plain) {
+                value = plain_pixel(q, f, u, t, depth);
+            } else {
+                struct lit lit = lit_of(q, f, u, second);
+                uint32_t threshold = thresholds == NULL ? 0 : (uint32_t)thresholds[x & 7] << (LOOP_FRACTION - 7);
+                value = pixel_order(loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold), swap);
+            }
+            *(uint16_t *)(void *)((char *)depth + to_pixel) = (uint16_t)value;
         }
         depth++;
         z += dz;
@@ -108,7 +127,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 }
 
 #if FAST_LOOPS
-SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second)
+SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second, int dither)
 {
     struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y), u = f;
     struct quadric *stepped = &f, *second_stepped = &u;
@@ -126,7 +145,9 @@ SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, e
             quadric_run(stepped, x - q->x, &run.f, &run.df, &run.ddf);
             if (second != SECOND_NONE)
                 quadric_run(second_stepped, x - q->x, &run.u, &run.du, &run.ddu);
-            if (second == SECOND_NONE)
+            if (dither)
+                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, threshold_row(1, y), &run, second, 0);
+            else if (second == SECOND_NONE)
                 cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
             else
                 quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, NULL, &run, second, 1);
@@ -144,12 +165,22 @@ static int plain_will_do(const struct tile *t, const struct draw *d, enum second
 
 static APART void cosine_ramp_rows(const struct tile *t, const struct quadric_setup *q)
 {
-    own_rows(t, q, SECOND_NONE);
+    own_rows(t, q, SECOND_NONE, 0);
 }
 
 static APART void plain_rows(const struct tile *t, const struct quadric_setup *q)
 {
-    own_rows(t, q, SECOND_POWER);
+    own_rows(t, q, SECOND_POWER, 0);
+}
+
+static APART void dithered_rows(const struct tile *t, const struct quadric_setup *q)
+{
+    own_rows(t, q, SECOND_NONE, 1);
+}
+
+static APART void dithered_power_rows(const struct tile *t, const struct quadric_setup *q)
+{
+    own_rows(t, q, SECOND_POWER, 1);
 }
 
 int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
@@ -160,6 +191,10 @@ int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
         plain_rows(t, q);
     else if (ramp_will_do(q->s.draw, second))
         cosine_ramp_rows(t, q);
+    else if (t->dither && q->s.draw->loop.usable && second == SECOND_NONE)
+        dithered_rows(t, q);
+    else if (t->dither && q->s.draw->loop.usable && second == SECOND_POWER)
+        dithered_power_rows(t, q);
     else
         return 0;
     return 1;
