@@ -5,7 +5,7 @@
  * largest difference between corners 2^-29 (the reciprocal of the area) and 2^-exponent - 16 for each pixel walked. One
  * of 15 bits: of that difference 2^-15 (the seed), as much more as a needle's steps are larger, and 2^-exponent for
  * each pixel, and 2^(7 - exponent) of the differences' unit where corner 0 lies in its pixel. What Phong adds: L.N and
- * V.N over the root of N.N, 4 + 5 |Ni - Nj|^2 + 2^-18 (x^2 + |x y| + y^2) raw steps of Q0.15 over N.N, x and y walked
+ * V.N over the root of N.N, 6 + 6 |Ni - Nj|^2 + 2^-18 (x^2 + |x y| + y^2) raw steps of Q0.15 over N.N, x and y walked
  * from corner 0, as much more as a needle's steps are larger.
  */
 #include <stdlib.h>
@@ -298,7 +298,7 @@ struct phong_case {
 static void note_cosine(struct phong_case *c, double dot, double square, double walked, const int32_t v[3],
                         const double n[3], const char *which)
 {
-    double exact = 0, length = 0, slack = (4 + walked + 5 * c->apart) * fmax(1, ldexp(1, c->g.stretch));
+    double exact = 0, length = 0, slack = (6 + walked + 6 * c->apart) * fmax(1, ldexp(1, c->g.stretch));
 
     for (int i = 0; i < 3; i++) {
         exact += n[i] * v[i] / ONE;

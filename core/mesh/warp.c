@@ -43,10 +43,10 @@ static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_nor
     if (!unit_normal(corner, normal))
         return 0;
     for (int k = 0; k < 3; k++) {
-        int32_t off = normal[k] - polygon_normal[k] * 32769; /* 2^30 / 32767, less 2^-15 of it */
-        if (magnitude32(off) >= 1u << 29)
+        int64_t off = (int64_t)normal[k] - polygon_normal[k] * 32769; /* 2^30 / 32767, less 2^-15 of it */
+        if (off >= 1 << 29 || off <= -(1 << 29))
             return SHEEN_WARP_UNKNOWN;
-        square += (uint64_t)((int64_t)off * off);
+        square += (uint64_t)(off * off);
         distance += (int64_t)normal[k] * (corner[0][k] - at[k]);
     }
     uint32_t away = (uint32_t)asr64(distance < 0 ? -distance : distance, 30) + 1;

@@ -7,6 +7,8 @@
 SETUP_FITS(struct phong_setup);
 SETUP_FITS(struct phong_normals_setup);
 
+/* px: where a triangle is magnified beyond, what its corners' 16 bits are off by is that of thousands of pixels. */
+#define LARGEST_BY_ROOT 2048
 #define SMALLEST_CELLS (4u << 2 * 3) /* px: four of 8 px square */
 #define FAR_SUM 26000                /* UQ0.15: the sum of |Ni - Nj|^2 / 4 is 0.8 */
 
@@ -195,7 +197,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && square_root_way(s, c, g, &f)))
+            (!piece && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);

@@ -190,7 +190,8 @@ int sheen_transform_begin(struct transform *t, const struct projection *p, const
         reach |= k < 2 ? (uint32_t)most : 0;
     }
     unsigned zeros = clz32((uint32_t)scale) - 1;                     /* 1..30; scale * 2^zeros in [2^30, 2^31) */
-    int most = 8 + p->focal.exponent + (int)clz32((uint32_t)p->far); /* then screen_shift - up <= 30 */
+    const uint32_t deepest = (uint32_t)(p->orthographic != 0 ? p->orthographic : p->far);
+    int most = 8 + p->focal.exponent + (int)clz32(deepest); /* then screen_shift - up <= 30 */
     t->fine = (unsigned)min32((int32_t)clz32(reach) - 1, most);
     t->shift = zeros - 1;               /* raw / 2^15 * rotation / 2^30 * scale = raw * row / 2^(14 + shift) */
     t->shift_fine = t->shift - t->fine; /* >= 0, for reach holds twice the scale */
