@@ -4,8 +4,8 @@
  *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
  *
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
- * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take SHEEN_WORKER_BYTES each, and
- * on 565 further ramps SHEEN_STORE(ramps - 1, SHEEN_BYTES_RAMP).
+ * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take
+ * SHEEN_WORKER_BYTES each, and on 565 further ramps SHEEN_STORE(ramps - 1, SHEEN_BYTES_RAMP).
  * The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H

@@ -189,7 +189,7 @@ int sheen_transform_begin(struct transform *t, const struct projection *p, const
         moved[k] = (int32_t)sum;
         reach |= k < 2 ? (uint32_t)most : 0;
     }
-    unsigned zeros = clz32((uint32_t)scale) - 1;                     /* 1..30; scale * 2^zeros in [2^30, 2^31) */
+    unsigned zeros = clz32((uint32_t)scale) - 1; /* 1..30; scale * 2^zeros in [2^30, 2^31) */
     const uint32_t deepest = (uint32_t)(p->orthographic != 0 ? p->orthographic : p->far);
     int most = 8 + p->focal.exponent + (int)clz32(deepest); /* then screen_shift - up <= 30 */
     t->fine = (unsigned)min32((int32_t)clz32(reach) - 1, most);
