@@ -3,7 +3,7 @@ sheen_script(consumers cross COMMAND tests/packaging/consumers ${PROJECT_BINARY_
 sheen_script(cmake_floor format COMMAND tests/packaging/cmake_floor)
 sheen_script(seeded_cmake_floor format COMMAND tests/checks/refuses "7 too new in 1 files"
   tests/packaging/cmake_floor tests/checks/seeded/new.cmake)
-sheen_script(panel_names panel COMMAND tests/packaging/panel_names $<TARGET_FILE:sheen> $<TARGET_FILE:sheen_hal>)
+sheen_script(panel_names packages COMMAND tests/packaging/panel_names $<TARGET_FILE:sheen> $<TARGET_FILE:sheen_hal>)
 sheen_script(no_cairo cross COMMAND tests/packaging/no_cairo)
 sheen_script(readme_program format COMMAND tests/packaging/readme_program)
 
