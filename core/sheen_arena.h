@@ -46,7 +46,8 @@
 
 /* What each further worker takes. */
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
-    (SHEEN_BYTES_WORKER + SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
+    (SHEEN_STORE(1, SHEEN_BYTES_WORKER) +                                                                              \
+     SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
 /* Bytes of an arena, see above. */
 #define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, used, triangles, draws, clipped,   \
