@@ -44,7 +44,7 @@ static void put_ceiling(const struct sheen_viewer *viewer, uint64_t bytes, char 
         snprintf(text, size, "no wire, no frame ceiling");
         return;
     }
-    unsigned bits = sheen_pixel_bits((enum sheen_pixel)record->pixel);
+    unsigned bits = record->bits_18 ? 24 : sheen_pixel_bits((enum sheen_pixel)record->pixel);
     double whole = (double)record->clock_hz / ((double)record->glass_w * record->glass_h * bits);
     int used = snprintf(text, size, "at %.4g MHz at most %.1f whole frames/s", record->clock_hz / 1e6, whole);
 
