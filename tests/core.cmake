@@ -9,6 +9,7 @@ sheen_test(test_core_angles unit SOURCES test_core_angles.c simple_polygon.c LIB
 
 # Set-up of triangles that were never drawn.
 sheen_test(test_core_gradient unit SOURCES test_core_gradient.c core_raster.c LIBRARIES core_picture sheen::core)
+sheen_test(test_core_rooms unit SOURCES test_core_rooms.c core_raster.c LIBRARIES core_picture sheen::core)
 sheen_test(test_core_slivers unit SOURCES test_core_slivers.c LIBRARIES core_picture sheen::core)
 sheen_test(test_core_facing unit SOURCES test_core_facing.c LIBRARIES core_picture sheen::core)
 sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES core_picture sheen::core)

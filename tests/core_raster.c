@@ -74,6 +74,12 @@ int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, str
 void core_raster_depths(struct core_raster *r, uint16_t *depth)
 {
     static uint16_t pixels[640 * 480];
+
+    core_raster_draw(r, depth, pixels);
+}
+
+void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels)
+{
     static struct span spans[480];
     const struct sheen_rect all = r->screen.viewport;
     struct tile tile = {.rect = all,

@@ -36,6 +36,9 @@ unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struc
 int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, struct sheen_rect rect, struct span *spans,
                       int *first);
 
+/* Draws the triangle, by its shader: depths, z16, and pixels, both of core_raster_begin's size. */
+void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels);
+
 /* The triangle's depths, z16, where they are nearer than what is there: width x height of core_raster_begin. */
 void core_raster_depths(struct core_raster *r, uint16_t *depth);
 

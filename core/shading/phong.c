@@ -58,9 +58,10 @@ static APART int square_root_way(struct setup *s, struct surface_corners *c, con
     struct quadric_steps steps;
     int32_t w[3], lean[3];
 
-    if (g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED)
+    if (!sheen_quadric_steps(&steps, g)) /* nor for needles: 2^16 shifted by 2 stretch stays in 32 bits */
         return 0;
-    if ((f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)) || !sheen_quadric_steps(&steps, g))
+    if ((g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED) ||
+        (f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)))
         return 0;
     corner_weights(c, w);
     const int32_t square = w[0] * w[0];

@@ -71,7 +71,7 @@ static const uint8_t triangles[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6,
 
 int main(void)
 {
-    static uint64_t arena[SHEEN_ARENA_BYTES(SIDE, SIDE, 2, ROWS, 1, 8, 12, 1, 0, 12) / 8];
+    static uint64_t arena[SHEEN_ARENA_BYTES(SIDE, SIDE, 2, ROWS, 1, 8, 8, 12, 1, 0, 12) / 8];
     static struct sheen_target target;
     static struct sheen_mesh cube;
     static struct sheen_material gold;
