@@ -25,8 +25,9 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
         return 1;
     most = most > second ? most : second;
     most = most > third ? most : third;
-    uint32_t weight = c->at.v[0]->z + (screen->weight_offset >> screen->weight_shift);
-    return most >> 6 <= (weight >> 6) * unit;
+    uint32_t least =
+        c->at.v[0]->z + (uint32_t)min32(0, min32(z1, z2)) + (screen->weight_offset >> screen->weight_shift);
+    return most >> 6 <= (least >> 6) * unit;
 }
 
 void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
@@ -50,6 +51,15 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
             leave |= f[k] < margin || f[k] > terms->top[i] - margin;
     }
     return leave != 0;
+}
+
+/* Steps of 11 fraction bits do for 64 px, a row of thresholds for COLUMN: corners lie on both sides of corner 0. */
+static int packable(const struct draw *d, const struct gradients *g)
+{
+    const int32_t x1 = g->to1[0], x2 = g->to2[0];
+
+    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS &&
+           (!d->dither || max32(max32(x1, x2), 0) - min32(min32(x1, x2), 0) < COLUMN * SUBPIXEL_ONE);
 }
 
 /* value: of the channels at the origin pixel; dx, dy: their steps. Exact there, whatever band is drawn. */
@@ -84,7 +94,7 @@ int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t dif
     const uint32_t low = terms->low, range = (uint32_t)terms->high - low;
     uint32_t value[3], dx[3], dy[3];
 
-    if (g->bits > SUBPIXEL_BITS + COLUMN_BITS || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
+    if (!packable(s->draw, g) || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
         diffuse + (uint32_t)d2 - low > range)
         return 0;
     struct plane l = sheen_plane(g, diffuse << 2, d1, d2, 2);
@@ -116,7 +126,7 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
         plane[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
     }
     s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
-    if (s->fast && g->bits <= SUBPIXEL_BITS + COLUMN_BITS) {
+    if (s->fast && packable(s->draw, g)) {
         const uint32_t dx[3] = {plane[0].dx, plane[1].dx, plane[2].dx}, dy[3] = {plane[0].dy, plane[1].dy, plane[2].dy};
         uint32_t value[3];
         for (int i = 0; i < 3; i++)
