@@ -11,32 +11,6 @@ SETUP_FITS(struct quotient_setup);
 
 #define GOURAUD_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
 
-/* Intensities at a corner of a back face, which vertices do not keep. */
-static APART void light_back(const struct setup *s, const struct surface_corners *c, int k, struct lit *lit)
-{
-    const int16_t *n = c->at.normal[k];
-    const int16_t negated[3] = {(int16_t)-max32(n[0], -32767), (int16_t)-max32(n[1], -32767),
-                                (int16_t)-max32(n[2], -32767)};
-
-    sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
-}
-
-/* At the corners; returns the largest specular one. */
-static uint32_t corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3])
-{
-    uint32_t most = 0;
-
-    for (int k = 0; k < 3; k++) {
-        const struct vertex *v = c->at.v[k];
-        lit[k].diffuse = v->kept[0];
-        lit[k].specular = v->kept[1];
-        if (c->back && (v->flags & LIT_AS_SEEN) == 0)
-            light_back(s, c, k, &lit[k]);
-        most = lit[k].specular > most ? lit[k].specular : most;
-    }
-    return most;
-}
-
 /* The largest difference between the corners in the channel that changes most, 1/1024 of 1.0, 0xffff at the most. */
 static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[2])
 {
@@ -169,7 +143,7 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
 {
     const struct draw *d = s->draw;
     struct lit lit[3];
-    uint32_t specular = corners_lit(s, c, lit);
+    uint32_t specular = sheen_corners_lit(s, c, lit);
 
     if (g == NULL) {
         struct lit mean = {(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse) / 3,

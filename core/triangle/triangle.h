@@ -160,6 +160,13 @@ struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, i
 /* ---- set-up and rows ---- */
 
 /*
+ * lit.c: light at the polygon that the triangle is of; at its corners, as vertices keep it for Gouraud: returns the
+ * largest specular one.
+ */
+void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
+uint32_t sheen_corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3]);
+
+/*
  * setup.c: edges, depth and gradients of a triangle from the rectangle's rows on; its spans there are filled.
  * c->at is given, clockwise where it is a front face; without OFF_VIEW it keeps within the rectangle's columns.
  * Number of rows, 0 where there is none; s->row is the next one.

@@ -4,7 +4,7 @@
  * m = -z is the lecture's mass ("Fixing Distortion"): x_s = focal * x / m. One
  * reciprocal a vertex serves x, y and depth.
  */
-#include "../math/newton.h"
+#include "../math/inverse.h"
 #include "vertex.h"
 
 /* value / 2^fraction as mantissa and exponent. value > 0. */
@@ -36,36 +36,6 @@ static struct scaled scaled_times(struct scaled a, struct scaled b)
 }
 
 /* ---- what is divided by m ---- */
-
-/*
- * 1/m as a seed and what it lacks: with u = m << up, 2^32 / u = 2 seed / 2^16 * (1 + lacks / 2^29), to 2^-28; |lacks| <
- * 2^15. That is Newton's step, brought over the products: 16-bit ones each.
- */
-struct inverse {
-    uint32_t seed; /* UQ1.15 */
-    int32_t lacks;
-    int up;
-};
-
-/* m > 0. */
-static inline struct inverse inverse_of(uint32_t m)
-{
-    unsigned up = clz32(m | 1); /* the compiler need not ask whether m is 0 */
-    uint32_t u = m << up;
-    IN_REGISTER(u);
-    uint32_t seed = reciprocal_seed(u);
-    struct inverse i = {seed, asr32((int32_t)((1u << 31) - PRODUCT_FORM(share)(seed, u)), 2), (int)up};
-
-    return i;
-}
-
-/* v / u * 2^30, |v| < 2^31. */
-static inline int32_t over(struct inverse i, int32_t v)
-{
-    int32_t share = PRODUCT_FORM(signed_share)(i.seed, v); /* |share| < 2^30 */
-
-    return share + asr32(asr32(share, 15) * i.lacks, 14);
-}
 
 /* v / u * 2^31, v < u * 2 (1 - 2^-27). */
 static inline uint32_t depth_over(struct inverse i, uint32_t v)

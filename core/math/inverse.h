@@ -1,0 +1,40 @@
+/*
+ * inverse.h - private: what is divided by a depth or a weight, in 32 bits.
+ */
+#ifndef SHEEN_INVERSE_H
+#define SHEEN_INVERSE_H
+
+#include "newton.h"
+#include "products.h"
+
+/*
+ * 1/m as a seed and what it lacks: with u = m << up, 2^32 / u = 2 seed / 2^16 * (1 + lacks / 2^29), to 2^-28; |lacks| <
+ * 2^15. That is Newton's step, brought over the products: 16-bit ones each.
+ */
+struct inverse {
+    uint32_t seed; /* UQ1.15 */
+    int32_t lacks;
+    int up;
+};
+
+/* m > 0. */
+static inline struct inverse inverse_of(uint32_t m)
+{
+    unsigned up = clz32(m | 1); /* the compiler need not ask whether m is 0 */
+    uint32_t u = m << up;
+    IN_REGISTER(u);
+    uint32_t seed = reciprocal_seed(u);
+    struct inverse i = {seed, asr32((int32_t)((1u << 31) - PRODUCT_FORM(share)(seed, u)), 2), (int)up};
+
+    return i;
+}
+
+/* v / u * 2^30, |v| < 2^31. */
+static inline int32_t over(struct inverse i, int32_t v)
+{
+    int32_t share = PRODUCT_FORM(signed_share)(i.seed, v); /* |share| < 2^30 */
+
+    return share + asr32(asr32(share, 15) * i.lacks, 14);
+}
+
+#endif
