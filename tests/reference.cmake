@@ -18,6 +18,9 @@ sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000)
+foreach(number 10248 23943 27112) # once outside their limits
+  sheen_script(accuracy_random_${number} accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 1 ${number})
+endforeach()
 if(NOT SHEEN_SANITIZED)
   sheen_script(accuracy_random_long long COMMAND $<TARGET_FILE:test_accuracy_random> 30000)
 endif()

@@ -72,16 +72,11 @@ static void diffuse_range(struct colour_terms *t, int grey)
 /* What set-up needs of them: how much of an intensity shows. */
 static void colour_sensitivity(struct colour_terms *t, unsigned level_bits, int grey)
 {
-    uint32_t diffuse = 0, specular = 0, most = 0;
+    uint32_t diffuse = 0, specular = 0;
 
-    t->dominant = 3;
-    for (uint8_t k = 0; k < 3; k++) {
+    for (unsigned k = 0; k < 3; k++) {
         diffuse = grey ? diffuse + t->b[k] : max_u32(diffuse, t->b[k]);
         specular = grey ? specular + t->c[k] : max_u32(specular, t->c[k]);
-        if (!grey && (uint32_t)t->b[k] + t->c[k] >= most) {
-            most = (uint32_t)t->b[k] + t->c[k];
-            t->dominant = k;
-        }
     }
     diffuse_range(t, grey);
     t->unit = (uint8_t)(t->fraction + level_bits - 6);
@@ -130,7 +125,8 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither)
 {
-    const uint32_t faint = 1u << (t->unit - 5), half = dither ? 0 : 1u << (t->fraction - 1);
+    const uint32_t faint = 1u << (t->unit - 5 - (dither ? FAINT_DITHERED : 0)),
+                   half = dither ? 0 : 1u << (t->fraction - 1);
     uint32_t most = 0, low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
 
     for (int k = 0; k < 3; k++)

@@ -121,13 +121,12 @@ struct colour_terms {
     uint16_t b[3], c[3];
     uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
     uint8_t fraction;
-    uint8_t clamp;    /* some normal may give more */
-    uint8_t dominant; /* the channel that changes most; 3: their sum does, on grey */
-    uint16_t dim;     /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0 */
-    uint16_t eighth;  /* a diffuse one that gives at most 1/8 of that */
-    uint8_t unit;     /* logarithm of a 64th of 1.0, with the fraction */
-    uint16_t low;     /* from this diffuse one on to */
-    uint16_t high;    /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
+    uint8_t clamp;   /* some normal may give more */
+    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see FAINT_DITHERED */
+    uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
+    uint8_t unit;    /* logarithm of a 64th of 1.0, with the fraction */
+    uint16_t low;    /* from this diffuse one on to */
+    uint16_t high;   /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
 };
 
 /*
@@ -142,6 +141,9 @@ struct loop_terms {
     const uint32_t *power; /* the table */
     uint8_t usable;        /* 1: the target and the colours are such */
 };
+
+/* Thresholds are 1/64 level apart: over an area of one colour each that is crossed is 1/64 of its pixels a channel. */
+#define FAINT_DITHERED 2 /* dithered a highlight may be left out where it gives so many powers of two less */
 
 static inline uint32_t clamped(uint32_t x, uint32_t top)
 {
@@ -202,7 +204,7 @@ void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const stru
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* Ends the power table where a highlight gives less than 1/32 level, and fills in *q. */
+/* Ends the power table where a highlight gives less than 1/32 level, dithered 1/128, and fills in *q. */
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither);
 /* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */

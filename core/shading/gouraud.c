@@ -96,15 +96,26 @@ static void corner_channels(const struct colour_terms *terms, const struct lit l
             channel[i][k] = colour_channel(terms, i, &lit[k]);
 }
 
-/* Differences of the channel that changes most, of corners 1 and 2 to 0, in 2^16 steps. */
-static void dominant_differences(const struct colour_terms *terms, uint32_t channel[3][3], int32_t d[2])
+/*
+ * Differences of the channel that changes most over the triangle, or of their sum on grey, of corners 1 and 2 to 0, in
+ * 2^16 steps. A highlight's may be another than the diffuse part's.
+ */
+static void most_differences(const struct draw *draw, uint32_t channel[3][3], int32_t d[2])
 {
+    uint32_t most = 0;
+
     d[0] = d[1] = 0;
-    for (unsigned i = 0; i < 3; i++) {
-        if (terms->dominant != 3 && terms->dominant != i)
-            continue;
-        d[0] += cut_difference(channel[i][1], channel[i][0]);
-        d[1] += cut_difference(channel[i][2], channel[i][0]);
+    for (int i = 0; i < 3; i++) {
+        int32_t d1 = cut_difference(channel[i][1], channel[i][0]), d2 = cut_difference(channel[i][2], channel[i][0]);
+        uint32_t both = magnitude32(d1) + magnitude32(d2);
+        if (!draw->is_565) {
+            d[0] += d1;
+            d[1] += d2;
+        } else if (both > most) {
+            most = both;
+            d[0] = d1;
+            d[1] = d2;
+        }
     }
 }
 
@@ -116,7 +127,7 @@ static APART void curved(struct setup *s, struct surface_corners *c, const struc
     int32_t d[2];
 
     corner_channels(terms, lit, channel);
-    dominant_differences(terms, channel, d);
+    most_differences(s->draw, channel, d);
     sheen_weigh(c);
     s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
@@ -132,7 +143,7 @@ static APART void glossy(struct setup *s, struct surface_corners *c, const struc
     int32_t d[2];
 
     corner_channels(terms, lit, channel);
-    dominant_differences(terms, channel, d);
+    most_differences(s->draw, channel, d);
     if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->unit - 19)))
         sheen_setup_linear(s, g, channel);
     else
@@ -152,7 +163,7 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
         return;
     }
     s->way = SHEEN_WAY_GOURAUD_LINEAR;
-    if (specular > d->colour.dim) {
+    if (specular > (uint32_t)d->colour.dim >> (d->dither ? FAINT_DITHERED : 0)) {
         glossy(s, c, g, lit);
         return;
     }

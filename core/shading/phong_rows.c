@@ -103,11 +103,30 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
 /* ---- several lights ---- */
 
 /*
- * The normal at a pixel, Q0.15 of a length in [1/2, 1]; *root becomes 1/|N|,
- * UQ1.15. Returns 0 where there is no direction left.
+ * A pixel's normal, Q0.15 of a length in [1/2, 1], and 1/|N|: a root seed, UQ1.15, and the share, Q.28, that it lacks
+ * of it. Where a triangle is magnified, what the seed is off by is that of thousands of pixels, and of it a highlight
+ * makes n times as much; what rounding turns N by does not show.
  */
-static int pixel_normal(const uint32_t plane[3], int32_t n[3], uint32_t *root)
+struct pixel_normal {
+    int32_t n[3];
+    uint32_t root;
+    int32_t lacks;
+};
+
+/* Half of 1 - D root^2, D UQ1.31, Q.28: below 2^15. */
+static int32_t root_lacks(uint32_t d, uint32_t root)
 {
+    const uint32_t square = root * root, high = d >> 16, low = d & 0xffffu; /* UQ2.30 */
+    uint32_t product =
+        high * (square >> 16) + (high * (square & 0xffffu) >> 16) + (low * (square >> 16) >> 16); /* UQ.29 */
+
+    return asr32((int32_t)((1u << 29) - product), 2);
+}
+
+/* Returns 0 where there is no direction left. */
+static int pixel_normal(const uint32_t plane[3], struct pixel_normal *p)
+{
+    int32_t *n = p->n;
     uint32_t square = 0; /* UQ2.30 */
 
     for (int i = 0; i < 3; i++) {
@@ -124,25 +143,37 @@ static int pixel_normal(const uint32_t plane[3], int32_t n[3], uint32_t *root)
         for (int i = 0; i < 3; i++)
             n[i] *= 2;
     }
-    *root = root_seed(square << 1);
+    p->root = root_seed(square << 1);
+    p->lacks = root_lacks(square << 1, p->root);
     return 1;
 }
 
+/* v.N over |N|, held at +-1.0: Q2.29. Range: |dot| < 2^31, so root times its high half stays below 2^31. */
+SPECIALISED int32_t unit_dot_at(const struct pixel_normal *p, const int32_t v[3])
+{
+    int32_t dot = 2 * dot32_q29(p->n, v);
+    int32_t x = (int32_t)p->root * asr32(dot, 16) + (int32_t)(p->root * ((uint32_t)dot & 0xffffu) >> 16);
+
+    x += asr32(asr32(x, 15) * p->lacks, 13);
+    return min32(max32(x, -(1 << 29)), 1 << 29);
+}
+
 /* Sum over the lights, each with its weight. */
-static void light_normal(const struct draw *d, const int32_t n[3], uint32_t root, struct lit *lit)
+static void light_normal(const struct draw *d, const struct pixel_normal *p, struct lit *lit)
 {
     const struct lighting *l = &d->light;
-    int32_t facing = normalised(2 * dot32_q29(n, l->view), root);
+    const int32_t facing = unit_dot_at(p, l->view);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
 
-    facing = min32(max32(facing, -32768), 32768);
     for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = min32(normalised(2 * dot32_q29(n, l->to[i]), root), 32768);
+        int32_t ln = unit_dot_at(p, l->to[i]), high = asr32(ln, 14);
+        uint32_t rounded = (uint32_t)asr32(ln + (1 << 13), 14); /* UQ1.15 */
         if (ln <= 0)
             continue;
-        diffuse += l->diffuse_weight[i] * (uint32_t)ln;
-        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)(ln * facing));
-        specular += l->specular_weight[i] * highlight_at(d->power, u, (uint32_t)ln);
+        int32_t product = mul_16_32(high, facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - 4u * (uint32_t)product);
+        diffuse += l->diffuse_weight[i] * rounded;
+        specular += l->specular_weight[i] * highlight_at(d->power, u, rounded);
     }
     lit->diffuse = (diffuse + HALF) >> 15;
     lit->specular = (specular + HALF) >> 15;
@@ -162,10 +193,9 @@ void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
         for (; x < x1; x++, at++, z += s->depth.dx) {
             if (nearer(t, t->depth + at, z)) {
                 struct lit lit = {0, 0};
-                uint32_t root;
-                int32_t n[3];
-                if (pixel_normal(plane, n, &root))
-                    light_normal(s->draw, n, root, &lit);
+                struct pixel_normal normal;
+                if (pixel_normal(plane, &normal))
+                    light_normal(s->draw, &normal, &lit);
                 put_lit(t, s->draw, rounding, at, x, lit);
             }
             for (int i = 0; i < 3; i++)
