@@ -63,21 +63,38 @@ static void orient(struct surface_corners *c, struct gradients *g)
         turn_over(&c->at, g);
 }
 
+/*
+ * Depths' differences, times 2^stretch, whose planes of 15 bits are off by up to a step of z16 and more. What such
+ * a plane lacks at corners 1 and 2, below 2^7 steps, makes a second one; Q.22 of a step, modulo 2^32, then Q.8.
+ */
+#define STEEPEST_DEPTH 32768
+
+static APART void mend_depth(struct plane *depth, const struct gradients *g, int32_t d1, int32_t d2)
+{
+    const uint32_t at1 = depth->dx * (uint32_t)g->to1[0] + depth->dy * (uint32_t)g->to1[1];
+    const uint32_t at2 = depth->dx * (uint32_t)g->to2[0] + depth->dy * (uint32_t)g->to2[1];
+    const int32_t lack1 = (int32_t)(((uint32_t)d1 << 22) - at1), lack2 = (int32_t)(((uint32_t)d2 << 22) - at2);
+    const struct plane rest = sheen_plane(g, 0, asr32(lack1, 14), asr32(lack2, 14), 8);
+
+    depth->base += rest.base;
+    depth->dx += rest.dx;
+    depth->dy += rest.dy;
+}
+
 static void depth_plane(struct setup *s, const struct surface_corners *c, const struct gradients *g, int flat)
 {
-    int32_t z = c->at.v[0]->z, d1 = c->at.v[1]->z - z, d2 = c->at.v[2]->z - z;
-    unsigned up = 16;
+    const int32_t z[3] = {c->at.v[0]->z, c->at.v[1]->z, c->at.v[2]->z}, d1 = z[1] - z[0], d2 = z[2] - z[0];
+    const uint32_t steep = magnitude32(d1) + magnitude32(d2);
 
-    s->depth = (struct plane){(uint32_t)z << 16, 0, 0};
-    if (flat)
-        return;
-    if ((uint32_t)(d1 + STEEPEST_DIFFERENCE) > 2 * STEEPEST_DIFFERENCE ||
-        (uint32_t)(d2 + STEEPEST_DIFFERENCE) > 2 * STEEPEST_DIFFERENCE) {
-        d1 = asr32(d1, 1);
-        d2 = asr32(d2, 1);
-        up = 17;
+    if (flat) {
+        s->depth = (struct plane){(uint32_t)z[0] << 16, 0, 0};
+    } else if (steep > STEEPEST_DIFFERENCE) {
+        s->depth = sheen_gradient_plane(g, z, 16);
+    } else {
+        s->depth = sheen_plane(g, (uint32_t)z[0] << 16, d1, d2, 16);
+        if (steep << max32(g->stretch, 0) > STEEPEST_DEPTH && !g->wide)
+            mend_depth(&s->depth, g, d1, d2);
     }
-    s->depth = sheen_plane(g, (uint32_t)z << 16, d1, d2, up);
 }
 
 unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
