@@ -18,4 +18,14 @@ sheen_script(frame_sums_tapped accuracy
   COMMAND bash -c "diff <($0) <($1) && $1 | wc -l" $<TARGET_FILE:frame_sum> $<TARGET_FILE:frame_sum_tapped>)
 
 # The command: its figures, their numbers, bad folders.
-sheen_script(cli_lecture cli COMMAND tests/cli/lecture $<TARGET_FILE:sheen>)
+sheen_script(cli_lecture cli COMMAND tests/cli/lecture $<TARGET_FILE:sheen> .)
+
+# What a page refuses to hold.
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo fontconfig)
+set(lecture_folder ${PROJECT_SOURCE_DIR}/host-sim/lecture)
+sheen_test(test_lecture_page unit
+  SOURCES test_lecture_page.c ${lecture_folder}/lecture_page.c ${lecture_folder}/lecture_plot.c
+    ${lecture_folder}/lecture_text.c
+  LIBRARIES sheen::host sheen::core PkgConfig::cairo m)
+target_include_directories(test_lecture_page PRIVATE ${lecture_folder})

@@ -14,28 +14,36 @@ static const struct {
     const char *name;
     int (*draw)(struct sheen_page *page);
 } figures[] = {
+    {"light-terms", sheen_lecture_terms},
     {"mach-bands", sheen_lecture_mach},
     {"highlights", sheen_lecture_highlight},
+    {"barycentric", sheen_lecture_barycentric},
     {"orientation", sheen_lecture_orientation},
-    {"distortion", sheen_lecture_distortion},
-    {"normals", sheen_lecture_arc},
+    {"newell", sheen_lecture_newell},
     {"drift", sheen_lecture_drift},
+    {"length", sheen_lecture_length},
+    {"newton", sheen_lecture_newton},
+    {"specular", sheen_lecture_specular},
+    {"normals", sheen_lecture_arc},
+    {"increments", sheen_lecture_increments},
+    {"distortion", sheen_lecture_distortion},
+    {"cost", sheen_lecture_cost},
 };
 
 enum {
     FIGURES = sizeof figures / sizeof figures[0]
 };
 
-#define SHEET "contact-sheet"
-
-/* "DIR/NAME.png". */
-static int file_name(char *path, size_t size, const char *folder, const char *name, struct sheen_problem *problem)
+/* "DIR/NAME.ENDING". */
+static int write_page(const struct sheen_page *page, const char *folder, const char *ending,
+                      struct sheen_problem *problem)
 {
-    int length = snprintf(path, size, "%s/%s.png", folder, name);
+    char path[4096];
+    int length = snprintf(path, sizeof path, "%s/%s.%s", folder, page->name, ending);
 
-    if (length < 0 || (size_t)length >= size)
+    if (length < 0 || (size_t)length >= sizeof path)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", folder, strerror(ENAMETOOLONG));
-    return SHEEN_OK;
+    return sheen_page_write(page, path, problem);
 }
 
 /* A folder that is there is as good as a new one. */
@@ -51,37 +59,44 @@ static int make_folder(const char *folder, struct sheen_problem *problem)
     return why == EEXIST ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", folder, strerror(why));
 }
 
+/*
+ * The last page is the contact sheet. What does not fit its page is a warning: it comes with a font that is wider
+ * than what the figures were laid out for.
+ */
 static int draw_pages(struct sheen_page *pages, int *open, struct sheen_problem *problem)
 {
     for (int i = 0; i < FIGURES; i++) {
-        int error = sheen_page_open(&pages[(*open)++], figures[i].name);
+        int error = sheen_page_open(&pages[(*open)++], figures[i].name, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT);
         if (!error)
             error = figures[i].draw(&pages[i]);
         if (error)
             return sheen_problem(problem, error, "%s: %s", figures[i].name, sheen_strerror(error));
     }
+    int error = sheen_page_sheet(&pages[(*open)++], pages, FIGURES);
+    if (error)
+        return sheen_problem(problem, error, "contact sheet: %s", sheen_strerror(error));
+    for (int i = 0; i <= FIGURES; i++)
+        if (sheen_page_check(&pages[i], problem))
+            fprintf(stderr, "sheen: warning: %s\n", problem->text);
     return SHEEN_OK;
 }
 
 /* All pages are drawn before the first file is written. */
 static int write_pages(const struct sheen_page *pages, const char *folder, struct sheen_problem *problem)
 {
-    char path[4096];
     int error = SHEEN_OK;
 
-    for (int i = 0; !error && i < FIGURES; i++) {
-        error = file_name(path, sizeof path, folder, pages[i].name, problem);
-        if (!error)
-            error = sheen_page_write(&pages[i], path, problem);
+    for (int i = 0; !error && i <= FIGURES; i++) {
+        error = write_page(&pages[i], folder, "png", problem);
+        if (!error && i < FIGURES) /* the sheet would hold each page whole */
+            error = write_page(&pages[i], folder, "svg", problem);
     }
-    if (!error)
-        error = file_name(path, sizeof path, folder, SHEET, problem);
-    return error ? error : sheen_page_write_sheet(pages, FIGURES, path, problem);
+    return error;
 }
 
 enum sheen_exit sheen_cmd_lecture(struct sheen_options *options)
 {
-    struct sheen_page pages[FIGURES];
+    static struct sheen_page pages[FIGURES + 1];
     struct sheen_problem problem;
     int open = 0;
 

@@ -30,8 +30,8 @@ const struct sheen_command sheen_command_table[] = {
     {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames a second.", SHEEN_PANELS,
      sheen_cmd_panels},
     {"lecture", "-o DIR",
-     "Draws a figure for each claim of the lecture on shading that the core is built on, and a "
-     "contact sheet of all; prints the numbers that the figures show.",
+     "Draws a figure for each claim of the lecture on shading that the core is built on, as PNG and SVG, and "
+     "a contact sheet of all; prints the numbers that the figures show.",
      SHEEN_LECTURE, sheen_cmd_lecture},
     {"man", "", "Prints the page of the manual: sheen man | man -l -", 0, sheen_cmd_man},
     {NULL, NULL, NULL, 0, NULL},

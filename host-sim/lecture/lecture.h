@@ -12,12 +12,20 @@
 #include "lecture_plot.h"
 #include "shadings.h"
 
+int sheen_lecture_terms(struct sheen_page *page);
 int sheen_lecture_mach(struct sheen_page *page);
 int sheen_lecture_highlight(struct sheen_page *page);
+int sheen_lecture_barycentric(struct sheen_page *page);
 int sheen_lecture_orientation(struct sheen_page *page);
 int sheen_lecture_distortion(struct sheen_page *page);
 int sheen_lecture_arc(struct sheen_page *page);
 int sheen_lecture_drift(struct sheen_page *page);
+int sheen_lecture_length(struct sheen_page *page);
+int sheen_lecture_newton(struct sheen_page *page);
+int sheen_lecture_specular(struct sheen_page *page);
+int sheen_lecture_increments(struct sheen_page *page);
+int sheen_lecture_newell(struct sheen_page *page);
+int sheen_lecture_cost(struct sheen_page *page);
 
 /*
  * The angle in degrees between the left normal and the one at each pixel of a row, for normals `degrees`

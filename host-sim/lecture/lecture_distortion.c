@@ -83,8 +83,8 @@ static int draw_way(struct sheen_page *page, struct sheen_lecture_scene *scene, 
     take_column(c, scene, picture);
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         picture[i] = in_bands(picture[i]);
-    sheen_page_intensity(page, left, 112, 1, picture, WIDTH, HEIGHT);
-    sheen_page_text(page, left + WIDTH / 2, 438, SHEEN_CENTRE, ink,
+    sheen_page_intensity(page, left, 108, 1, picture, WIDTH, HEIGHT);
+    sheen_page_text(page, left + WIDTH / 2, 434, SHEEN_CENTRE, ink,
                     affine ? "linear on the screen" : "Blinn's way: I/m over 1/m");
     return SHEEN_OK;
 }
@@ -94,17 +94,19 @@ int sheen_lecture_distortion(struct sheen_page *page)
     static struct sheen_lecture_mesh plane;
     static struct column affine, correct;
     struct sheen_lecture_scene scene;
-    struct sheen_axes axes = {632, 118, 330, 290, 0, 1, 0.2, 0.85};
+    struct sheen_axes axes = {622, 138, 324, 230, 0, 1, 0.2, 0.85};
     double root = sqrt(FAR_M / NEAR_M), error_found = 0;
 
-    sheen_lecture_scene_default(&scene, &plane);
+    sheen_lecture_scene_default(&scene, &plane.mesh);
     make_plane(&plane, scene.distance);
     scene.ortho = 0;
     scene.width = WIDTH;
     scene.height = HEIGHT;
     scene.reach = 1.74;
     sheen_page_title(page, "Distortion by perspective",
-                     "On a receding plane intensity is linear in space, not on the screen: interpolate I/m and 1/m.");
+                     "Intensity is linear in space, not on the screen: interpolate I/m and 1/m, m being the depth.");
+    sheen_page_caption(page, "A plane that recedes from the eye, with lines of equal intensity. Interpolated on the "
+                             "screen they bend at the edge that two faces share; Blinn's way keeps them straight.");
     int error = draw_way(page, &scene, 1, &affine);
     if (!error)
         error = draw_way(page, &scene, 0, &correct);
@@ -113,17 +115,20 @@ int sheen_lecture_distortion(struct sheen_page *page)
     for (int i = 0; i < affine.count && i < correct.count; i++)
         error_found = fmax(error_found, fabs(affine.measured[i] - correct.measured[i]));
     sheen_page_axes(page, &axes, 0.25, 2, 0.2, 1);
-    sheen_page_axis_names(page, &axes, "t* on the screen, near to far", "intensity along the middle");
+    sheen_page_axis_names(page, &axes, "on the screen, near to far", "intensity along the middle");
+    page->heart = (struct sheen_box){580, 114, 966, 416};
+    sheen_page_text(page, 640, 222, SHEEN_LEFT, SHEEN_INK_WRONG, "on the screen");
+    sheen_page_text(page, 880, 350, SHEEN_RIGHT, SHEEN_INK_GOURAUD, "in space");
     sheen_page_curve(page, &axes, SHEEN_INK_FAINT, 5, affine.row, affine.formula, affine.count);
     sheen_page_curve(page, &axes, SHEEN_INK_FAINT, 5, correct.row, correct.formula, correct.count);
     sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 2, affine.row, affine.measured, affine.count);
     sheen_page_curve(page, &axes, SHEEN_INK_GOURAUD, 2, correct.row, correct.measured, correct.count);
-    sheen_page_number(page, 36, 494, SHEEN_INK_TEXT, "depth m from %.1f to %.1f, so q = %.1f", NEAR_M, FAR_M,
+    sheen_page_number(page, 36, 474, SHEEN_INK_TEXT, "depth m from %.1f to %.1f, so q = %.1f", NEAR_M, FAR_M,
                       FAR_M / NEAR_M);
-    sheen_page_number(page, 36, 522, SHEEN_INK_WRONG, "linear on the screen is off by up to %.4f", error_found);
-    sheen_page_number(page, 36, 550, SHEEN_INK_FLAT, "by the formula, dI (√q - 1) / (√q + 1): %.4f",
+    sheen_page_number(page, 36, 500, SHEEN_INK_WRONG, "linear on the screen is off by up to %.4f", error_found);
+    sheen_page_number(page, 36, 526, SHEEN_INK_FLAT, "by the formula, dI (√q - 1) / (√q + 1): %.4f",
                       ALONG * (root - 1) / (root + 1));
-    sheen_page_number(page, 36, 578, SHEEN_INK_GOURAUD,
+    sheen_page_number(page, 36, 552, SHEEN_INK_GOURAUD,
                       "measured from the grey curves: at most %.5f (screen), %.5f (Blinn)", affine.off, correct.off);
     return SHEEN_OK;
 }

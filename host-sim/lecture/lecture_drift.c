@@ -41,7 +41,7 @@ static double naive_limit(double degrees)
 
 static int draw_steps(struct sheen_page *page)
 {
-    struct sheen_axes axes = {92, 118, 400, 330, 0, STEPS, 0, 65};
+    struct sheen_axes axes = {76, 128, 340, 240, 0, STEPS, 0, 65};
     double x[STEPS + 1], wrong[STEPS + 1], core[STEPS], centre[STEPS];
     int error = sheen_lecture_angles(SHEEN_PHONG, 60, STEPS, core);
 
@@ -54,44 +54,49 @@ static int draw_steps(struct sheen_page *page)
         centre[i] = i + 0.5;
     double end = core[STEPS - 1] + (core[STEPS - 1] - core[STEPS - 2]) / 2; /* half a pixel on */
     sheen_page_axes(page, &axes, 20, 0, 15, 0);
-    sheen_page_axis_names(page, &axes, "px", "angle from the first normal, the second being at 60°");
+    sheen_page_axis_names(page, &axes, "px along the row", "degrees from the first normal");
+    page->heart = (struct sheen_box){36, 104, 436, 420};
     sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 2.2, x, wrong, STEPS + 1);
     sheen_page_curve(page, &axes, SHEEN_INK_PHONG, 2.2, centre, core, STEPS);
     sheen_page_dot(page, &axes, SHEEN_INK_WRONG, STEPS, wrong[STEPS]);
     sheen_page_dot(page, &axes, SHEEN_INK_PHONG, STEPS, end);
-    sheen_page_number(page, 36, 524, SHEEN_INK_WRONG, "renormalised at each of %d steps: ends at %.2f°", STEPS,
+    sheen_page_text(page, 300, 300, SHEEN_LEFT, SHEEN_INK_WRONG, "renormalised");
+    sheen_page_text(page, 270, 190, SHEEN_RIGHT, SHEEN_INK_PHONG, "kept as it is");
+    sheen_page_number(page, 36, 480, SHEEN_INK_WRONG, "renormalised at each of %d steps: ends at %.2f°", STEPS,
                       wrong[STEPS]);
-    sheen_page_number(page, 36, 550, SHEEN_INK_FLAT, "in endless small steps: %.2f°", naive_limit(60));
-    sheen_page_number(page, 36, 576, SHEEN_INK_PHONG, "kept unnormalised, as the core's pixels show: %.2f°", end);
+    sheen_page_number(page, 36, 506, SHEEN_INK_FLAT, "in endless small steps: %.2f°", naive_limit(60));
+    sheen_page_number(page, 36, 532, SHEEN_INK_PHONG, "kept unnormalised, as the core's pixels show: %.2f°", end);
     return SHEEN_OK;
 }
 
 static void draw_spans(struct sheen_page *page)
 {
     static const int steps[3] = {4, 16, 256};
-    struct sheen_axes axes = {592, 118, 370, 330, 0, 90, -18, 0};
+    struct sheen_axes axes = {552, 128, 410, 240, 0, 90, 0, 18};
     double degrees[SPANS], missing[SPANS], angle[257];
 
     sheen_page_axes(page, &axes, 15, 0, 3, 0);
-    sheen_page_axis_names(page, &axes, "degrees between the normals",
-                          "degrees missing at the end, in 4, 16, 256 steps");
+    sheen_page_axis_names(page, &axes, "degrees between the two normals",
+                          "degrees missing at the end (thick: more steps)");
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < SPANS; i++) {
             degrees[i] = i;
             naive(i, steps[k], angle);
-            missing[i] = angle[steps[k]] - i;
+            missing[i] = i - angle[steps[k]];
         }
         sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 1 + 0.6 * k, degrees, missing, SPANS);
-        sheen_page_number(page, 560, 524 + 26 * k, SHEEN_INK_WRONG,
-                          "%d steps: %.2f° at 30°, %.2f° at 60°, %.2f° at 90°", steps[k], missing[30], missing[60],
-                          missing[90]);
+        sheen_page_number(page, 500, 480 + 26 * k, SHEEN_INK_WRONG,
+                          "%d steps: missing %.2f° at 30°, %.2f° at 60°, %.2f° at 90°", steps[k], missing[30],
+                          missing[60], missing[90]);
     }
 }
 
 int sheen_lecture_drift(struct sheen_page *page)
 {
-    sheen_page_title(page, "The drift of the naive recursion",
-                     "A normal that is renormalised at each step and stepped on from there never arrives.");
+    sheen_page_title(page, "Normals step by step",
+                     "The next normal is the last one plus a constant step, brought to unit length.");
+    sheen_page_caption(page, "Read as a recursion that is a misprint: steps are too short for a normal that was "
+                             "lengthened, and it never arrives (red). The core steps on unnormalised (blue).");
     int error = draw_steps(page);
 
     if (!error)

@@ -13,7 +13,10 @@
 #define PI 3.14159265358979323846
 #define AROUND 12
 #define RINGS 8
-#define SIZE 241   /* px */
+#define SIZE 185 /* px */
+#define LEFT 36  /* of the pictures on the page, */
+#define TOP 112
+#define APART 20
 #define TURNS 41   /* samples of two faces' turn */
 #define BRIGHT 0.6 /* what counts as highlight: diffuse and ambient alone stay below */
 
@@ -37,9 +40,9 @@ static void make_ball(struct sheen_lecture_mesh *m)
 static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *m)
 {
     static const double light[3] = {-0.55, 0.62, 0.75};
-    static const uint8_t base[3] = {0x90, 0xc8, 0xff};
+    static const uint8_t base[3] = {0xb8, 0xdc, 0xff};
 
-    sheen_lecture_scene_default(scene, m);
+    sheen_lecture_scene_default(scene, &m->mesh);
     memcpy(scene->light, light, sizeof light);
     memcpy(scene->base, base, sizeof base);
     scene->width = scene->height = SIZE;
@@ -103,7 +106,7 @@ static int bright_pixels(const double *row)
 static int draw_scan_line(struct sheen_page *page, struct sheen_lecture_scene *scene)
 {
     static double gouraud[SIZE * SIZE], phong[SIZE * SIZE], truth[SIZE], x[SIZE];
-    struct sheen_axes axes = {622, 118, 340, 190, 0, SIZE, 0, 1};
+    struct sheen_axes axes = {552, 128, 410, 170, 0, SIZE, 0, 1};
     double h[3];
 
     halfway(scene, h);
@@ -120,16 +123,16 @@ static int draw_scan_line(struct sheen_page *page, struct sheen_lecture_scene *s
         truth[i] = ball(scene, i, y);
     }
     sheen_page_axes(page, &axes, 40, 0, 0.25, 2);
-    sheen_page_axis_names(page, &axes, "px", "intensity along the marked scan line");
+    sheen_page_axis_names(page, &axes, "px along the marked scan line", "intensity");
     sheen_page_curve(page, &axes, SHEEN_INK_FAINT, 3.5, x, truth, SIZE);
     sheen_page_curve(page, &axes, SHEEN_INK_GOURAUD, 1.8, x, gouraud + y * SIZE, SIZE);
     sheen_page_curve(page, &axes, SHEEN_INK_PHONG, 1.8, x, phong + y * SIZE, SIZE);
-    sheen_page_line(page, SHEEN_INK_WRONG, 1, 40, 118 + y + 0.5, 40 + 2 * SIZE + 30, 118 + y + 0.5);
-    sheen_page_number(page, 36, 420, SHEEN_INK_GOURAUD, "Gouraud: brightest %.3f, on the line %d px above %.1f",
+    sheen_page_line(page, SHEEN_INK_WRONG, 1, LEFT, TOP + y + 0.5, LEFT + 2 * SIZE + APART, TOP + y + 0.5);
+    sheen_page_number(page, 36, 386, SHEEN_INK_GOURAUD, "Gouraud: brightest %.3f, on the line %d px above %.1f",
                       brightest(gouraud, SIZE * SIZE), bright_pixels(gouraud + y * SIZE), BRIGHT);
-    sheen_page_number(page, 36, 446, SHEEN_INK_PHONG, "Phong: brightest %.3f, %d px above",
+    sheen_page_number(page, 36, 412, SHEEN_INK_PHONG, "Phong: brightest %.3f, %d px above",
                       brightest(phong, SIZE * SIZE), bright_pixels(phong + y * SIZE));
-    sheen_page_number(page, 36, 472, SHEEN_INK_FLAT, "the ball itself: brightest %.3f, %d px above",
+    sheen_page_number(page, 36, 438, SHEEN_INK_FLAT, "the ball itself: brightest %.3f, %d px above",
                       brightest(truth, SIZE), bright_pixels(truth));
     return SHEEN_OK;
 }
@@ -137,13 +140,13 @@ static int draw_scan_line(struct sheen_page *page, struct sheen_lecture_scene *s
 static int draw_turning(struct sheen_page *page, struct sheen_lecture_scene scene)
 {
     static double picture[SIZE * SIZE];
-    struct sheen_axes axes = {622, 392, 340, 170, 0, 60, 0.25, 1};
+    struct sheen_axes axes = {552, 386, 410, 140, 0, 60, 0.25, 1};
     static const enum sheen_ink ink[2] = {SHEEN_INK_GOURAUD, SHEEN_INK_PHONG};
     static const char *const name[2] = {"Gouraud", "Phong"};
 
     scene.width = scene.height = 81; /* px: enough to find the brightest */
     sheen_page_axes(page, &axes, 15, 0, 0.25, 2);
-    sheen_page_axis_names(page, &axes, "turn of the ball, degrees", "brightest pixel while the ball turns");
+    sheen_page_axis_names(page, &axes, "degrees that the ball has turned", "its brightest pixel");
     for (int k = 0; k < 2; k++) {
         double degrees[TURNS], most[TURNS], low = 1, high = 0;
         scene.shading = k ? SHEEN_PHONG : SHEEN_GOURAUD;
@@ -158,8 +161,8 @@ static int draw_turning(struct sheen_page *page, struct sheen_lecture_scene scen
             high = fmax(high, most[i]);
         }
         sheen_page_curve(page, &axes, ink[k], 2, degrees, most, TURNS);
-        sheen_page_number(page, 36, 524 + 26 * k, ink[k], "%s while the ball turns: brightest from %.3f to %.3f",
-                          name[k], low, high);
+        sheen_page_number(page, 36, 490 + 26 * k, ink[k], "%s, turning: brightest from %.3f to %.3f", name[k], low,
+                          high);
     }
     return SHEEN_OK;
 }
@@ -173,13 +176,15 @@ int sheen_lecture_highlight(struct sheen_page *page)
 
     make_ball(&mesh);
     set_scene(&scene, &mesh);
-    sheen_page_title(page, "Highlights",
-                     "Gouraud interpolates intensities, which smooths highlights out; Phong keeps them tight.");
+    sheen_page_title(page, "Highlights", "Gouraud's intensities smooth highlights out; Phong keeps them tight.");
+    sheen_page_caption(page, "A ball of 96 faces. Gouraud lights only the corners: what falls between them is missed, "
+                             "so the highlight is smeared and flickers as the ball turns. Phong finds it every time.");
+    page->heart = (struct sheen_box){30, 106, 432, 336};
     for (int k = 0; !error && k < 2; k++) {
         scene.shading = k ? SHEEN_PHONG : SHEEN_GOURAUD;
         error = sheen_lecture_picture(&scene, rgb);
-        sheen_page_picture(page, 40 + k * (SIZE + 30), 118, 1, rgb, SIZE, SIZE);
-        sheen_page_text(page, 40 + k * (SIZE + 30) + SIZE / 2, 384, SHEEN_CENTRE,
+        sheen_page_picture(page, LEFT + k * (SIZE + APART), TOP, 1, rgb, SIZE, SIZE);
+        sheen_page_text(page, LEFT + k * (SIZE + APART) + SIZE / 2, TOP + SIZE + 26, SHEEN_CENTRE,
                         k ? SHEEN_INK_PHONG : SHEEN_INK_GOURAUD, k ? "Phong, n = 40" : "Gouraud, n = 40");
     }
     if (!error)

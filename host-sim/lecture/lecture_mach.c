@@ -12,9 +12,10 @@
 
 #define PI 3.14159265358979323846
 #define SIDES 16
-#define WIDTH 190 /* px */
+#define WIDTH 320 /* px */
+#define LEFT 116  /* of the strips on the page */
 #define HEIGHT 60
-#define RADIUS_PX 90.0
+#define RADIUS_PX 151.0
 
 static const struct {
     const char *name;
@@ -44,7 +45,7 @@ static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lect
 {
     static const double light[3] = {-0.3, 0, 0.9};
 
-    sheen_lecture_scene_default(scene, m);
+    sheen_lecture_scene_default(scene, &m->mesh);
     memcpy(scene->light, light, sizeof light);
     scene->width = WIDTH;
     scene->height = HEIGHT;
@@ -65,9 +66,9 @@ static double cylinder(const struct sheen_lecture_scene *scene, int x)
 
 /* What is compared: 31 degrees off the rim, where a cylinder itself bends, and off the light's edge. */
 enum {
-    FIRST = 18,
-    LAST = WIDTH - 19,
-    MIDDLE = 36 /* and what turns less than 41 degrees from the eye: steps and bends are taken there */
+    FIRST = 30,
+    LAST = WIDTH - 31,
+    MIDDLE = 61 /* and what turns less than 41 degrees from the eye: steps and bends are taken there */
 };
 
 struct findings {
@@ -88,65 +89,67 @@ static void look_at(const struct sheen_lecture_scene *scene, const double *row, 
     }
 }
 
-static void draw_plots(struct sheen_page *page, const struct sheen_lecture_scene *scene, int number, double left,
-                       const double *row)
+/* A row of the page: the strip and what was found along it. */
+static void draw_strip(struct sheen_page *page, int number, const double *picture, const struct findings *f)
 {
-    double most = number ? 0.01 : 0.4; /* jumps would hide bends */
-    double bend[WIDTH], x[WIDTH], truth[WIDTH];
-    struct sheen_axes intensity = {left, 210, WIDTH, 140, 0, WIDTH, 0, 1};
-    struct sheen_axes second = {left, 394, WIDTH, 140, 0, WIDTH, -most, most};
-    const char *name = columns[number].name;
+    double y = 112 + (HEIGHT + 16) * number;
     enum sheen_ink ink = columns[number].ink;
-    struct findings f;
 
-    for (int i = 0; i < WIDTH; i++) {
-        x[i] = i + 0.5;
-        truth[i] = cylinder(scene, i);
-    }
-    look_at(scene, row, bend, &f);
-    sheen_page_axes(page, &intensity, 50, -1, 0.5, number ? -1 : 1);
-    sheen_page_curve(page, &intensity, SHEEN_INK_FAINT, 1.2, x + FIRST, truth + FIRST, LAST - FIRST + 1);
-    sheen_page_curve(page, &intensity, ink, 1.8, x + FIRST, row + FIRST, LAST - FIRST + 1);
-    sheen_page_axes(page, &second, 50, 0, most / 2, number > 1 ? -1 : number ? 3 : 1);
-    sheen_page_curve(page, &second, ink, 1.6, x + FIRST, bend + FIRST, LAST - FIRST + 1);
-    sheen_page_number(page, left, 576, SHEEN_INK_TEXT, "%s: step %.4f", name, f.step);
-    sheen_page_number(page, left, 596, SHEEN_INK_TEXT, "%s: bend %.4f", name, f.bend);
-    sheen_page_number(page, left, 616, SHEEN_INK_TEXT, "%s: %.2f/255 off", name, 255 * f.off);
-    if (number == 0) {
-        sheen_page_axis_names(page, &intensity, NULL, "intensity along the scan line");
-        sheen_page_axis_names(page, &second, NULL, "its second difference");
-    }
+    sheen_page_text(page, LEFT - 16, y + 26, SHEEN_RIGHT, ink, "%s", columns[number].name);
+    sheen_page_intensity(page, LEFT, y, 1, picture, WIDTH, HEIGHT);
+    sheen_page_number(page, 36, 452 + 26 * number, ink, "%s: step %.4f, bend %.4f, off by %.2f/255",
+                      columns[number].name, f->step, f->bend, 255 * f->off);
 }
 
-static int draw_column(struct sheen_page *page, struct sheen_lecture_scene *scene, int number)
+/* Both plots take a shading's row; the second clips what flat does. */
+static int draw_shading(struct sheen_page *page, struct sheen_lecture_scene *scene, int number,
+                        const struct sheen_axes plots[2])
 {
     static double picture[WIDTH * HEIGHT];
-    double left = number ? 102 + 218 * number : 56; /* the second has a scale of its own */
+    double bend[WIDTH], x[WIDTH];
+    struct findings f;
 
     scene->shading = columns[number].shading;
     int error = sheen_lecture_measure(scene, picture);
     if (error)
         return error;
-    sheen_page_text(page, left + WIDTH / 2, 114, SHEEN_CENTRE, columns[number].ink, "%s", columns[number].name);
-    sheen_page_intensity(page, left, 124, 1, picture, WIDTH, HEIGHT);
-    draw_plots(page, scene, number, left, picture + HEIGHT / 2 * WIDTH);
+    const double *row = picture + HEIGHT / 2 * WIDTH;
+    for (int i = 0; i < WIDTH; i++)
+        x[i] = i + 0.5;
+    look_at(scene, row, bend, &f);
+    draw_strip(page, number, picture, &f);
+    sheen_page_curve(page, &plots[0], columns[number].ink, 1.6, x + FIRST, row + FIRST, LAST - FIRST + 1);
+    sheen_page_curve(page, &plots[1], columns[number].ink, 1.6, x + FIRST, bend + FIRST, LAST - FIRST + 1);
     return SHEEN_OK;
 }
 
 int sheen_lecture_mach(struct sheen_page *page)
 {
     static struct sheen_lecture_mesh prism;
+    const struct sheen_axes plots[2] = {{552, 128, 410, 190, 0, WIDTH, 0.2, 1},
+                                        {552, 366, 410, 140, 0, WIDTH, -0.012, 0.004}};
     struct sheen_lecture_scene scene;
+    double x[WIDTH], truth[WIDTH];
     int error = SHEEN_OK;
 
     make_prism(&prism);
     set_scene(&scene, &prism);
-    sheen_page_title(
-        page, "Mach bands",
-        "Flat shading jumps at the edges, Gouraud bends there, Phong and slerp hardly do. Grey: the cylinder.");
-    sheen_page_text(page, 56, 636, SHEEN_LEFT, SHEEN_INK_FLAT,
-                    "Step and bend: the largest that face the eye within 41°. Off: from the cylinder, in the mean.");
+    sheen_page_title(page, "Mach bands", "Where intensity jumps at the edges of polygons the eye sees bands.");
+    sheen_page_caption(page, "A prism of 16 sides that stands for a cylinder (grey). Flat shading steps at the edges, "
+                             "Gouraud still bends there, and eyes see both; Phong and slerp hardly do either.");
+    page->heart = (struct sheen_box){30, 104, 440, 408};
+    sheen_page_axes(page, &plots[0], 40, -1, 0.2, 1);
+    sheen_page_axis_names(page, &plots[0], NULL, "intensity along a row");
+    sheen_page_axes(page, &plots[1], 40, 0, 0.004, 3);
+    sheen_page_axis_names(page, &plots[1], "px along the row", "its bend: I(x - 1) - 2 I(x) + I(x + 1); flat runs off");
+    sheen_page_text(page, 36, 566, SHEEN_LEFT, SHEEN_INK_FLAT,
+                    "The largest step and bend less than 41° off the eye; off in the mean.");
+    for (int i = 0; i < WIDTH; i++) {
+        x[i] = i + 0.5;
+        truth[i] = cylinder(&scene, i);
+    }
+    sheen_page_curve(page, &plots[0], SHEEN_INK_FAINT, 4, x + FIRST, truth + FIRST, LAST - FIRST + 1);
     for (int number = 0; !error && number < 4; number++)
-        error = draw_column(page, &scene, number);
+        error = draw_shading(page, &scene, number, plots);
     return error;
 }

@@ -13,7 +13,7 @@
 #include "lecture_scene.h"
 
 #define PI 3.14159265358979323846
-#define SIZE 181  /* px, odd: a pixel's centre is the picture's */
+#define SIZE 129  /* px, odd: a pixel's centre is the picture's */
 #define SMALL 45  /* likewise, where the centre alone is wanted */
 #define TURNS 37  /* every 2.5 degrees of a quarter turn */
 #define REACH 1.5 /* units, half the picture */
@@ -90,7 +90,7 @@ static int turn_mesh(const struct sheen_lecture_mesh *m, int shading, double *ce
     for (int i = 0; i < TURNS; i++) {
         struct sheen_lecture_scene scene;
         static const double light[3] = {-0.45, 0.3, 0.84};
-        sheen_lecture_scene_default(&scene, m);
+        sheen_lecture_scene_default(&scene, &m->mesh);
         if (shading != SHEEN_GOURAUD)
             memcpy(scene.light, light, sizeof light);
         scene.width = scene.height = SMALL;
@@ -117,8 +117,8 @@ static int draw_pictures(struct sheen_page *page, const struct sheen_lecture_mes
 
     for (int k = 0; k < 4; k++) {
         struct sheen_lecture_scene scene;
-        double degrees = k % 2 ? 45 : 0, x = 150 + 200 * (k % 2), y = 112 + 206 * (k / 2);
-        sheen_lecture_scene_default(&scene, quad);
+        double degrees = k % 2 ? 45 : 0, x = 138 + (SIZE + 14) * (k % 2), y = 108 + (SIZE + 14) * (k / 2);
+        sheen_lecture_scene_default(&scene, &quad->mesh);
         scene.width = scene.height = SIZE;
         scene.reach = REACH;
         scene.roll = degrees;
@@ -131,18 +131,20 @@ static int draw_pictures(struct sheen_page *page, const struct sheen_lecture_mes
             return error;
         sheen_page_intensity(page, x, y, 1, picture, SIZE, SIZE);
         if (k / 2)
-            sheen_page_text(page, x + SIZE / 2, 524, SHEEN_CENTRE, SHEEN_INK_TEXT, "turned by %.0f°", degrees);
+            sheen_page_text(page, x + SIZE / 2, y + SIZE + 24, SHEEN_CENTRE, SHEEN_INK_TEXT, "turned by %.0f°",
+                            degrees);
     }
-    sheen_page_text(page, 36, 190, SHEEN_LEFT, SHEEN_INK_WRONG, "polygon by");
-    sheen_page_text(page, 36, 212, SHEEN_LEFT, SHEEN_INK_WRONG, "scan lines");
-    sheen_page_text(page, 36, 408, SHEEN_LEFT, SHEEN_INK_GOURAUD, "triangles");
+    sheen_page_text(page, 36, 170, SHEEN_LEFT, SHEEN_INK_WRONG, "by scan");
+    sheen_page_text(page, 36, 192, SHEEN_LEFT, SHEEN_INK_WRONG, "lines");
+    sheen_page_text(page, 36, 332, SHEEN_LEFT, SHEEN_INK_GOURAUD, "triangles");
+    page->heart = (struct sheen_box){30, 104, 424, 418};
     return SHEEN_OK;
 }
 
 static int draw_quad(struct sheen_page *page, const struct sheen_lecture_mesh *quad,
                      const struct sheen_lecture_mesh *other, const double *degrees)
 {
-    struct sheen_axes axes = {632, 118, 330, 170, 0, 90, 0, 1};
+    struct sheen_axes axes = {552, 128, 410, 150, 0, 90, 0, 1};
     double polygon[TURNS], centre[TURNS], range, low = 1, high = 0;
 
     for (int i = 0; i < TURNS; i++) {
@@ -153,18 +155,18 @@ static int draw_quad(struct sheen_page *page, const struct sheen_lecture_mesh *q
     sheen_page_axes(page, &axes, 15, 0, 0.25, 2);
     sheen_page_axis_names(page, &axes, NULL, "intensity at the quad's centre");
     sheen_page_curve(page, &axes, SHEEN_INK_WRONG, 2.2, degrees, polygon, TURNS);
-    sheen_page_number(page, 36, 562, SHEEN_INK_WRONG, "polygon by scan lines: the centre from %.3f to %.3f", low, high);
+    sheen_page_number(page, 36, 516, SHEEN_INK_WRONG, "polygon by scan lines: the centre from %.3f to %.3f", low, high);
     int error = turn_mesh(quad, SHEEN_GOURAUD, centre, &range);
     if (error)
         return error;
     sheen_page_curve(page, &axes, SHEEN_INK_GOURAUD, 2.2, degrees, centre, TURNS);
-    sheen_page_number(page, 36, 586, SHEEN_INK_GOURAUD, "triangles, bright corners joined: %.3f, changes by %.4f",
+    sheen_page_number(page, 36, 542, SHEEN_INK_GOURAUD, "triangles, bright corners joined: %.3f, changes by %.4f",
                       centre[0], range);
     error = turn_mesh(other, SHEEN_GOURAUD, centre, &range);
     if (error)
         return error;
     sheen_page_curve(page, &axes, SHEEN_INK_GOURAUD, 2.2, degrees, centre, TURNS);
-    sheen_page_number(page, 36, 610, SHEEN_INK_GOURAUD, "triangles, dark corners joined: %.3f, changes by %.4f",
+    sheen_page_number(page, 36, 568, SHEEN_INK_GOURAUD, "triangles, dark corners joined: %.3f, changes by %.4f",
                       centre[0], range);
     return SHEEN_OK;
 }
@@ -172,22 +174,22 @@ static int draw_quad(struct sheen_page *page, const struct sheen_lecture_mesh *q
 static int draw_triangle(struct sheen_page *page, const double *degrees)
 {
     static struct sheen_lecture_mesh triangle;
-    struct sheen_axes axes = {632, 346, 330, 150, 0, 90, 0.7, 1};
+    struct sheen_axes axes = {552, 338, 410, 100, 0, 90, 0.7, 1};
     double centre[TURNS], range;
 
     make_triangle(&triangle);
     sheen_page_axes(page, &axes, 15, 0, 0.1, 1);
-    sheen_page_axis_names(page, &axes, "turn, degrees", "at the centre of a single triangle");
+    sheen_page_axis_names(page, &axes, "degrees that it has turned", "intensity at the centre of a triangle");
     int error = turn_mesh(&triangle, SHEEN_PHONG, centre, &range);
     if (error)
         return error;
     sheen_page_curve(page, &axes, SHEEN_INK_PHONG, 2.2, degrees, centre, TURNS);
-    sheen_page_number(page, 560, 586, SHEEN_INK_PHONG, "Phong in a triangle: changes by %.4f", range);
+    sheen_page_number(page, 552, 516, SHEEN_INK_PHONG, "Phong in a triangle: changes by %.4f", range);
     error = turn_mesh(&triangle, SHEEN_SLERP, centre, &range);
     if (error)
         return error;
     sheen_page_curve(page, &axes, SHEEN_INK_SLERP, 2.2, degrees, centre, TURNS);
-    sheen_page_number(page, 560, 610, SHEEN_INK_SLERP, "slerp in a triangle: changes by %.4f", range);
+    sheen_page_number(page, 552, 542, SHEEN_INK_SLERP, "slerp in a triangle: changes by %.4f", range);
     return SHEEN_OK;
 }
 
@@ -200,9 +202,11 @@ int sheen_lecture_orientation(struct sheen_page *page)
     make_quad(&other, 1);
     for (int i = 0; i < TURNS; i++)
         degrees[i] = 90.0 * i / (TURNS - 1);
-    sheen_page_title(
-        page, "Orientation dependence",
-        "Shaded by scan lines a polygon changes as it turns. Triangles do not, but how it is cut matters.");
+    sheen_page_title(page, "Orientation dependence",
+                     "A polygon shaded by scan lines changes as it turns; cut into triangles it does not.");
+    sheen_page_caption(page,
+                       "A square with two bright and two dark corners. By scan lines its centre changes from grey "
+                       "to black as it turns; in triangles it keeps its light, though which way it was cut decides.");
     int error = draw_pictures(page, &quad);
     if (!error)
         error = draw_quad(page, &quad, &other, degrees);

@@ -1,20 +1,20 @@
 /*
- * lecture_page.c - recorded pages to PNG files.
+ * lecture_page.c - pages, what is wrong with one, and the contact sheet of all.
  */
-#include <stdlib.h>
+#include <math.h>
 
 #include "lecture_plot.h"
-#include "png_file.h"
 
-/* Of a page on the contact sheet. */
-#define SHEET_SCALE 0.5
-#define SHEET_COLUMNS 2
+#define HEART_WIDTH 300.0 /* px of the sheet, at most */
+#define HEART_HEIGHT 218.0
+#define HEART_TOP 82 /* below a cell's top */
+#define COLUMNS (SHEEN_SHEET_WIDTH / SHEEN_SHEET_CELL)
 
-int sheen_page_open(struct sheen_page *page, const char *name)
+int sheen_page_open(struct sheen_page *page, const char *name, int width, int height)
 {
-    static const cairo_rectangle_t extents = {0, 0, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT};
+    const cairo_rectangle_t extents = {0, 0, width, height};
 
-    page->name = name;
+    *page = (struct sheen_page){.name = name, .width = width, .height = height};
     page->record = cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents);
     page->cr = cairo_create(page->record);
     cairo_set_source_rgb(page->cr, 1, 1, 1);
@@ -28,71 +28,128 @@ void sheen_page_close(struct sheen_page *page)
     cairo_surface_destroy(page->record);
 }
 
-/* Rows of 32-bit pixels, 0x00rrggbb in the machine's order, to bytes r, g, b. */
-static int write_surface(cairo_surface_t *surface, int width, int height, const char *path,
-                         struct sheen_problem *problem)
+/* ---- what can be read ---- */
+
+static int overlap(const struct sheen_box *a, const struct sheen_box *b)
 {
-    uint8_t *rgb = malloc((size_t)width * (size_t)height * 3), *out = rgb;
+    return a->x0 < b->x1 && b->x0 < a->x1 && a->y0 < b->y1 && b->y0 < a->y1;
+}
+
+static int within(const struct sheen_box *a, const struct sheen_box *b)
+{
+    return a->x0 >= b->x0 && a->x1 <= b->x1 && a->y0 >= b->y0 && a->y1 <= b->y1;
+}
+
+/* Of the page on the sheet; 0 where nothing of it is there. */
+static double heart_scale(const struct sheen_box *heart)
+{
+    if (heart->x1 <= heart->x0 || heart->y1 <= heart->y0)
+        return 0;
+    return fmin(1, fmin(HEART_WIDTH / (heart->x1 - heart->x0), HEART_HEIGHT / (heart->y1 - heart->y0)));
+}
+
+static int refuse(struct sheen_problem *problem, const struct sheen_page *page, const char *text, const char *why)
+{
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: the text '%s' %s", page->name, text, why);
+}
+
+/* The place of a page's heart on the sheet, whose first cell is the key's. */
+static struct sheen_box shown_box(int i, const struct sheen_box *heart)
+{
+    double scale = heart_scale(heart), width = (heart->x1 - heart->x0) * scale;
+    double x = (i + 1) % COLUMNS * SHEEN_SHEET_CELL + (SHEEN_SHEET_CELL - width) / 2;
+    double y = (i + 1) / COLUMNS * SHEEN_SHEET_ROW + HEART_TOP;
+
+    return (struct sheen_box){x, y, x + width, y + (heart->y1 - heart->y0) * scale};
+}
+
+static int check_text(const struct sheen_page *page, const struct sheen_page_text *t, struct sheen_problem *problem)
+{
+    const struct sheen_box whole = {0, 0, page->width, page->height};
+
+    if (!within(&t->box, &whole))
+        return refuse(problem, page, t->start, "leaves the page");
+    if (t->size < SHEEN_SMALLEST_TYPE)
+        return refuse(problem, page, t->start, "is too small");
+    for (const struct sheen_page_text *other = page->text; other < t; other++)
+        if (overlap(&t->box, &other->box))
+            return refuse(problem, page, t->start, "touches another one");
+    for (int i = 0; i < page->shown_count; i++) {
+        struct sheen_box box = shown_box(i, &page->shown[i].heart);
+        if (overlap(&t->box, &box))
+            return refuse(problem, page, t->start, "runs into a figure");
+    }
+    if (!overlap(&t->box, &page->heart))
+        return SHEEN_OK;
+    if (!within(&t->box, &page->heart))
+        return refuse(problem, page, t->start, "is cut on the contact sheet");
+    if (t->size * heart_scale(&page->heart) < SHEEN_SMALLEST_TYPE)
+        return refuse(problem, page, t->start, "is too small on the contact sheet");
+    return SHEEN_OK;
+}
+
+int sheen_page_check(const struct sheen_page *page, struct sheen_problem *problem)
+{
     int error = SHEEN_OK;
 
-    if (!rgb)
-        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
-    cairo_surface_flush(surface);
-    for (int y = 0; y < height; y++) {
-        const unsigned char *row =
-            cairo_image_surface_get_data(surface) + (size_t)y * (size_t)cairo_image_surface_get_stride(surface);
-        const uint32_t *pixel = (const uint32_t *)(const void *)row; /* cairo aligns its rows */
-        for (int x = 0; x < width; x++) {
-            *out++ = (uint8_t)(pixel[x] >> 16);
-            *out++ = (uint8_t)(pixel[x] >> 8);
-            *out++ = (uint8_t)pixel[x];
-        }
-    }
-    error = sheen_png_write(path, rgb, (unsigned)width, (unsigned)height, problem);
-    free(rgb);
+    if (page->texts >= SHEEN_PAGE_TEXTS)
+        return sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: more than %d texts", page->name, SHEEN_PAGE_TEXTS - 1);
+    for (int i = 0; !error && i < page->texts; i++)
+        error = check_text(page, &page->text[i], problem);
     return error;
 }
 
-/* Pages side by side at a scale, `columns` a row. */
-static int write_pages(const struct sheen_page *pages, int count, int columns, double scale, const char *path,
-                       struct sheen_problem *problem)
-{
-    int width = (int)(SHEEN_PAGE_WIDTH * scale) * columns;
-    int height = (int)(SHEEN_PAGE_HEIGHT * scale) * ((count + columns - 1) / columns);
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    cairo_t *cr = cairo_create(surface);
-    int error;
+/* ---- the contact sheet ---- */
 
-    cairo_set_source_rgb(cr, 1, 1, 1);
-    cairo_paint(cr);
-    for (int i = 0; i < count; i++) {
+void sheen_page_hearts(const struct sheen_page *sheet, cairo_t *cr)
+{
+    for (int i = 0; i < sheet->shown_count; i++) {
+        const struct sheen_box *h = &sheet->shown[i].heart;
+        struct sheen_box box = shown_box(i, h);
         cairo_save(cr);
-        cairo_translate(cr, i % columns * (SHEEN_PAGE_WIDTH * scale), i / columns * (SHEEN_PAGE_HEIGHT * scale));
-        cairo_scale(cr, scale, scale);
-        cairo_set_source_surface(cr, pages[i].record, 0, 0);
-        cairo_rectangle(cr, 0, 0, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT);
-        cairo_fill(cr);
+        cairo_translate(cr, box.x0, box.y0);
+        cairo_scale(cr, heart_scale(h), heart_scale(h));
+        cairo_rectangle(cr, 0, 0, h->x1 - h->x0, h->y1 - h->y0);
+        cairo_clip(cr);
+        cairo_set_source_surface(cr, sheet->shown[i].record, -h->x0, -h->y0);
+        cairo_paint(cr);
         cairo_restore(cr);
     }
-    if (cairo_status(cr) != CAIRO_STATUS_SUCCESS)
-        error = sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(cairo_status(cr)));
-    else
-        error = write_surface(surface, width, height, path, problem);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
-    return error;
 }
 
-int sheen_page_write(const struct sheen_page *page, const char *path, struct sheen_problem *problem)
+static void draw_key(struct sheen_page *sheet)
 {
-    cairo_status_t status = cairo_status(page->cr);
+    static const struct {
+        enum sheen_ink ink;
+        const char *text;
+    } keys[] = {{SHEEN_INK_FAINT, "the exact value"},         {SHEEN_INK_FLAT, "flat shading"},
+                {SHEEN_INK_GOURAUD, "Gouraud shading"},       {SHEEN_INK_PHONG, "Phong shading"},
+                {SHEEN_INK_SLERP, "slerp, along great arcs"}, {SHEEN_INK_WRONG, "what goes wrong"}};
 
-    if (status != CAIRO_STATUS_SUCCESS)
-        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(status));
-    return write_pages(page, 1, 1, 1, path, problem);
+    sheen_page_lines(sheet, 16, 36, SHEEN_SHEET_CELL - 32, 20, 1, SHEEN_INK_TEXT, "The lecture in figures");
+    sheen_page_lines(sheet, 16, 62, SHEEN_SHEET_CELL - 32, 13, 0, SHEEN_INK_FLAT,
+                     "Each claim of Goldman's \"Shading Algorithms\" against what the core's integers draw:");
+    for (unsigned i = 0; i < sizeof keys / sizeof keys[0]; i++) {
+        double y = 128 + 25 * i;
+        sheen_page_line(sheet, keys[i].ink, keys[i].ink == SHEEN_INK_FAINT ? 5 : 3, 18, y - 5, 48, y - 5);
+        sheen_page_lines(sheet, 60, y, SHEEN_SHEET_CELL - 76, 14, 0, SHEEN_INK_TEXT, keys[i].text);
+    }
 }
 
-int sheen_page_write_sheet(const struct sheen_page *pages, int count, const char *path, struct sheen_problem *problem)
+int sheen_page_sheet(struct sheen_page *sheet, const struct sheen_page *pages, int count)
 {
-    return write_pages(pages, count, SHEET_COLUMNS, SHEET_SCALE, path, problem);
+    int rows = (count + COLUMNS) / COLUMNS;
+    int error = sheen_page_open(sheet, "contact-sheet", SHEEN_SHEET_WIDTH, rows * SHEEN_SHEET_ROW);
+
+    if (error)
+        return error;
+    sheet->shown = pages;
+    sheet->shown_count = count;
+    draw_key(sheet);
+    for (int i = 0; i < count; i++) {
+        double x = 16 + (i + 1) % COLUMNS * SHEEN_SHEET_CELL, y = (i + 1) / COLUMNS * SHEEN_SHEET_ROW;
+        sheen_page_lines(sheet, x, y + 30, SHEEN_SHEET_CELL - 24, 16, 1, SHEEN_INK_TEXT, pages[i].title);
+        sheen_page_lines(sheet, x, y + 50, SHEEN_SHEET_CELL - 24, 12.5, 0, SHEEN_INK_FLAT, pages[i].claim);
+    }
+    return cairo_status(sheet->cr) == CAIRO_STATUS_SUCCESS ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }

@@ -17,7 +17,7 @@ static sheen_angle_t to_angle(double degrees)
     return (sheen_angle_t)(int64_t)llround(fmod(degrees, 360) / 360 * 4294967296.0);
 }
 
-void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *mesh)
+void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct sheen_mesh *mesh)
 {
     *scene = (struct sheen_lecture_scene){.mesh = mesh,
                                           .shading = SHEEN_GOURAUD,
@@ -27,7 +27,8 @@ void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct
                                           .light = {0, 0, 1},
                                           .diffuse = 1,
                                           .shininess = 1,
-                                          .base = {255, 255, 255}};
+                                          .base = {255, 255, 255},
+                                          .background = {255, 255, 255}};
 }
 
 void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees)
@@ -36,6 +37,18 @@ void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees)
 
     scene->light[0] = c * x - s * y;
     scene->light[1] = s * x + c * y;
+}
+
+void sheen_lecture_facet_scene(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *facet, int count,
+                               int rows, double from)
+{
+    sheen_lecture_scene_default(scene, &facet->mesh);
+    scene->width = count;
+    scene->height = rows;
+    scene->distance = 1; /* fov stays above a degree */
+    scene->reach = rows / 512.0;
+    scene->light[0] = -sin(from * PI / 180);
+    scene->light[2] = cos(from * PI / 180);
 }
 
 /* A target that keeps its pixels. */
@@ -95,12 +108,13 @@ static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_materi
     *light = (struct sheen_light){.intensity = SHEEN_Q16(1), .with_eye = 1};
     for (int k = 0; k < 3; k++)
         light->to[k] = (sheen_q30_t)lround(scene->light[k] / largest * (1 << 30));
-    *draw = (struct sheen_object){.mesh = &scene->mesh->mesh,
+    *draw = (struct sheen_object){.mesh = scene->mesh,
                                   .material = material,
                                   .lights = light,
                                   .light_count = 1,
+                                  .two_sided = (uint8_t)scene->two_sided,
                                   .shader = sheen_shader_of((unsigned)scene->shading)};
-    sheen_pose_orbit(&draw->pose, to_angle(scene->yaw), 0, to_angle(scene->roll),
+    sheen_pose_orbit(&draw->pose, to_angle(scene->yaw), to_angle(scene->pitch), to_angle(scene->roll),
                      (sheen_q24_t)lround(scene->distance * 16777216));
     return sheen_shine_make(shine, (unsigned)scene->shininess);
 }
@@ -122,8 +136,8 @@ static int stage_open(struct stage *stage, const struct sheen_lecture_scene *sce
 {
     struct sheen_config config = {.target = &stage->memory.target,
                                   .band_rows = (uint16_t)(scene->height + margin),
-                                  .max_vertices = scene->mesh->mesh.vertices,
-                                  .max_triangles = scene->mesh->mesh.triangles};
+                                  .max_vertices = scene->mesh->vertices,
+                                  .max_triangles = scene->mesh->triangles};
 
     memset(stage, 0, sizeof *stage);
     set_view(scene, &stage->view);
@@ -185,6 +199,8 @@ int sheen_lecture_picture(const struct sheen_lecture_scene *scene, uint8_t *rgb)
     struct stage stage;
     int error = stage_open(&stage, scene, 0, SHEEN_RGB565_BE);
 
+    stage.view.dither = 1;
+    memcpy(stage.view.background, scene->background, sizeof stage.view.background);
     if (!error)
         error = stage_draw(&stage);
     for (int i = 0; !error && i < scene->width * scene->height; i++) {

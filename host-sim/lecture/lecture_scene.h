@@ -26,27 +26,34 @@ unsigned sheen_lecture_vertex(struct sheen_lecture_mesh *m, const double positio
 /* Corners counter-clockwise seen from outside; a quad is cut from corner a to corner c. */
 void sheen_lecture_triangle(struct sheen_lecture_mesh *m, unsigned a, unsigned b, unsigned c);
 void sheen_lecture_quad(struct sheen_lecture_mesh *m, unsigned a, unsigned b, unsigned c, unsigned d);
+/*
+ * A rectangle across the whole picture of width count px and height rows px, a pixel being 1/256 unit, its normals
+ * +-degrees/2 from the eye's direction at its left and right ends: corners lie on pixel corners.
+ */
+void sheen_lecture_facet(struct sheen_lecture_mesh *m, double degrees, int count, int rows);
 /* Unit normal that a light along z meets with L.N = cosine, leaning towards (x, y). */
 void sheen_lecture_lean(double cosine, double x, double y, double normal[3]);
 
 /* ---- scenes ---- */
 
 struct sheen_lecture_scene {
-    const struct sheen_lecture_mesh *mesh;
+    const struct sheen_mesh *mesh;
     int width, height; /* px */
     int shading;       /* enum sheen_shading */
     int affine, ortho;
-    double distance;  /* of the eye from the model's origin, units */
-    double reach;     /* half the picture's height, units at that distance */
-    double yaw, roll; /* degrees */
+    double distance;         /* of the eye from the model's origin, units */
+    double reach;            /* half the picture's height, units at that distance */
+    double yaw, pitch, roll; /* degrees */
+    int two_sided;
     double light[3];
     double ambient, diffuse, specular;
     int shininess;
     uint8_t base[3];
+    uint8_t background[3]; /* of sheen_lecture_picture; measured scenes are black outside */
 };
 
-/* A white surface before a black ground, seen from distance 4: no highlight, light along z, no perspective. */
-void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *mesh);
+/* A white surface before a white page, seen from distance 4: no highlight, light along z, no perspective. */
+void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct sheen_mesh *mesh);
 
 /* The light turned about z by the scene's roll, so that mesh and light turn together. */
 void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees);
@@ -59,7 +66,14 @@ void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees)
  */
 int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *intensity);
 
-/* As a 565 panel shows it: width * height * 3 bytes. 0, or a negative code. */
+/*
+ * A scene that looks straight at sheen_lecture_facet's rectangle, lit from `from` degrees left of the eye's direction
+ * (negative: right), without perspective.
+ */
+void sheen_lecture_facet_scene(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *facet, int count,
+                               int rows, double from);
+
+/* As a 565 panel shows it, dithered: width * height * 3 bytes. 0, or a negative code. */
 int sheen_lecture_picture(const struct sheen_lecture_scene *scene, uint8_t *rgb);
 
 #endif

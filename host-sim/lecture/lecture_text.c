@@ -6,9 +6,9 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #define TITLE_SIZE 27 /* px */
-#define CLAIM_SIZE 16
 #define TEXT_SIZE 16
 #define MARGIN 36
 
@@ -18,22 +18,40 @@ void sheen_page_ink(struct sheen_page *page, enum sheen_ink ink)
     static const uint32_t rgb[] = {
         [SHEEN_INK_TEXT] = 0x26262b,    [SHEEN_INK_FAINT] = 0xa8a8b0, [SHEEN_INK_FLAT] = 0x6e6e78,
         [SHEEN_INK_GOURAUD] = 0xcc8800, [SHEEN_INK_PHONG] = 0x0072b2, [SHEEN_INK_SLERP] = 0x009e73,
-        [SHEEN_INK_WRONG] = 0xc2185b};
+        [SHEEN_INK_WRONG] = 0xc2185b,   [SHEEN_INK_PAPER] = 0xffffff};
 
     cairo_set_source_rgb(page->cr, (rgb[ink] >> 16) / 255.0, (rgb[ink] >> 8 & 255) / 255.0, (rgb[ink] & 255) / 255.0);
 }
 
 /* ---- text ---- */
 
-static void write_text(cairo_t *cr, double x, double y, enum sheen_align align, const char *text)
+static void note_text(struct sheen_page *page, const cairo_text_extents_t *e, double x, double y, double size,
+                      const char *text)
+{
+    if (page->texts >= SHEEN_PAGE_TEXTS) /* sheen_page_check refuses it */
+        return;
+    struct sheen_page_text *t = &page->text[page->texts++];
+    x += e->x_bearing;
+    y += e->y_bearing;
+    t->box = (struct sheen_box){x, y, x + e->width, y + e->height};
+    t->size = size;
+    snprintf(t->start, sizeof t->start, "%s", text);
+}
+
+/* As outlines: letters that are recorded cairo 1.16 never frees once they were written as SVG. */
+static void write_text(struct sheen_page *page, double x, double y, enum sheen_align align, const char *text)
 {
     cairo_text_extents_t extents;
+    cairo_matrix_t font;
 
-    cairo_text_extents(cr, text, &extents);
+    cairo_get_font_matrix(page->cr, &font);
+    cairo_text_extents(page->cr, text, &extents);
     if (align != SHEEN_LEFT)
         x -= extents.x_advance / (align == SHEEN_CENTRE ? 2 : 1);
-    cairo_move_to(cr, x, y);
-    cairo_show_text(cr, text);
+    note_text(page, &extents, x, y, font.yy, text);
+    cairo_move_to(page->cr, x, y);
+    cairo_text_path(page->cr, text);
+    cairo_fill(page->cr);
 }
 
 /* Whatever font the machine calls sans-serif: figures are not compared bit by bit. */
@@ -57,15 +75,56 @@ int sheen_page_has_font(void)
     return has_font;
 }
 
+/* How many bytes of text, up to a space or the end, fit into width; at least one word. */
+static size_t fitting(cairo_t *cr, const char *text, double width)
+{
+    char line[256];
+    size_t fits = 0, length = 0;
+
+    do {
+        length += strcspn(text + length + (length > 0), " ") + (length > 0);
+        cairo_text_extents_t extents;
+        snprintf(line, sizeof line, "%.*s", (int)length, text);
+        cairo_text_extents(cr, line, &extents);
+        if (fits > 0 && extents.x_advance > width)
+            break;
+        fits = length;
+    } while (text[length] != '\0');
+    return fits;
+}
+
+double sheen_page_lines(struct sheen_page *page, double x, double y, double width, double size, int bold,
+                        enum sheen_ink ink, const char *text)
+{
+    sheen_page_ink(page, ink);
+    set_font(page->cr, size, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    for (;;) {
+        char line[256];
+        size_t length = fitting(page->cr, text, width);
+        snprintf(line, sizeof line, "%.*s", (int)length, text);
+        write_text(page, x, y, SHEEN_LEFT, line);
+        text += length;
+        if (*text == '\0')
+            break;
+        text++; /* the space */
+        y += 1.3 * size;
+    }
+    set_font(page->cr, TEXT_SIZE, CAIRO_FONT_WEIGHT_NORMAL);
+    return y;
+}
+
 void sheen_page_title(struct sheen_page *page, const char *title, const char *claim)
 {
-    sheen_page_ink(page, SHEEN_INK_TEXT);
-    set_font(page->cr, TITLE_SIZE, CAIRO_FONT_WEIGHT_BOLD);
-    write_text(page->cr, MARGIN, 48, SHEEN_LEFT, title);
-    sheen_page_ink(page, SHEEN_INK_FLAT);
-    set_font(page->cr, CLAIM_SIZE, CAIRO_FONT_WEIGHT_NORMAL);
-    write_text(page->cr, MARGIN, 76, SHEEN_LEFT, claim);
-    set_font(page->cr, TEXT_SIZE, CAIRO_FONT_WEIGHT_NORMAL);
+    page->title = title;
+    page->claim = claim;
+    sheen_page_lines(page, MARGIN, 48, page->width - 2 * MARGIN, TITLE_SIZE, 1, SHEEN_INK_TEXT, title);
+    sheen_page_lines(page, MARGIN, 76, page->width - 2 * MARGIN, TEXT_SIZE, 0, SHEEN_INK_FLAT, claim);
+}
+
+void sheen_page_caption(struct sheen_page *page, const char *caption)
+{
+    sheen_page_line(page, SHEEN_INK_FAINT, 0.6, MARGIN, page->height - 62, page->width - MARGIN, page->height - 62);
+    sheen_page_lines(page, MARGIN, page->height - 39, page->width - 2 * MARGIN, TEXT_SIZE, 0, SHEEN_INK_TEXT, caption);
 }
 
 void sheen_page_text(struct sheen_page *page, double x, double y, enum sheen_align align, enum sheen_ink ink,
@@ -78,7 +137,7 @@ void sheen_page_text(struct sheen_page *page, double x, double y, enum sheen_ali
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     sheen_page_ink(page, ink);
-    write_text(page->cr, x, y, align, text);
+    write_text(page, x, y, align, text);
 }
 
 void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_ink ink, const char *format, ...)
@@ -90,7 +149,7 @@ void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_i
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     sheen_page_ink(page, ink);
-    write_text(page->cr, x, y, SHEEN_LEFT, text);
+    write_text(page, x, y, SHEEN_LEFT, text);
     printf("%s: %s\n", page->name, text);
 }
 
@@ -108,7 +167,7 @@ static cairo_surface_t *image_of(const uint8_t *rgb, const double *intensity, in
         if (rgb)
             row[i % width] = (uint32_t)rgb[3 * i] << 16 | (uint32_t)rgb[3 * i + 1] << 8 | rgb[3 * i + 2];
         else
-            row[i % width] = 0x010101u * (uint32_t)lround(255 * fmin(fmax(intensity[i], 0), 1));
+            row[i % width] = intensity[i] > 0 ? 0x010101u * (uint32_t)lround(255 * fmin(intensity[i], 1)) : 0xffffff;
     }
     cairo_surface_mark_dirty(image);
     return image;
