@@ -157,31 +157,31 @@ static APART void cell_rows(const struct tile *t, struct cell *c)
 
 /* ---- pixels by squares of 4 px, channels exact at their corners and linear between ---- */
 
-#define MOST_RED ((31u << LOOP_FRACTION) + (1u << (LOOP_FRACTION - 1))) /* of 1.0 and the half of the one rounding */
-#define MOST_GREEN ((63u << LOOP_FRACTION) + (1u << (LOOP_FRACTION - 1)))
-
-static struct corner corner_of(const struct loop_terms *q, uint32_t f, uint32_t u)
+static struct corner corner_of(const struct draw *d, uint32_t f, uint32_t u)
 {
+    const struct loop_terms *q = &d->loop;
+    const uint32_t half = d->dither ? 0 : 1u << (LOOP_FRACTION - 1); /* of the one rounding */
+    const uint32_t most_red = (31u << LOOP_FRACTION) + half, most_green = (63u << LOOP_FRACTION) + half;
     const uint32_t lit = not_negative(f) >> 15, specular = u < q->power_end ? power_entry(q->power, u) : 0;
     uint32_t r = q->ab[0] + q->ab[1] * lit + q->c[0] * specular, g = q->ab[2] + q->ab[3] * lit + q->c[1] * specular;
     uint32_t b = q->ab[4] + q->ab[5] * lit + q->c[2] * specular;
 
-    r = clamped(r, MOST_RED) >> (LOOP_FRACTION - 11) & ~15u;
-    struct corner c = {(r << 16) + (clamped(b, MOST_RED) >> (LOOP_FRACTION - 11)), clamped(g, MOST_GREEN) << 2};
+    r = clamped(r, most_red) >> (LOOP_FRACTION - 11) & ~15u;
+    struct corner c = {(r << 16) + (clamped(b, most_red) >> (LOOP_FRACTION - 11)), clamped(g, most_green) << 2};
     return c;
 }
 
 /* Corners `from` to `to` of a row of squares, at the patches' row. */
 static APART void corner_row(const struct cell *c, struct corner *at, int32_t from, int32_t to)
 {
-    const struct loop_terms *q = &c->p->s.draw->loop;
+    const struct draw *draw = c->p->s.draw;
     const struct patch *f = &c->f, *u = &c->u;
     const uint32_t n = 4u * (uint32_t)from, pair = pairs((int32_t)n), ddf = 16 * f->b, ddu = 32 * u->b;
     uint32_t vf = f->v + n * f->s + pair * f->b, df = 4 * (f->s + n * f->b) + 6 * f->b;
     uint32_t vu = 2 * (u->v + n * u->s + pair * u->b), du = 8 * (u->s + n * u->b) + 12 * u->b;
 
     for (; from <= to; from++) {
-        *at++ = corner_of(q, vf, vu);
+        *at++ = corner_of(draw, vf, vu);
         vf += df;
         df += ddf;
         vu += du;
@@ -238,13 +238,16 @@ static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
         }
     /* between nodes it lies below them by less than 2^-6 of the table's range */
     c->second = least - (1 << 23) < (int32_t)(s->draw->loop.power_end / 2) ? SECOND_POWER : SECOND_NONE;
-    /* where a highlight begins to fade, 1/8, no line fits */
-    c->squares =
-        c->second == SECOND_POWER && (s->detail & CELLS_IN_SQUARES) != 0 && darkest > (FADED << 15) + (1 << 25);
+    /* no line fits where a highlight begins to fade, 1/8, and where light ends */
+    const int32_t bent = c->second == SECOND_POWER ? FADED << 15 : 0;
+    c->squares = (c->second == SECOND_POWER || s->draw->dither) && (s->detail & CELLS_IN_SQUARES) != 0 &&
+                 darkest > bent + (1 << 25);
     row &= c->squares ? ~3 : ~0;
     patch_of(&c->f, f, shift, row);
     if (c->second == SECOND_POWER)
         patch_of(&c->u, u, shift, row);
+    else
+        c->u = (struct patch){.v = INT32_MAX}; /* beyond the power table */
 }
 
 /* The cell at column x; right: nodes of its left side, then of its right one. Apart: nodes leave the stack. */
