@@ -9,107 +9,145 @@ SPECIALISED uint32_t quarter(uint32_t from, uint32_t to)
     return (uint32_t)asr32((int32_t)((to >> 1) - (from >> 1)), 1);
 }
 
-/* A square's next row: values at its left end, what the next pixel has more, and what the next row. */
-struct square {
-    uint32_t z, red_blue, green, step_red_blue, step_green;
-    uint32_t down_z, down_red_blue, down_green, more_red_blue, more_green;
+/* On the line between two corners, in row `i` of the 4. */
+SPECIALISED struct corner side_of_square(const struct corner *top, const struct corner *bottom, uint32_t i)
+{
+    struct corner at = {top->red_blue + i * quarter(top->red_blue, bottom->red_blue),
+                        top->green + i * quarter(top->green, bottom->green)};
+
+    return at;
+}
+
+/* What changes along a row of a square, and its steps. */
+struct square_at {
+    uint32_t z;
+    struct corner colour;
 };
 
 /* threshold: 1/128 level, or 0 where rounding is in the words. */
-SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, intptr_t to_pixel, uint32_t z, struct corner at,
-                              uint32_t threshold, unsigned swap)
+SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, uint16_t *pixel, struct square_at *at,
+                              const struct square_at *step, uint32_t threshold, unsigned swap)
 {
-    if (nearer(t, depth, z)) {
+    if (nearer(t, depth, at->z)) {
+        struct corner c = at->colour;
         if (threshold != 0) {
-            SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), at.red_blue >> 16, at.green >> 15, at.red_blue & 0xffffu,
-                           11);
-            at.red_blue += (threshold << 20) + (threshold << 4);
-            at.green += threshold << 19;
+            SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), c.red_blue >> 16, c.green >> 15, c.red_blue & 0xffffu, 11);
+            c.red_blue += (threshold << 20) + (threshold << 4);
+            c.green += threshold << 19;
         }
-        uint32_t value = ((at.red_blue >> 27) << 6 | at.green >> 26) << 5 | (at.red_blue << 16) >> 27;
-        *(uint16_t *)(void *)((char *)depth + to_pixel) = pixel_order(value, swap);
+        *pixel = pixel_order(((c.red_blue >> 27) << 6 | c.green >> 26) << 5 | (c.red_blue << 16) >> 27, swap);
     }
+    at->z += step->z;
+    at->colour.red_blue += step->colour.red_blue;
+    at->colour.green += step->colour.green;
 }
 
-/* Pixels n..end of the row of 4; all of it: 0, 4. depth, thresholds: of the first of the 4; NULL: no dither. */
-SPECIALISED void square_row(const struct tile *t, uint16_t *depth, int32_t n, int32_t end, uint32_t dz,
-                            struct square *s, const uint8_t *thresholds, unsigned swap)
-{
-    const intptr_t to_pixel = t->to_pixel;
-    const uint32_t da = s->step_red_blue, db = s->step_green;
-    struct corner at = {s->red_blue, s->green};
-    uint32_t z = s->z;
+/* Where a row is: corners above and below the square's left end, and what stands in its next pixel. */
+struct square_row {
+    const struct corner *top, *bottom;
+    uint32_t i; /* of the 4 rows */
+    struct square_at at;
+    uint16_t *depth, *pixel;
+    const uint8_t *thresholds; /* of the row, NULL: no dither */
+};
 
-    s->z = z + s->down_z;
-    s->red_blue = at.red_blue + s->down_red_blue;
-    s->green = at.green + s->down_green;
-    s->step_red_blue = da + s->more_red_blue;
-    s->step_green = db + s->more_green;
-    if (n <= 0 && end >= 4) {
-        for (int i = 0; i < 4; i++) {
-            square_pixel(t, depth + i, to_pixel, z, at, thresholds != NULL ? thresholds[i] : 0, swap);
-            z += dz;
-            at.red_blue += da;
-            at.green += db;
+/* To the next square; returns the corner at its left, on the line between top and bottom. */
+SPECIALISED struct corner square_begin(struct square_row *r, struct square_at *step)
+{
+    const struct corner at = r->at.colour, next = side_of_square(++r->top, ++r->bottom, r->i);
+
+    step->colour.red_blue = quarter(at.red_blue, next.red_blue);
+    step->colour.green = quarter(at.green, next.green);
+    return next;
+}
+
+/* Pixels x to before x1, within a square, in any byte order. */
+static APART void part_of_square(const struct tile *t, struct square_row *r, struct square_at step, int32_t x,
+                                 int32_t x1)
+{
+    const unsigned swap = t->format->swap;
+    const struct corner next = square_begin(r, &step);
+    const uint32_t n = (uint32_t)x & 3u;
+
+    r->at.colour.red_blue += n * step.colour.red_blue;
+    r->at.colour.green += n * step.colour.green;
+    for (; x < x1; x++)
+        square_pixel(t, r->depth++, r->pixel++, &r->at, &step, r->thresholds != NULL ? r->thresholds[x & 7] : 0, swap);
+    r->at.colour = next;
+}
+
+/* In the order of a panel's bus. */
+SPECIALISED void whole_square(const struct tile *t, struct square_row *r, struct square_at step, int32_t x)
+{
+    const struct corner next = square_begin(r, &step);
+    const uint8_t *threshold = r->thresholds != NULL ? r->thresholds + (x & 4) : NULL;
+
+    square_pixel(t, r->depth, r->pixel, &r->at, &step, threshold != NULL ? threshold[0] : 0, 1);
+    square_pixel(t, r->depth + 1, r->pixel + 1, &r->at, &step, threshold != NULL ? threshold[1] : 0, 1);
+    square_pixel(t, r->depth + 2, r->pixel + 2, &r->at, &step, threshold != NULL ? threshold[2] : 0, 1);
+    square_pixel(t, r->depth + 3, r->pixel + 3, &r->at, &step, threshold != NULL ? threshold[3] : 0, 1);
+    r->depth += 4;
+    r->pixel += 4;
+    r->at.colour = next;
+}
+
+/* From a column that begins a square on, those before x1 - 3; returns the next column. */
+SPECIALISED int32_t whole_squares(const struct tile *t, struct square_row *row, struct square_at step, int32_t x,
+                                  int32_t x1, unsigned dither)
+{
+    struct square_row r = *row;
+
+    r.thresholds = dither ? r.thresholds : NULL;
+    for (; x + 4 <= x1; x += 4)
+        whole_square(t, &r, step, x);
+    *row = r;
+    return x;
+}
+
+static APART int32_t plain_squares(const struct tile *t, struct square_row *r, struct square_at step, int32_t x,
+                                   int32_t x1)
+{
+    return whole_squares(t, r, step, x, x1, 0);
+}
+
+static APART int32_t dithered_squares(const struct tile *t, struct square_row *r, struct square_at step, int32_t x,
+                                      int32_t x1)
+{
+    return whole_squares(t, r, step, x, x1, 1);
+}
+
+/* Columns x to before x1 of row y, which the squares have. */
+static void squares_row(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y)
+{
+    const int32_t first = (x - l->x) >> 2;
+    const struct square_at step = {.z = l->depth->dx};
+    uint16_t *depth = t->depth + tile_offset(t, x, y);
+    struct square_row r = {.top = l->top + first,
+                           .bottom = l->bottom + first,
+                           .i = (uint32_t)y & 3u,
+                           .depth = depth,
+                           .pixel = pixel_at(depth, t->to_pixel),
+                           .thresholds = t->dither ? sheen_thresholds[y & 7] : NULL};
+
+    r.at = (struct square_at){plane_at(l->depth, x, y), side_of_square(r.top, r.bottom, r.i)};
+    while (x < x1) {
+        if (FAST_LOOPS && (x & 3) == 0 && x + 4 <= x1 && t->format->swap) {
+            x = t->dither ? dithered_squares(t, &r, step, x, x1) : plain_squares(t, &r, step, x, x1);
+        } else {
+            const int32_t end = min32((x | 3) + 1, x1);
+            part_of_square(t, &r, step, x, end);
+            x = end;
         }
-        return;
     }
-    n = max32(n, 0);
-    z += (uint32_t)n * dz;
-    at.red_blue += (uint32_t)n * da;
-    at.green += (uint32_t)n * db;
-    for (end = min32(end, 4); n < end; n++) {
-        square_pixel(t, depth + n, to_pixel, z, at, thresholds != NULL ? thresholds[n] : 0, swap);
-        z += dz;
-        at.red_blue += da;
-        at.green += db;
-    }
-}
-
-SPECIALISED void square_rows(const struct tile *t, const struct square_line *l, int32_t x, const struct corner top[2],
-                             const struct corner bottom[2], unsigned dither, unsigned swap)
-{
-    const struct plane *depth = l->depth;
-    uint32_t y = (uint32_t)l->y;
-    const uint32_t i = y & 3u;
-    struct square square = {plane_at(depth, x, l->y),
-                            top[0].red_blue,
-                            top[0].green,
-                            quarter(top[0].red_blue, top[1].red_blue),
-                            quarter(top[0].green, top[1].green),
-                            depth->dy,
-                            quarter(top[0].red_blue, bottom[0].red_blue),
-                            quarter(top[0].green, bottom[0].green),
-                            quarter(bottom[0].red_blue, bottom[1].red_blue),
-                            quarter(bottom[0].green, bottom[1].green)};
-    struct square *s = &square;
-    uint16_t *line = t->depth + (int32_t)tile_offset(t, x, l->y);
-    const struct span *span = l->span, *last = span + (l->end - l->y);
-
-    s->more_red_blue = (uint32_t)asr32((int32_t)(s->more_red_blue - s->step_red_blue), 2);
-    s->more_green = (uint32_t)asr32((int32_t)(s->more_green - s->step_green), 2);
-    s->red_blue += i * s->down_red_blue;
-    s->green += i * s->down_green;
-    s->step_red_blue += i * s->more_red_blue;
-    s->step_green += i * s->more_green;
-    for (; span != last; span++, line += t->pitch) {
-        const uint8_t *thresholds = dither ? &sheen_thresholds[y & 7u][x & 4] : NULL;
-        OPAQUE(s); /* stays in memory: the pixels take all registers */
-        square_row(t, line, span->x0 - x, span->x1 - x, depth->dx, s, thresholds, swap);
-        y++;
-    }
-}
-
-SPECIALISED void squares(const struct tile *t, const struct square_line *l, unsigned dither, unsigned swap)
-{
-    for (int32_t i = 0; i < l->count; i++)
-        square_rows(t, l, l->x + 4 * i, l->top + i, l->bottom + i, dither, swap);
 }
 
 void sheen_phong_squares(const struct tile *t, const struct square_line *l)
 {
-    if (FAST_LOOPS && !t->dither)
-        t->format->swap ? squares(t, l, 0, 1) : squares(t, l, 0, t->format->swap);
-    else
-        squares(t, l, t->dither, t->format->swap);
+    const struct span *span = l->span;
+
+    for (int32_t y = l->y; y < l->end; y++, span++) {
+        const int32_t x = max32(span->x0, l->x), x1 = min32(span->x1, l->x + 4 * l->count);
+        if (x < x1)
+            squares_row(t, l, x, x1, y);
+    }
 }
