@@ -21,7 +21,7 @@ static int make_both(struct loaded_mesh *mesh, const struct sheen_polygons *from
 
     if (status != 0)
         return status;
-    status = sheen_quantise(&mesh->quantised, &host, SHEEN_ALL_GROUPS);
+    status = sheen_quantise(&mesh->quantised, &host, SHEEN_ALL_PARTS);
     sheen_host_mesh_free(&host);
     if (status == 0 && ref_mesh_build(&mesh->reference, &polygons, &fit) != 0)
         status = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: refused by the reference", mesh->name);
@@ -35,7 +35,7 @@ int loaded_mesh_make(struct loaded_mesh *mesh, const char *name)
 
     memset(mesh, 0, sizeof *mesh);
     mesh->name = name;
-    int status = sheen_polygons_load(&polygons, name, &problem);
+    int status = sheen_polygons_load(&polygons, name, NULL, &problem);
     if (status == 0)
         status = make_both(mesh, &polygons, &problem);
     sheen_polygons_free(&polygons);

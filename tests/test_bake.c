@@ -31,11 +31,11 @@ static void load(struct sheen_host_mesh *host, const char *name, const struct sh
         fail_msg("%s", problem.text);
 }
 
-static void equal(const struct sheen_mesh *baked, const struct sheen_host_mesh *host, uint32_t group, int flat)
+static void equal(const struct sheen_mesh *baked, const struct sheen_host_mesh *host, uint32_t part, int flat)
 {
     struct sheen_quantised made;
 
-    assert_int_equal(sheen_quantise(&made, host, group), 0);
+    assert_int_equal(sheen_quantise(&made, host, part), 0);
     const struct sheen_mesh *mesh = &made.mesh;
     assert_int_equal(baked->vertices, mesh->vertices);
     assert_int_equal(baked->triangles, mesh->triangles);
@@ -60,14 +60,14 @@ static void headers_are_the_files(void **state)
 
     (void)state;
     load(&host, "builtin:teapot", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
-    equal(&baked_teapot, &host, SHEEN_ALL_GROUPS, 1);
+    equal(&baked_teapot, &host, SHEEN_ALL_PARTS, 1);
     sheen_host_mesh_free(&host);
     load(&host, "data/egg.obj", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
-    equal(&baked_egg, &host, SHEEN_ALL_GROUPS, 1);
+    equal(&baked_egg, &host, SHEEN_ALL_PARTS, 1);
     sheen_host_mesh_free(&host);
     load(&host, "data/egg.obj",
          &(struct sheen_host_options){.average = 1, .use_crease = 1, .crease = 12.5, .equal = 1});
-    equal(&smooth, &host, SHEEN_ALL_GROUPS, 0);
+    equal(&smooth, &host, SHEEN_ALL_PARTS, 0);
     sheen_host_mesh_free(&host);
 }
 
@@ -85,8 +85,8 @@ static void groups(void **state)
     assert_memory_equal(baked_box_groups[1].base, grey, 3);
     load(&host, "data/box.obj", &(struct sheen_host_options){.by_group = 1, .use_crease = 1, .crease = 60});
     uint32_t found = 0;
-    for (uint32_t g = 0; g < host.group_count; g++) {
-        if (found < 2 && strcmp(host.group[g].name, found ? "blue \"grey\"" : "red") == 0)
+    for (uint32_t g = 0; g < host.part_count; g++) {
+        if (found < 2 && strcmp(host.group[host.part[g].group].name, found ? "blue \"grey\"" : "red") == 0)
             equal(baked_box_groups[found++].mesh, &host, g, 1);
     }
     assert_int_equal(found, 2);
@@ -143,7 +143,7 @@ static void the_same_pixels(void **state)
 
     (void)state;
     load(&host, "data/egg.obj", &(struct sheen_host_options){.use_crease = 1, .crease = 60});
-    assert_int_equal(sheen_quantise(&made, &host, SHEEN_ALL_GROUPS), 0);
+    assert_int_equal(sheen_quantise(&made, &host, SHEEN_ALL_PARTS), 0);
     for (int shading = SHEEN_FLAT; shading <= SHEEN_PHONG; shading++) {
         memset(baked, 0x5a, sizeof baked);
         draw(&baked_egg, (enum sheen_shading)shading, baked);

@@ -29,7 +29,7 @@ static const char *said(sheen_mesh_reader *reader)
     struct sheen_polygons polygons;
 
     problem.text[0] = '\0';
-    int error = sheen_mesh_file_read_by(reader, &polygons, import_text("any.obj", "v 0 0 0\n"), &problem);
+    int error = sheen_mesh_file_read_by(reader, &polygons, import_text("any.obj", "v 0 0 0\n"), NULL, &problem);
     assert_int_equal(error == 0, problem.text[0] == '\0');
     sheen_polygons_free(&polygons);
     return problem.text;

@@ -72,7 +72,7 @@ static int survives(const char *name, const char *bytes, size_t count)
         assert_true(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 1 + 1e-9);
         assert_true(fabs(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] - 1) < 1e-9);
     }
-    assert_int_equal(sheen_quantise(&quantised, &mesh, SHEEN_ALL_GROUPS), 0);
+    assert_int_equal(sheen_quantise(&quantised, &mesh, SHEEN_ALL_PARTS), 0);
     assert_int_equal(sheen_mesh_check(&quantised.mesh, quantised.polygon_count), 0);
     sheen_quantised_free(&quantised);
     sheen_host_mesh_free(&mesh);

@@ -86,7 +86,7 @@ static void meshes_in_every_way(void **state)
 
     (void)state;
     for (size_t i = 0; i < 5; i++) {
-        if (sheen_polygons_load(&polygons, names[i], &problem) != 0)
+        if (sheen_polygons_load(&polygons, names[i], NULL, &problem) != 0)
             fail_msg("%s", problem.text);
         for (size_t w = 0; w < sizeof ways / sizeof ways[0]; w++)
             check(&polygons, &ways[w], names[i]);
@@ -106,7 +106,7 @@ static void far_from_the_origin(void **state)
     struct sheen_host_mesh near, far;
 
     (void)state;
-    assert_int_equal(sheen_polygons_load(&polygons, "builtin:torus", &problem), 0);
+    assert_int_equal(sheen_polygons_load(&polygons, "builtin:torus", NULL, &problem), 0);
     assert_int_equal(sheen_host_mesh_build(&near, &polygons, &(struct sheen_host_options){0}, "near", &problem), 0);
     for (size_t p = 0; p < polygons.point_count; p++) {
         for (int k = 0; k < 3; k++)
@@ -131,7 +131,7 @@ static void points_are_floats(void **state)
 
     (void)state;
     for (size_t i = 0; i < 4; i++) {
-        assert_int_equal(sheen_polygons_load(&polygons, names[i], &problem), 0);
+        assert_int_equal(sheen_polygons_load(&polygons, names[i], NULL, &problem), 0);
         for (size_t p = 0; p < polygons.point_count; p++) {
             for (int k = 0; k < 3; k++) {
                 volatile float nearest = (float)polygons.points[p][k];
@@ -221,7 +221,7 @@ static void quantised_mesh(void **state)
 
     (void)state;
     assert_int_equal(sheen_host_mesh_load(&host, "builtin:teapot", &(struct sheen_host_options){0}, &problem), 0);
-    assert_int_equal(sheen_quantise(&quantised, &host, SHEEN_ALL_GROUPS), 0);
+    assert_int_equal(sheen_quantise(&quantised, &host, SHEEN_ALL_PARTS), 0);
     assert_int_equal(sheen_mesh_check(&quantised.mesh, quantised.polygon_count), 0);
     assert_int_equal(quantised.mesh.vertices, host.vertex_count);
     assert_int_equal(quantised.mesh.triangles, host.triangle_count);

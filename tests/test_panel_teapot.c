@@ -35,7 +35,7 @@ static int load(void **state)
     (void)state;
     if (sheen_host_mesh_load(&mesh, "builtin:teapot", &options, &problem) < 0)
         return -1;
-    int error = sheen_quantise(&teapot, &mesh, SHEEN_ALL_GROUPS);
+    int error = sheen_quantise(&teapot, &mesh, SHEEN_ALL_PARTS);
     sheen_host_mesh_free(&mesh);
     return error;
 }

@@ -89,21 +89,18 @@ static void set_source(struct baking *baking)
 
 static int quantise(struct baking *baking)
 {
-    size_t groups = baking->options->groups ? baking->host.group_count : 1;
+    size_t parts = baking->host.part_count;
 
-    baking->meshes = calloc(groups, sizeof *baking->meshes);
-    baking->groups = calloc(groups, sizeof *baking->groups);
+    baking->meshes = calloc(parts, sizeof *baking->meshes);
+    baking->groups = calloc(parts, sizeof *baking->groups);
     if (!baking->meshes || !baking->groups)
         return SHEEN_ERR_MEMORY;
-    for (size_t g = 0; g < groups; g++) {
-        uint32_t which = baking->options->groups ? (uint32_t)g : SHEEN_ALL_GROUPS;
-        int error = sheen_quantise(&baking->meshes[baking->count], &baking->host, which);
-        if (error == SHEEN_ERR_ARGUMENT)
-            continue; /* a material without faces */
+    for (size_t i = 0; i < parts; i++) {
+        int error = sheen_quantise(&baking->meshes[baking->count], &baking->host, (uint32_t)i);
         if (error)
             return error;
         struct sheen_group *group = &baking->groups[baking->count++];
-        *group = baking->host.group[g];
+        *group = baking->host.group[baking->host.part[i].group];
         if (!group->has_color)
             memcpy(group->color, baking->options->color.color, sizeof group->color);
     }

@@ -41,22 +41,19 @@ static void set_material(struct sheen_material *material, const struct sheen_shi
 static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *host)
 {
     const struct sheen_paint *paint = &scene->options->color;
-    size_t groups = paint->from_file ? host->group_count : 1;
 
-    scene->meshes = calloc(groups, sizeof *scene->meshes);
-    scene->materials = calloc(groups, sizeof *scene->materials);
-    scene->own_color = calloc(groups, sizeof *scene->own_color);
+    scene->meshes = calloc(host->part_count, sizeof *scene->meshes);
+    scene->materials = calloc(host->part_count, sizeof *scene->materials);
+    scene->own_color = calloc(host->part_count, sizeof *scene->own_color);
     if (!scene->meshes || !scene->materials || !scene->own_color)
         return SHEEN_ERR_MEMORY;
     int error = sheen_shine_make(&scene->shine, (unsigned)scene->options->shininess);
     if (error)
         return error;
-    for (size_t g = 0; g < groups; g++) {
-        const struct sheen_group *group = &host->group[g];
+    for (size_t i = 0; i < host->part_count; i++) {
+        const struct sheen_group *group = &host->group[host->part[i].group];
         int use_group = paint->from_file && group->has_color;
-        error = sheen_quantise(&scene->meshes[scene->count], host, paint->from_file ? (uint32_t)g : SHEEN_ALL_GROUPS);
-        if (error == SHEEN_ERR_ARGUMENT)
-            continue; /* a material without faces */
+        error = sheen_quantise(&scene->meshes[scene->count], host, (uint32_t)i);
         if (error)
             return error;
         set_material(&scene->materials[scene->count], &scene->shine, scene->options,

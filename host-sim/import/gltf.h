@@ -7,7 +7,7 @@
  *   gltf_draco.cpp     numbers out of Draco's meshes
  *   gltf_shape.cpp     a primitive as triangles, its morph targets applied
  *   gltf_nodes.cpp     where nodes are, and what they show
- *   gltf_color.cpp     materials
+ *   gltf_color.cpp     materials and their textures
  *   mesh_gltf.cpp      all of it together, to polygons
  *
  * Every number of a file is hostile until it was compared with what there is. What
@@ -92,10 +92,12 @@ class document
     {
         return path_.c_str();
     }
-    item list(const char *key) const;                           /* of the whole file: "nodes" */
-    item entry(const char *key, const item &number) const;      /* which may be out of range: refused */
-    view bytes_of(const item &view_number);                     /* of a buffer view, decompressed */
-    void take(uint64_t count, uint64_t size, const item &whom); /* so much memory; refused beyond the bound */
+    item list(const char *key) const;                            /* of the whole file: "nodes" */
+    item entry(const char *key, const item &number) const;       /* which may be out of range: refused */
+    view bytes_of(const item &view_number);                      /* of a buffer view, decompressed */
+    std::string beside(const std::string &uri) const;            /* the path of a file that is named so */
+    bytes decode_data(const std::string &uri, const item &whom); /* of "data:..." */
+    void take(uint64_t count, uint64_t size, const item &whom);  /* so much memory; refused beyond the bound */
 
     struct sheen_notes notes = {};
 
@@ -157,7 +159,7 @@ class draco_mesh
 /* A primitive at rest, in its mesh's space. Rows of tables are vertices; all but the points may be missing. */
 struct shape {
     std::string name; /* "meshes[0].primitives[2]" */
-    table points, normals, colors;
+    table points, normals, colors, uvs;
     std::vector<table> joints, weights; /* of each 4 a vertex, as many tables of both */
     std::vector<uint32_t> triangles;    /* 3 corners each, below points.count */
     item material;
@@ -187,10 +189,16 @@ uint8_t srgb(double linear);
 
 struct material {
     std::string name;
-    double factor[3] = {1, 1, 1}; /* base colour, linear */
+    double factor[3] = {1, 1, 1};      /* base colour, linear */
+    uint32_t picture = 0;              /* as a group's (polygons.h) */
+    double uv[6] = {1, 0, 0, 1, 0, 0}; /* column by column: the shape's uv to the picture's */
 };
 
-material read_material(document &file, const item &from);
+/* Its picture goes to *out; it is not read yet. */
+material read_material(document &file, const item &from, struct sheen_polygons &out);
+
+/* The number of the uv that its texture takes, as in "TEXCOORD_0". */
+uint64_t texcoord_of(const item &material);
 
 } // namespace gltf
 

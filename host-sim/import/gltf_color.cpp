@@ -1,7 +1,10 @@
 /*
- * gltf_color.cpp - colours of glTF materials.
+ * gltf_color.cpp - colours and textures of glTF materials.
  */
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
 
 #include "gltf.h"
 
@@ -16,23 +19,145 @@ uint8_t srgb(double linear)
     return static_cast<uint8_t>(255 * curve + 0.5);
 }
 
-/* Metal and roughness, or, in older files, specular and glossiness beside it or in its place. */
-material read_material(document &file, const item &from)
+namespace
 {
-    const item metallic = from.get("pbrMetallicRoughness");
-    const item glossy = from.get("extensions").get("KHR_materials_pbrSpecularGlossiness");
-    const item factor = glossy ? glossy.get("diffuseFactor") : metallic.get("baseColorFactor");
-    double rgba[4] = {1, 1, 1, 1};
-    material out;
 
-    out.name = from.get("name").text("");
+enum wrap {
+    CLAMP = 33071,
+    MIRROR = 33648
+};
+
+/* Metal and roughness, or, in older files, specular and glossiness beside it or in its place. */
+item glossy_of(const item &from)
+{
+    return from.get("extensions").get("KHR_materials_pbrSpecularGlossiness");
+}
+
+item texture_of(const item &from)
+{
+    const item glossy = glossy_of(from);
+
+    return glossy ? glossy.get("diffuseTexture") : from.get("pbrMetallicRoughness").get("baseColorTexture");
+}
+
+item transform_of(const item &texture)
+{
+    return texture.get("extensions").get("KHR_texture_transform");
+}
+
+uint8_t wrap_of(const item &sampler, const char *key)
+{
+    const uint64_t number = sampler.get(key).whole(10497);
+
+    return number == CLAMP ? SHEEN_WRAP_CLAMP : number == MIRROR ? SHEEN_WRAP_MIRROR : SHEEN_WRAP_REPEAT;
+}
+
+/* Scaled, turned, moved; turned so that with v downwards it is counter-clockwise to look at. */
+void read_transform(const item &from, double uv[6])
+{
+    double offset[2] = {0, 0}, scale[2] = {1, 1};
+    const double angle = from.get("rotation").real(0), c = std::cos(angle), s = std::sin(angle);
+
+    from.get("offset").reals(offset, 2);
+    from.get("scale").reals(scale, 2);
+    const double all[6] = {c * scale[0], -s * scale[0], s * scale[1], c * scale[1], offset[0], offset[1]};
+    std::memcpy(uv, all, sizeof all);
+}
+
+double cutoff_of(const item &from)
+{
+    const std::string mode = from.get("alphaMode").text("OPAQUE");
+
+    if (mode == "MASK")
+        return std::fmin(std::fmax(from.get("alphaCutoff").real(0.5), 0), 1);
+    return mode == "BLEND" ? 0.5 : 0;
+}
+
+template <class T> T *copy_of(const T *from, size_t count)
+{
+    T *out = static_cast<T *>(std::malloc(count + 1));
+
+    if (!out)
+        throw std::bad_alloc();
+    std::memcpy(out, from, count);
+    out[count] = 0;
+    return out;
+}
+
+/* Bytes within the file, or the path of one beside it. */
+void find_picture(document &file, const item &image, struct sheen_picture &to)
+{
+    const std::string uri = image.get("uri").text("");
+    const bool is_data = uri.compare(0, 5, "data:") == 0;
+    bytes decoded;
+    view inside;
+
+    if (!uri.empty() && !is_data) {
+        const std::string path = file.beside(uri);
+        to.name = copy_of(path.c_str(), path.size());
+        return;
+    }
+    if (is_data) {
+        decoded = file.decode_data(uri, image);
+        inside = decoded;
+    } else {
+        inside = file.bytes_of(image.get("bufferView"));
+    }
+    file.take(inside.size(), 1, image);
+    const std::string name = std::string(file.path()) + ": " + image.name();
+    to.bytes = copy_of(inside.data(), inside.size());
+    to.count = inside.size();
+    to.name = copy_of(name.c_str(), name.size());
+}
+
+/* A texture may have its picture in another format, beside a PNG or JPEG or instead. */
+uint32_t read_picture(document &file, const item &number, double cutoff, struct sheen_polygons &out)
+{
+    const item texture = file.entry("textures", number), source = texture.get("source");
+    const item sampler = texture.get("sampler") ? file.entry("samplers", texture.get("sampler")) : item(nullptr, "");
+    struct sheen_picture picture = {};
+
+    if (source) {
+        find_picture(file, file.entry("images", source), picture);
+    } else {
+        const std::string name = std::string(file.path()) + ": " + texture.name();
+        picture.name = copy_of(name.c_str(), name.size());
+        picture.bytes = copy_of(reinterpret_cast<const unsigned char *>(""), 0); /* neither PNG nor JPEG */
+    }
+    picture.wrap[0] = wrap_of(sampler, "wrapS");
+    picture.wrap[1] = wrap_of(sampler, "wrapT");
+    picture.cutoff = cutoff;
+    const uint32_t made = sheen_polygons_picture(&out, &picture);
+    if (!made)
+        throw std::bad_alloc();
+    return made;
+}
+
+} // namespace
+
+uint64_t texcoord_of(const item &material)
+{
+    const item texture = texture_of(material);
+
+    return transform_of(texture).get("texCoord").whole(texture.get("texCoord").whole(0));
+}
+
+material read_material(document &file, const item &from, struct sheen_polygons &out)
+{
+    const item glossy = glossy_of(from), texture = texture_of(from);
+    const item factor = glossy ? glossy.get("diffuseFactor") : from.get("pbrMetallicRoughness").get("baseColorFactor");
+    double rgba[4] = {1, 1, 1, 1};
+    material made;
+
+    made.name = from.get("name").text("");
     factor.reals(rgba, 4);
     for (size_t k = 0; k < 3; k++)
-        out.factor[k] = rgba[k];
-    if (glossy ? glossy.get("diffuseTexture") : metallic.get("baseColorTexture"))
-        sheen_note(&file.notes, SHEEN_NOTE_ON_COLORS,
-                   "%s: has colours in textures, which are not read; the materials' own are used", file.path());
-    return out;
+        made.factor[k] = rgba[k];
+    if (texture) {
+        made.picture = read_picture(file, texture.get("index"), cutoff_of(from), out);
+        read_transform(transform_of(texture), made.uv);
+    }
+    return made;
 }
 
 } // namespace gltf

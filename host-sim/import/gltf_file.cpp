@@ -229,23 +229,34 @@ void document::take(uint64_t count, uint64_t size, const item &whom)
 
 /* ---- buffers ---- */
 
+bytes document::decode_data(const std::string &uri, const item &whom)
+{
+    const size_t comma = uri.find(',');
+
+    if (comma == std::string::npos)
+        refuse("%s.uri: data without a comma", whom.name());
+    if (uri.rfind(";base64", comma) != std::string::npos)
+        return decode_base64(uri, comma + 1, whom);
+    const std::string text = decode_percent(uri.substr(comma + 1));
+    return bytes(text.begin(), text.end());
+}
+
+std::string document::beside(const std::string &uri) const
+{
+    const std::string name = decode_percent(uri);
+    const size_t slash = path_.rfind('/');
+
+    return name[0] == '/' || slash == std::string::npos ? name : path_.substr(0, slash + 1) + name;
+}
+
 bytes document::load(const std::string &uri, const item &whom)
 {
     bytes out;
 
-    if (uri.compare(0, 5, "data:") == 0) {
-        const size_t comma = uri.find(',');
-        if (comma == std::string::npos)
-            refuse("%s.uri: data without a comma", whom.name());
-        if (uri.rfind(";base64", comma) != std::string::npos)
-            return decode_base64(uri, comma + 1, whom);
-        const std::string text = decode_percent(uri.substr(comma + 1));
-        return bytes(text.begin(), text.end());
-    }
-    const std::string name = decode_percent(uri);
-    const size_t slash = path_.rfind('/');
-    if (!read_file(name[0] == '/' || slash == std::string::npos ? name : path_.substr(0, slash + 1) + name, out))
-        refuse("%s: its file %.100s cannot be read", whom.name(), name.c_str());
+    if (uri.compare(0, 5, "data:") == 0)
+        return decode_data(uri, whom);
+    if (!read_file(beside(uri), out))
+        refuse("%s: its file %.100s cannot be read", whom.name(), decode_percent(uri).c_str());
     room_ += ROOM_TIMES * out.size();
     return out;
 }

@@ -73,6 +73,12 @@ table read_optional(const source &from, const char *name, const char *types, siz
     return {};
 }
 
+/* Where a material's texture is to be looked up; without one, as any texture would be. */
+std::string texcoord_name(document &file, const item &material)
+{
+    return "TEXCOORD_" + std::to_string(material ? texcoord_of(file.entry("materials", material)) : 0);
+}
+
 /* JOINTS_0 and WEIGHTS_0, _1 ... */
 void read_influences(const source &from, shape &to)
 {
@@ -137,7 +143,7 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
     const item extension = primitive.get("extensions").get("KHR_draco_mesh_compression");
     const uint64_t mode = primitive.get("mode").whole(TRIANGLES);
     source from{file, primitive, weights, {}, extension.get("attributes")};
-    shape out{primitive.name(), {}, {}, {}, {}, {}, {}, primitive.get("material")};
+    shape out{primitive.name(), {}, {}, {}, {}, {}, {}, {}, primitive.get("material")};
 
     if (mode > FAN)
         refuse("%s: mode %llu is none of glTF 2.0's", primitive.name(), static_cast<unsigned long long>(mode));
@@ -152,6 +158,7 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
         refuse("%s has no POSITION", primitive.name());
     out.normals = read_optional(from, "NORMAL", "VEC3", out.points.count);
     out.colors = read_optional(from, "COLOR_0", "VEC3 VEC4", out.points.count);
+    out.uvs = read_optional(from, texcoord_name(file, out.material).c_str(), "VEC2", out.points.count);
     read_influences(from, out);
     const std::vector<uint32_t> corners = read_indices(from, out.points.count);
     out.triangles = make_triangles(corners, from.packed ? static_cast<uint64_t>(TRIANGLES) : mode);

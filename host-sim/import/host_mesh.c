@@ -61,17 +61,11 @@ static int check_triangles(const struct sheen_host_mesh *mesh, const struct shee
 /* How many vertices there would be with one normal at each place; 0 without memory. */
 static size_t count_places(const struct sheen_host_mesh *mesh)
 {
-    uint32_t(*keys)[2] = malloc(mesh->vertex_count * sizeof *keys);
     uint32_t *place = malloc(mesh->vertex_count * sizeof *place);
     size_t count = 0;
 
-    for (size_t v = 0; keys && v < mesh->vertex_count; v++) {
-        keys[v][0] = mesh->vertices[v].weld;
-        keys[v][1] = mesh->vertices[v].group;
-    }
-    if (!keys || !place || sheen_unique(keys, sizeof *keys, mesh->vertex_count, place, &count) != SHEEN_OK)
+    if (!place || sheen_host_places(mesh, place, &count) != SHEEN_OK)
         count = 0;
-    free(keys);
     free(place);
     return count;
 }
@@ -87,8 +81,9 @@ static int check_vertices(const struct sheen_host_mesh *mesh, const char *name, 
     if (places > 0 && places <= SHEEN_HOST_MESH_MAX)
         snprintf(rounder, sizeof rounder, "--normals average --crease 180 makes it about %zu, ", places);
     return sheen_problem(problem, SHEEN_ERR_CAPACITY,
-                         "%s: %zu vertices (by position and normal), at most %u can be drawn; %s" REDUCE, name,
-                         mesh->vertex_count, SHEEN_HOST_MESH_MAX, rounder);
+                         "%s: %zu vertices (by position%s normal%s), at most %u can be drawn; %s" REDUCE, name,
+                         mesh->vertex_count, mesh->picture_count ? "," : " and", mesh->picture_count ? " and uv" : "",
+                         SHEEN_HOST_MESH_MAX, rounder);
 }
 
 /* The polygons that have an area, and their corners. */
@@ -159,8 +154,9 @@ static int fit(struct sheen_host_build *build, const char *name, struct sheen_pr
 
 /* What makes two corners the same vertex; every byte counts, so there is no padding. */
 struct vertex_key {
-    double normal[3];
-    uint32_t weld, group;
+    double normal[3], uv[2];
+    uint32_t weld, group, has_uv;
+    uint8_t color[4];
 };
 
 static void set_vertex(struct sheen_host_build *build, size_t corner, const struct vertex_key *key)
@@ -172,8 +168,45 @@ static void set_vertex(struct sheen_host_build *build, size_t corner, const stru
     for (int k = 0; k < 3; k++)
         vertex->position[k] = (point[k] - mesh->center[k]) / mesh->radius;
     memcpy(vertex->normal, key->normal, sizeof vertex->normal);
+    memcpy(vertex->uv, key->uv, sizeof vertex->uv);
+    memcpy(vertex->color, key->color, sizeof vertex->color);
     vertex->weld = key->weld;
     vertex->group = key->group;
+    vertex->has_uv = key->has_uv;
+}
+
+/* Of a corner of polygon p; is_textured: the polygon is. */
+static void set_key(const struct sheen_host_build *build, size_t p, size_t corner, int is_textured,
+                    struct vertex_key *key)
+{
+    const struct sheen_polygons *from = build->from;
+    uint32_t source = build->source[corner];
+
+    for (int k = 0; k < 3; k++)
+        key->normal[k] = build->normals[corner][k] + 0.0; /* -0 becomes 0 */
+    for (int k = 0; is_textured && k < 2; k++)
+        key->uv[k] = from->uvs[source][k] + 0.0;
+    key->has_uv = (uint32_t)is_textured;
+    memset(key->color, 255, sizeof key->color);
+    if (build->options->colors && from->colors)
+        memcpy(key->color, from->colors[source], 3);
+    key->weld = sheen_corner_weld(build, corner);
+    key->group = build->options->by_group || from->picture_count ? build->mesh->polygons[p].group : 0;
+}
+
+/* Polygons without area are left out of the mesh: its p-th was another of the file. */
+static int is_polygon_textured(const struct sheen_host_build *build, size_t p)
+{
+    const struct sheen_host_polygon *polygon = &build->mesh->polygons[p];
+
+    if (!build->from->uvs || !build->from->group[polygon->group].picture)
+        return 0;
+    for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++) {
+        const double *uv = build->from->uvs[build->source[c]];
+        if (isnan(uv[0]) || isnan(uv[1]))
+            return 0;
+    }
+    return 1;
 }
 
 static int make_vertices(struct sheen_host_build *build)
@@ -188,12 +221,9 @@ static int make_vertices(struct sheen_host_build *build)
     }
     for (size_t p = 0; p < mesh->polygon_count; p++) {
         const struct sheen_host_polygon *polygon = &mesh->polygons[p];
-        for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++) {
-            for (int k = 0; k < 3; k++)
-                keys[c].normal[k] = build->normals[c][k] + 0.0; /* -0 becomes 0 */
-            keys[c].weld = sheen_corner_weld(build, c);
-            keys[c].group = build->options->by_group ? polygon->group : 0;
-        }
+        int is_textured = is_polygon_textured(build, p);
+        for (uint32_t c = polygon->first; c < polygon->first + polygon->count; c++)
+            set_key(build, p, c, is_textured, &keys[c]);
     }
     int error = sheen_unique(keys, sizeof *keys, mesh->corner_count, mesh->corners, &mesh->vertex_count);
     if (!error) {
@@ -231,6 +261,62 @@ static int make_triangles(struct sheen_host_build *build)
     return error;
 }
 
+static int compare_parts(const void *a, const void *b)
+{
+    const struct sheen_host_part *x = a, *y = b;
+
+    return x->group != y->group ? (x->group < y->group ? -1 : 1)
+                                : (x->picture > y->picture) - (x->picture < y->picture);
+}
+
+static struct sheen_host_part part_of(const struct sheen_host_build *build, size_t p)
+{
+    uint32_t group = build->mesh->polygons[p].group;
+
+    return (struct sheen_host_part){build->options->by_group ? group : 0,
+                                    is_polygon_textured(build, p) ? build->from->group[group].picture : 0};
+}
+
+static int make_parts(struct sheen_host_build *build)
+{
+    struct sheen_host_mesh *mesh = build->mesh;
+    struct sheen_host_part *part = malloc(mesh->polygon_count * sizeof *part);
+    size_t count = 0;
+
+    mesh->part = part;
+    if (!part)
+        return SHEEN_ERR_MEMORY;
+    for (size_t p = 0; p < mesh->polygon_count; p++)
+        part[p] = part_of(build, p);
+    qsort(part, mesh->polygon_count, sizeof *part, compare_parts);
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        if (count == 0 || compare_parts(&part[count - 1], &part[p]) != 0)
+            part[count++] = part[p];
+    }
+    mesh->part_count = count;
+    for (size_t p = 0; p < mesh->polygon_count; p++) {
+        struct sheen_host_part key = part_of(build, p);
+        struct sheen_host_part *found = bsearch(&key, part, count, sizeof *part, compare_parts);
+        mesh->polygons[p].part = (uint32_t)(found - part);
+    }
+    return SHEEN_OK;
+}
+
+static int copy_pictures(struct sheen_host_mesh *mesh, const struct sheen_polygons *from)
+{
+    mesh->picture = calloc(from->picture_count + 1, sizeof *mesh->picture);
+    for (size_t i = 0; mesh->picture && i < from->picture_count; i++) {
+        struct sheen_picture *picture = &mesh->picture[mesh->picture_count++];
+        size_t bytes = 4 * (size_t)from->picture[i].size[0] * from->picture[i].size[1];
+        *picture = from->picture[i];
+        picture->rgba = malloc(bytes);
+        if (!picture->rgba)
+            return SHEEN_ERR_MEMORY;
+        memcpy(picture->rgba, from->picture[i].rgba, bytes);
+    }
+    return mesh->picture ? SHEEN_OK : SHEEN_ERR_MEMORY;
+}
+
 static int copy_groups(struct sheen_host_build *build)
 {
     struct sheen_host_mesh *mesh = build->mesh;
@@ -242,7 +328,8 @@ static int copy_groups(struct sheen_host_build *build)
     mesh->group_count = build->from->group_count;
     mesh->z_up = build->from->z_up;
     mesh->notes = build->from->notes;
-    return SHEEN_OK;
+    mesh->has_colors = build->options->colors && build->from->colors;
+    return copy_pictures(mesh, build->from);
 }
 
 /* All steps but the last, which makes a mesh smaller. */
@@ -268,6 +355,8 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
         error = make_vertices(&build);
     if (!error)
         error = make_triangles(&build);
+    if (!error)
+        error = make_parts(&build);
     if (!error)
         error = copy_groups(&build);
     sheen_host_local_free(&build);
@@ -305,21 +394,30 @@ void sheen_host_mesh_free(struct sheen_host_mesh *mesh)
     free(mesh->corners);
     free(mesh->triangles);
     free(mesh->group);
+    free(mesh->part);
+    for (size_t i = 0; i < mesh->picture_count; i++)
+        sheen_picture_free(&mesh->picture[i]);
+    free(mesh->picture);
     memset(mesh, 0, sizeof *mesh);
 }
 
-int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, const struct sheen_texture_options *textures,
+                        struct sheen_problem *problem)
 {
-    if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) == 0)
-        return sheen_builtin(polygons, name, problem);
-    return sheen_mesh_file_read(polygons, name, problem);
+    if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) != 0)
+        return sheen_mesh_file_read(polygons, name, textures, problem);
+    int error = sheen_builtin(polygons, name, problem);
+    if (!error && textures && textures->most && textures->file)
+        error =
+            sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: has no texture coordinates for %s", name, textures->file);
+    return error;
 }
 
 int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const struct sheen_host_options *options,
                          struct sheen_problem *problem)
 {
     struct sheen_polygons polygons;
-    int error = sheen_polygons_load(&polygons, name, problem);
+    int error = sheen_polygons_load(&polygons, name, options->textures, problem);
 
     if (!error && (options->up == SHEEN_UP_Z || (options->up == SHEEN_UP_FORMAT && polygons.z_up)))
         sheen_polygons_turn(&polygons);

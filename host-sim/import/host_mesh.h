@@ -15,6 +15,7 @@
  *   - a corner's normal is the file's, else the average over the polygons around its
  *     vertex (unit normals times the angle at the corner, once for each time a polygon
  *     lists it), else its polygon's;
+ *   - uv and colours stay with the corner: vertices at one place may differ in them;
  *   - polygons are split into triangles;
  *   - where there are more triangles than are wanted, they are reduced (host_reduce.h).
  * Normals and triangles are the core's own (core/mesh/), as firmware gets them.
@@ -22,7 +23,7 @@
 #ifndef SHEEN_HOST_MESH_H
 #define SHEEN_HOST_MESH_H
 
-#include "polygons.h"
+#include "textures.h"
 
 #define SHEEN_HOST_MESH_MAX 65535u /* vertices, and triangles: what 16-bit indices hold */
 
@@ -40,19 +41,31 @@ struct sheen_host_options {
     int equal;       /* 1: polygons count alike in an average, not by their angle at the corner */
     int up;          /* enum sheen_up; of a file's polygons, before anything else */
     unsigned reduce; /* to at most so many triangles (host_reduce.h), 1..SHEEN_HOST_MESH_MAX; 0: never */
+    int colors;      /* 1: corners keep the file's colours */
+    const struct sheen_texture_options *textures; /* borrowed; NULL: none are read */
 };
 
 struct sheen_host_vertex {
     double position[3]; /* after the fit: |position| <= 1 */
     double normal[3];   /* unit */
-    uint32_t weld;      /* equal for vertices at one place that differ in normal or group */
-    uint32_t group;     /* 0 unless by_group */
+    double uv[2];       /* v downwards; 0 without */
+    uint32_t weld;      /* equal for vertices at one place that differ in what follows, normal or uv */
+    uint32_t group;     /* 0 unless by_group or a texture is shown */
+    uint32_t has_uv;    /* 1: of faces that show a texture */
+    uint8_t color[4];   /* the file's of this corner, sRGB, and 255; white without */
 };
 
 struct sheen_host_polygon {
     double normal[3];      /* Newell's, unit */
     uint32_t first, count; /* its corners */
     uint32_t group;        /* of the file, also without by_group */
+    uint32_t part;
+};
+
+/* What is drawn at once: the faces of a material, with by_group, that show the same texture. In order of both. */
+struct sheen_host_part {
+    uint32_t group;   /* 0 unless by_group */
+    uint32_t picture; /* 1 and its number; 0: no texture */
 };
 
 struct sheen_host_triangle {
@@ -71,6 +84,11 @@ struct sheen_host_mesh {
     size_t triangle_count;                 /* 1..SHEEN_HOST_MESH_MAX */
     struct sheen_group *group;             /* the file's materials */
     size_t group_count;
+    struct sheen_picture *picture; /* the file's textures that are shown */
+    size_t picture_count;
+    int has_colors; /* 1: a vertex has one of the file's */
+    struct sheen_host_part *part;
+    size_t part_count;        /* 1 or more */
     double center[3], radius; /* fitted = (file - center) / radius */
     uint8_t z_up;             /* as in the polygons, and so are the notes */
     struct sheen_notes notes;
@@ -85,8 +103,9 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
                           const struct sheen_host_options *options, const char *name, struct sheen_problem *problem);
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh);
 
-/* By name: "builtin:..." or a file. Errors as above, and what the reader found. */
-int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem);
+/* By name: "builtin:..." or a file. textures: or NULL. Errors as above, and what the reader found. */
+int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, const struct sheen_texture_options *textures,
+                        struct sheen_problem *problem);
 int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const struct sheen_host_options *options,
                          struct sheen_problem *problem);
 

@@ -14,8 +14,8 @@
 #define NONE UINT32_MAX
 
 /*
- * A place is where vertices of the mesh stand that differ in their normal alone. Those of two groups
- * are two places at one point: the simplifier keeps what joins them there.
+ * A place is where vertices of the mesh stand that differ in their normal alone. Those of two groups, uv or
+ * colours are two places at one point: the simplifier keeps what joins them there.
  */
 struct reducing {
     const struct sheen_host_mesh *from;
@@ -28,20 +28,26 @@ struct reducing {
     double error; /* of the longest side */
 };
 
-/* Numbers the places. */
-static int find_places(struct reducing *to)
+/* What makes two vertices stand at one place; every byte counts, so there is no padding. */
+struct place_key {
+    double uv[2];
+    uint32_t weld, group, has_uv;
+    uint8_t color[4];
+};
+
+int sheen_host_places(const struct sheen_host_mesh *mesh, uint32_t *place, size_t *count)
 {
-    const struct sheen_host_mesh *from = to->from;
-    uint32_t(*keys)[2] = malloc(from->vertex_count * sizeof *keys);
+    struct place_key *keys = malloc(mesh->vertex_count * sizeof *keys);
     int error = SHEEN_ERR_MEMORY;
 
-    to->place = malloc(from->vertex_count * sizeof *to->place);
-    for (size_t v = 0; keys && v < from->vertex_count; v++) {
-        keys[v][0] = from->vertices[v].weld;
-        keys[v][1] = from->vertices[v].group;
+    for (size_t v = 0; keys && v < mesh->vertex_count; v++) {
+        const struct sheen_host_vertex *vertex = &mesh->vertices[v];
+        keys[v] = (struct place_key){.weld = vertex->weld, .group = vertex->group, .has_uv = vertex->has_uv};
+        memcpy(keys[v].uv, vertex->uv, sizeof keys[v].uv);
+        memcpy(keys[v].color, vertex->color, sizeof keys[v].color);
     }
-    if (keys && to->place)
-        error = sheen_unique(keys, sizeof *keys, from->vertex_count, to->place, &to->place_count);
+    if (keys)
+        error = sheen_unique(keys, sizeof *keys, mesh->vertex_count, place, count);
     free(keys);
     return error;
 }
@@ -50,6 +56,9 @@ static int list_places(struct reducing *to)
 {
     const struct sheen_host_mesh *from = to->from;
 
+    to->place = malloc(from->vertex_count * sizeof *to->place);
+    if (!to->place || sheen_host_places(from, to->place, &to->place_count) != SHEEN_OK)
+        return SHEEN_ERR_MEMORY;
     to->points = malloc(to->place_count * sizeof *to->points);
     to->first = malloc(to->place_count * sizeof *to->first);
     to->next = malloc(from->vertex_count * sizeof *to->next);
@@ -78,7 +87,7 @@ static int simplify(struct reducing *to, size_t most, struct sheen_problem *prob
             to->corners[to->corner_count++] = to->place[from->triangles[t].vertex[k]];
     }
     return sheen_simplify(to->corners, &to->corner_count, (const float(*)[3])to->points, to->place_count, 3 * most,
-                          &to->error, problem);
+                          from->picture_count > 0, &to->error, problem);
 }
 
 /* Of the normals at a place the one nearest to `facing`. */
@@ -110,6 +119,11 @@ static void fill_triangle(const struct reducing *to, struct sheen_polygons *out,
     }
     cross3(a, b, facing);
     for (size_t i = 0; i < 3; i++) {
+        const struct sheen_host_vertex *vertex = &to->from->vertices[to->first[corners[i]]];
+        if (out->uvs && vertex->has_uv)
+            memcpy(out->uvs[3 * t + i], vertex->uv, sizeof vertex->uv);
+        if (out->colors)
+            memcpy(out->colors[3 * t + i], vertex->color, 3);
         out->corners[3 * t + i] = corners[i];
         choose_normal(to, corners[i], facing, out->normals[3 * t + i]);
     }
@@ -121,8 +135,10 @@ static void fill_triangle(const struct reducing *to, struct sheen_polygons *out,
 static int make_polygons(const struct reducing *to, struct sheen_polygons *out)
 {
     const struct sheen_host_mesh *from = to->from;
-    int error = sheen_polygons_alloc(out, to->place_count, to->corner_count / 3, to->corner_count, from->group_count,
-                                     SHEEN_WITH_NORMALS);
+    int with =
+        SHEEN_WITH_NORMALS | (from->picture_count ? SHEEN_WITH_UVS : 0) | (from->has_colors ? SHEEN_WITH_COLORS : 0);
+    int error =
+        sheen_polygons_alloc(out, to->place_count, to->corner_count / 3, to->corner_count, from->group_count, with);
 
     if (error)
         return error;
@@ -134,6 +150,8 @@ static int make_polygons(const struct reducing *to, struct sheen_polygons *out)
     for (size_t t = 0; t < to->corner_count / 3; t++)
         fill_triangle(to, out, t);
     memcpy(out->group, from->group, from->group_count * sizeof *out->group);
+    out->picture = from->picture; /* lent: rebuild takes them back */
+    out->picture_count = from->picture_count;
     out->z_up = from->z_up;
     out->notes = from->notes;
     return SHEEN_OK;
@@ -143,7 +161,7 @@ static int make_polygons(const struct reducing *to, struct sheen_polygons *out)
 static int rebuild(const struct reducing *to, const struct sheen_host_options *options, struct sheen_host_mesh *out,
                    const char *name, struct sheen_problem *problem)
 {
-    const struct sheen_host_options how = {.by_group = options->by_group};
+    const struct sheen_host_options how = {.by_group = options->by_group, .colors = options->colors};
     const size_t most = options->reduce;
     struct sheen_polygons polygons = {0};
     int error = make_polygons(to, &polygons);
@@ -157,6 +175,8 @@ static int rebuild(const struct reducing *to, const struct sheen_host_options *o
                    "%s: reduced from %zu triangles to %zu%s, off by at most %.2g %% of its size", name,
                    to->from->triangle_count, out->triangle_count, out->triangle_count > most ? ", not fewer" : "",
                    100 * to->error);
+    polygons.picture = NULL;
+    polygons.picture_count = 0;
     sheen_polygons_free(&polygons);
     return error;
 }
@@ -166,10 +186,8 @@ int sheen_host_mesh_reduce(struct sheen_host_mesh *mesh, const struct sheen_host
 {
     struct reducing to = {.from = mesh};
     struct sheen_host_mesh out = {0};
-    int error = find_places(&to);
+    int error = list_places(&to);
 
-    if (!error)
-        error = list_places(&to);
     if (!error)
         error = simplify(&to, options->reduce, problem);
     if (!error)

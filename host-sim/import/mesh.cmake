@@ -1,6 +1,7 @@
-# The readers of mesh files, for the command and for sheen-panel: what they are, link, and need to be found.
-set(sheen_mesh_packages assimp EXPAT draco meshoptimizer nlohmann_json)
-set(sheen_mesh_libraries assimp::assimp EXPAT::EXPAT draco::draco meshoptimizer::meshoptimizer PkgConfig::seccomp)
+# The readers of mesh files and of their pictures, for the command and for sheen-panel: what they are, link, and need to be found.
+set(sheen_mesh_packages assimp EXPAT draco JPEG meshoptimizer nlohmann_json PNG)
+set(sheen_mesh_libraries assimp::assimp EXPAT::EXPAT draco::draco JPEG::JPEG meshoptimizer::meshoptimizer PNG::PNG
+  PkgConfig::seccomp)
 set(sheen_mesh_sources
   confine.c
   gltf_accessor.cpp
@@ -28,6 +29,10 @@ set(sheen_mesh_sources
   mesh_stl.c
   mesh_text.c
   mesh_wire.c
+  picture.c
+  picture_jpeg.c
+  picture_png.c
   simplify.c
+  textures.c
 )
 list(TRANSFORM sheen_mesh_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)

@@ -32,7 +32,8 @@ static int check_file(const char *path, struct sheen_problem *problem)
 }
 
 /* The child: never returns. A crash ends it, whatever handlers the program has. */
-static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path, int pipe)
+static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
+                                    const struct sheen_texture_options *textures, int pipe)
 {
     struct sheen_polygons polygons = {0};
     struct sheen_problem problem = {""};
@@ -43,6 +44,8 @@ static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
 
     if (!error)
         error = reader(&polygons, path, &problem);
+    if (!error)
+        error = sheen_textures_read(&polygons, textures, path, &problem);
     if (!error)
         sheen_polygons_finish(&polygons, path);
     _exit(sheen_mesh_send(pipe, error, &polygons, &problem) == 0 ? 0 : 1);
@@ -81,7 +84,7 @@ static int receive(struct sheen_polygons *polygons, const char *path, pid_t chil
 }
 
 int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *polygons, const char *path,
-                            struct sheen_problem *problem)
+                            const struct sheen_texture_options *textures, struct sheen_problem *problem)
 {
     int ends[2], error = check_file(path, problem);
 
@@ -93,7 +96,7 @@ int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *po
     pid_t child = fork();
     if (child == 0) {
         close(ends[0]);
-        read_and_send(reader, path, ends[1]);
+        read_and_send(reader, path, textures, ends[1]);
     }
     error = errno;
     close(ends[1]);
@@ -103,7 +106,8 @@ int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *po
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no process to read it: %s", path, strerror(error));
 }
 
-int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
+                         const struct sheen_texture_options *textures, struct sheen_problem *problem)
 {
-    return sheen_mesh_file_read_by(sheen_mesh_format_read, polygons, path, problem);
+    return sheen_mesh_file_read_by(sheen_mesh_format_read, polygons, path, textures, problem);
 }

@@ -8,7 +8,7 @@
 #ifndef SHEEN_MESH_FILE_H
 #define SHEEN_MESH_FILE_H
 
-#include "polygons.h"
+#include "textures.h"
 
 #define SHEEN_IMPORT_SECONDS 10u       /* processor time of the child */
 #define SHEEN_IMPORT_BYTES (48u << 20) /* its memory beside 16 times the files; the command itself takes 16 MB */
@@ -18,13 +18,14 @@ typedef int sheen_mesh_reader(struct sheen_polygons *polygons, const char *path,
 
 /*
  * Polygons with the file's node transforms applied, n-gons kept, points and lines
- * left out. 0, or a negative code and *problem. Release with sheen_polygons_free in
- * any case.
+ * left out, and the textures that are asked for; NULL: none. 0, or a negative code and *problem. Release with
+ * sheen_polygons_free in any case.
  */
-int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
+                         const struct sheen_texture_options *textures, struct sheen_problem *problem);
 
 /* The same by another reader. */
 int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *polygons, const char *path,
-                            struct sheen_problem *problem);
+                            const struct sheen_texture_options *textures, struct sheen_problem *problem);
 
 #endif

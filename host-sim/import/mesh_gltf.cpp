@@ -17,7 +17,7 @@ namespace
 {
 
 /* Of the output for a vertex, and for a triangle of three corners. */
-constexpr size_t VERTEX_BYTES = 24, TRIANGLE_BYTES = 3 * (4 + 24 + 3) + 4 + 2;
+constexpr size_t VERTEX_BYTES = 24, TRIANGLE_BYTES = 3 * (4 + 24 + 16 + 3) + 4 + 2;
 
 /* Room for `more` beyond `count`, zeroed, in an array that sheen_polygons_free releases. */
 template <class T> void grow(T *&array, size_t count, size_t more)
@@ -35,8 +35,7 @@ struct making {
     document &file;
     struct sheen_polygons &out;
     std::vector<material> materials; /* one more than the file has: that of primitives without */
-    std::vector<bool> colored;       /* those whose primitives have colours a vertex */
-    bool with_normals, with_colors;
+    bool with_normals, with_colors, with_uvs;
 };
 
 /* A vertex at its place. */
@@ -52,9 +51,8 @@ void make_groups(making &to)
     if (all.size() >= UINT16_MAX)
         refuse("%zu materials, at most %u can be used", all.size(), UINT16_MAX - 1u);
     for (size_t i = 0; i < all.size(); i++)
-        to.materials.push_back(read_material(to.file, all.at(i)));
+        to.materials.push_back(read_material(to.file, all.at(i), to.out));
     to.materials.emplace_back();
-    to.colored.resize(to.materials.size());
 }
 
 /* The joints' matrices, by weights as if those added up to 1; where all are 0 the first joint counts. */
@@ -118,11 +116,24 @@ bool is_float(const double v[3])
     return std::fabs(v[0]) <= FLT_MAX && std::fabs(v[1]) <= FLT_MAX && std::fabs(v[2]) <= FLT_MAX;
 }
 
-/* The vertex' own colour times the material's. */
-void mix(const shape &from, size_t vertex, const material &by, uint8_t color[3])
+void put_color(const shape &from, size_t vertex, uint8_t color[3])
 {
     for (size_t k = 0; k < 3; k++)
-        color[k] = srgb(by.factor[k] * (from.colors.count ? from.colors.row(vertex)[k] : 1));
+        color[k] = srgb(from.colors.count ? from.colors.row(vertex)[k] : 1);
+}
+
+/* What is no number is told from what is not there (polygons.h). */
+void put_uv(const shape &from, size_t vertex, const material &by, double uv[2])
+{
+    if (from.uvs.count == 0) {
+        uv[0] = uv[1] = std::nan("");
+        return;
+    }
+    const double *row = from.uvs.row(vertex);
+    for (size_t k = 0; k < 2; k++) {
+        uv[k] = by.uv[k] * row[0] + by.uv[2 + k] * row[1] + by.uv[4 + k];
+        uv[k] = std::isnan(uv[k]) ? HUGE_VAL : uv[k];
+    }
 }
 
 void grow_all(making &to, const shape &from)
@@ -139,6 +150,7 @@ void grow_all(making &to, const shape &from)
     grow(out.corners, out.corner_count, from.triangles.size());
     grow(out.normals, out.corner_count, from.triangles.size());
     grow(out.colors, out.corner_count, from.triangles.size());
+    grow(out.uvs, out.corner_count, from.triangles.size());
     grow(out.first, out.polygon_count ? out.polygon_count + 1 : 0, triangles); /* one more than there are polygons */
     grow(out.groups, out.polygon_count, triangles);
 }
@@ -157,7 +169,8 @@ void add_triangle(making &to, const shape &from, const uint32_t *corners, const 
             refuse("%s: vertex %lu is not a finite number", from.name.c_str(), static_cast<unsigned long>(vertex));
         out.corners[out.corner_count] = static_cast<uint32_t>(point);
         memcpy(out.normals[out.corner_count], vertices[vertex].normal, sizeof out.normals[0]);
-        mix(from, vertex, to.materials[group], out.colors[out.corner_count]);
+        put_color(from, vertex, out.colors[out.corner_count]);
+        put_uv(from, vertex, to.materials[group], out.uvs[out.corner_count]);
     }
     out.groups[out.polygon_count] = static_cast<uint16_t>(group);
     out.first[++out.polygon_count] = static_cast<uint32_t>(out.corner_count);
@@ -183,9 +196,9 @@ void add_shape(making &to, const shape &from, const std::vector<matrix> &joints,
     for (size_t t = 0; t < from.triangles.size(); t += 3)
         add_triangle(to, from, &from.triangles[t], vertices, group);
     to.out.point_count += from.points.count;
-    to.colored[group] = to.colored[group] || from.colors.count > 0;
     to.with_normals |= from.normals.count > 0;
     to.with_colors |= from.colors.count > 0;
+    to.with_uvs |= from.uvs.count > 0;
 }
 
 /* A mesh that stands at several places, one after the other, is read once. */
@@ -207,7 +220,6 @@ void add_meshes(making &to)
     }
 }
 
-/* Colours that differ by corner are no material's own (sheen_polygons_finish takes their mean). */
 void set_groups(making &to)
 {
     struct sheen_polygons &out = to.out;
@@ -217,7 +229,8 @@ void set_groups(making &to)
     for (size_t g = 0; g < out.group_count; g++) {
         struct sheen_group &group = out.group[g];
         snprintf(group.name, sizeof group.name, "%s", to.materials[g].name.c_str());
-        group.has_color = g + 1 < out.group_count && !to.colored[g];
+        group.has_color = g + 1 < out.group_count;
+        group.picture = to.materials[g].picture;
         for (size_t k = 0; k < 3 && group.has_color; k++)
             group.color[k] = srgb(to.materials[g].factor[k]);
     }
@@ -226,7 +239,7 @@ void set_groups(making &to)
 void read(struct sheen_polygons &out, const char *path)
 {
     document file(path);
-    making to{file, out, {}, {}, false, false};
+    making to{file, out, {}, false, false, false};
 
     make_groups(to);
     add_meshes(to);
@@ -240,6 +253,10 @@ void read(struct sheen_polygons &out, const char *path)
     if (!to.with_colors) {
         free(out.colors);
         out.colors = nullptr;
+    }
+    if (!to.with_uvs) {
+        free(out.uvs);
+        out.uvs = nullptr;
     }
     out.notes = file.notes;
 }

@@ -1,8 +1,9 @@
 /*
- * mesh_mtl.c - the colours of an OBJ's materials.
+ * mesh_mtl.c - the colours and textures of an OBJ's materials.
  */
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "mesh_readers.h"
 #include "mesh_sink.h"
@@ -18,13 +19,13 @@ static int is_named(const struct sheen_word *group, const struct sheen_word *mat
     return i == group->length || (i > material->length && group->at[i] == '#');
 }
 
-/* NULL: no face uses it, or it has its colour. */
+/* NULL: no face uses it, or it has its colour or texture. */
 static struct sheen_group *find_group(struct sheen_polygons *polygons, const struct sheen_word *names,
                                       const struct sheen_word *material)
 {
     for (size_t g = 1; g < polygons->group_count; g++) {
         if (is_named(&names[g], material))
-            return polygons->group[g].has_color ? NULL : &polygons->group[g];
+            return polygons->group[g].has_color || polygons->group[g].picture ? NULL : &polygons->group[g];
     }
     return NULL;
 }
@@ -47,6 +48,108 @@ static void read_color(struct sheen_text *text, struct sheen_group *group, struc
     group->has_color = 1;
 }
 
+/* ---- map_Kd ---- */
+
+/* How many words follow an option: at least, at most. What is beyond the least are numbers. */
+static const struct map_option {
+    const char *name;
+    int least, most;
+} map_options[] = {{"-blendu", 1, 1}, {"-blendv", 1, 1}, {"-cc", 1, 1},      {"-clamp", 1, 1},  {"-mm", 2, 2},
+                   {"-o", 1, 3},      {"-s", 1, 3},      {"-t", 1, 3},       {"-texres", 1, 1}, {"-bm", 1, 1},
+                   {"-boost", 1, 1},  {"-type", 1, 1},   {"-imfchan", 1, 1}, {NULL, 0, 0}};
+
+struct map {
+    double offset[3], scale[3];
+    int clamps;
+};
+
+/* One option's words. Leaves the text behind them. 0: the line ends before. */
+static int read_map_option(struct sheen_text *text, const struct map_option *option, struct map *map)
+{
+    double *numbers = option->name[1] == 'o' ? map->offset : option->name[1] == 's' ? map->scale : NULL;
+
+    for (int i = 0; i < option->most; i++) {
+        struct sheen_text before = *text;
+        struct sheen_word word;
+        double number = 0;
+        int is_number = sheen_text_word(text, &word) && sheen_word_number(&word, &number);
+        if (!is_number && i >= option->least) {
+            *text = before;
+            break;
+        }
+        if (numbers && is_number)
+            numbers[i] = number;
+        if (option->name[1] == 'c' && option->name[2] == 'l')
+            map->clamps = sheen_word_is(&word, "on");
+    }
+    return text->at < text->end;
+}
+
+/* The options before the name of the picture. */
+static void read_map_options(struct sheen_text *text, struct map *map)
+{
+    for (;;) {
+        struct sheen_text before = *text;
+        struct sheen_word word;
+        const struct map_option *option = map_options;
+        if (!sheen_text_word(text, &word))
+            return;
+        while (option->name && !sheen_word_is(&word, option->name))
+            option++;
+        if (!option->name) {
+            *text = before;
+            return;
+        }
+        if (!read_map_option(text, option, map))
+            return;
+    }
+}
+
+/* Where it is named to be, or under its bare name beside the .mtl, as when it came from another machine. */
+static char *find_picture(const char *path, const struct sheen_word *name)
+{
+    char found[4096], beside[4096];
+    const char *bare;
+
+    if (sheen_beside(found, sizeof found, path, name->at, name->length) != 0)
+        return strndup(name->at, name->length);
+    bare = strrchr(found, '/');
+    if (access(found, F_OK) != 0 && bare &&
+        sheen_beside(beside, sizeof beside, path, bare + 1, strlen(bare + 1)) == 0 && access(beside, F_OK) == 0)
+        return strdup(beside);
+    return strdup(found);
+}
+
+/* -s and -o: of u and of v, which counts upwards here and downwards in *polygons. */
+static void transform(struct sheen_polygons *polygons, size_t group, const struct map *map)
+{
+    for (size_t p = 0; polygons->uvs && p < polygons->polygon_count; p++) {
+        if (polygons->groups[p] != group)
+            continue;
+        for (uint32_t c = polygons->first[p]; c < polygons->first[p + 1]; c++) {
+            double *uv = polygons->uvs[c];
+            uv[0] = map->scale[0] * uv[0] + map->offset[0];
+            uv[1] = 1 - (map->scale[1] * (1 - uv[1]) + map->offset[1]);
+        }
+    }
+}
+
+static void read_map(struct sheen_text *text, struct sheen_polygons *polygons, struct sheen_group *group)
+{
+    struct map map = {.scale = {1, 1, 1}};
+    struct sheen_word name;
+
+    read_map_options(text, &map);
+    if (group->picture || !sheen_text_line_rest(text, &name))
+        return;
+    if (name.length >= 2 && name.at[0] == '"' && name.at[name.length - 1] == '"')
+        name = (struct sheen_word){name.at + 1, name.length - 2};
+    uint8_t wrap = map.clamps ? SHEEN_WRAP_CLAMP : SHEEN_WRAP_REPEAT;
+    struct sheen_picture picture = {.name = find_picture(text->path, &name), .wrap = {wrap, wrap}, .cutoff = .5};
+    group->picture = sheen_polygons_picture(polygons, &picture);
+    transform(polygons, (size_t)(group - polygons->group), &map);
+}
+
 static void read_lines(struct sheen_polygons *polygons, const struct sheen_word *names, struct sheen_text *text)
 {
     struct sheen_group *group = NULL;
@@ -58,7 +161,7 @@ static void read_lines(struct sheen_polygons *polygons, const struct sheen_word 
         else if (group && sheen_word_is(&word, "Kd"))
             read_color(text, group, &polygons->notes);
         else if (group && sheen_word_is(&word, "map_Kd"))
-            sheen_note(&polygons->notes, 1, "%s: textures are not read; a material's colour is its Kd", text->path);
+            read_map(text, polygons, group);
     }
 }
 

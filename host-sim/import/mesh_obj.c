@@ -12,7 +12,7 @@
 #include "mesh_sink.h"
 
 /* What may stand in an OBJ and says nothing about faces. */
-static const char other_words[] = " vt vp g s o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
+static const char other_words[] = " vp g s o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
                                   "cstype deg bmat step parm trim hole sp end con ctech stech bzp cdp res bsp ";
 /* Surfaces, curves and files that are not read. */
 static const char left_out_words[] = " surf curv curv2 scrv call csh cdc ";
@@ -21,10 +21,10 @@ struct obj {
     struct sheen_bytes bytes;
     struct sheen_text text;
     struct sheen_polygons *out;
-    size_t points, normals; /* so far */
-    size_t total[2];        /* of both, after the first pass */
-    double color_most;      /* of vertices' colours: 1, or 255 where any is more than 1 */
-    uint16_t group;         /* of faces */
+    size_t points, normals, uvs; /* so far */
+    size_t total[3];             /* of each, after the first pass */
+    double color_most;           /* of vertices' colours: 1, or 255 where any is more than 1 */
+    uint16_t group;              /* of faces */
     struct sheen_word *names;
     size_t names_count, names_room;
     struct sheen_word left_out;
@@ -72,6 +72,26 @@ static int read_normal(struct obj *obj, struct sheen_sink *sink)
     return SHEEN_OK;
 }
 
+/* vt u, v or nothing, and nothing or a w, which is not of a picture. */
+static int read_uv(struct obj *obj, struct sheen_sink *sink)
+{
+    double uv[2] = {0, 0};
+
+    for (int k = 0; k < 2; k++) {
+        struct sheen_word word;
+        if (!sheen_text_word(&obj->text, &word)) {
+            if (k == 1)
+                break;
+            return sheen_text_problem(&obj->text, "vt without a number");
+        }
+        if (!sheen_word_number(&word, &uv[k]))
+            return sheen_text_problem(&obj->text, "'%.*s' is not a number", SHEEN_WORD(word));
+    }
+    sheen_sink_uv(sink, uv);
+    obj->uvs++;
+    return SHEEN_OK;
+}
+
 /* The parts of v, v/vt, v//vn, v/vt/vn, and with nothing after the last slash; ABSENT where there is none. */
 #define ABSENT INT64_MIN
 static int split_corner(const struct sheen_word *word, int64_t part[3])
@@ -104,10 +124,17 @@ static int find(struct obj *obj, int64_t index, const char *what, size_t so_far,
     return SHEEN_OK;
 }
 
-/* Which texture a corner has does not matter, whether there is one or not. */
+/* A face may name uv that are not there: it has none then. */
+static size_t find_uv(const struct obj *obj, int64_t index)
+{
+    if (index < 0 && index >= -(int64_t)obj->uvs)
+        return (size_t)((int64_t)obj->uvs + index);
+    return index > 0 && index <= (int64_t)obj->total[2] ? (size_t)index - 1 : SHEEN_NONE;
+}
+
 static int read_corner(struct obj *obj, struct sheen_sink *sink, const struct sheen_word *word)
 {
-    size_t point = 0, normal = SHEEN_NO_NORMAL;
+    size_t point = 0, normal = SHEEN_NONE, uv = SHEEN_NONE;
     int64_t part[3];
     int error = SHEEN_OK;
 
@@ -117,9 +144,10 @@ static int read_corner(struct obj *obj, struct sheen_sink *sink, const struct sh
         error = find(obj, part[0], "vertex", obj->points, obj->total[0], &point);
         if (!error && part[2] != ABSENT && obj->total[1] > 0) /* a file may name normals and have none at all */
             error = find(obj, part[2], "normal", obj->normals, obj->total[1], &normal);
+        uv = find_uv(obj, part[1]);
     }
     if (!error)
-        sheen_sink_corner(sink, point, normal);
+        sheen_sink_corner(sink, point, normal, uv);
     return error;
 }
 
@@ -180,7 +208,7 @@ static int is_one_of(const struct sheen_word *word, const char *words)
     return strcasestr(words, padded) != NULL;
 }
 
-/* A line that is no vertex, normal, face or material. */
+/* A line that is no vertex, normal, uv, face or material. */
 static void read_other(struct obj *obj, const struct sheen_word *word)
 {
     int left_out = is_one_of(word, left_out_words);
@@ -200,6 +228,8 @@ static int read_line(struct obj *obj, struct sheen_sink *sink, const struct shee
         return read_vertex(obj, sink);
     if (sheen_word_is(word, "vn"))
         return read_normal(obj, sink);
+    if (sheen_word_is(word, "vt"))
+        return read_uv(obj, sink);
     if (sheen_word_is(word, "f") || sheen_word_is(word, "fo"))
         return read_face(obj, sink);
     if (sheen_word_is(word, "usemtl")) {
@@ -220,13 +250,14 @@ static int pass(void *context, struct sheen_sink *sink)
     obj->text.at = (const char *)obj->bytes.bytes;
     obj->text.line = 1;
     obj->group = 0;
-    obj->points = obj->normals = 0;
+    obj->points = obj->normals = obj->uvs = 0;
     while (!error && sheen_text_any_word(&obj->text, &word)) {
         error = read_line(obj, sink, &word);
         sheen_text_skip_line(&obj->text);
     }
     obj->total[0] = obj->points;
     obj->total[1] = obj->normals;
+    obj->total[2] = obj->uvs;
     sink->groups = obj->names_count ? obj->names_count : 1;
     if (!error && sink->polygons == 0 && obj->left_out.length)
         return sheen_problem(obj->text.problem, SHEEN_ERR_ARGUMENT, "%s: no faces: '%.*s' is not read", obj->text.path,
@@ -271,7 +302,7 @@ static void read_materials(struct obj *obj)
         sheen_text_skip_line(&obj->text);
     }
     for (size_t g = 1; g < obj->names_count; g++) {
-        if (!obj->out->group[g].has_color)
+        if (!obj->out->group[g].has_color && !obj->out->group[g].picture)
             sheen_note(&obj->out->notes, 1, "%s: material '%s' has no colour in any .mtl", obj->text.path,
                        obj->out->group[g].name);
     }

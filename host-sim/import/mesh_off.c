@@ -101,7 +101,7 @@ static int read_corners(struct off *off, struct sheen_sink *sink)
             error = sheen_text_problem(&off->text, "a face names vertex %lld of %lld, which count from 0",
                                        (long long)index, (long long)off->vertices);
         if (!error)
-            sheen_sink_corner(sink, (size_t)index, off->normals ? (size_t)index : SHEEN_NO_NORMAL);
+            sheen_sink_corner(sink, (size_t)index, off->normals ? (size_t)index : SHEEN_NONE, SHEEN_NONE);
     }
     return error;
 }

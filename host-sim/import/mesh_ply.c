@@ -22,6 +22,8 @@ enum role {
     RED,
     GREEN,
     BLUE,
+    U,
+    V,
     INDICES,
     ROLES
 };
@@ -36,6 +38,8 @@ static const char *const role_names[ROLES] = {
     " red r diffuse_red ",
     " green g diffuse_green ",
     " blue b diffuse_blue ",
+    " u s texture_u ",
+    " v t texture_v ",
     " vertex_indices vertex_index ",
 };
 
@@ -51,6 +55,7 @@ static const char *const kind_words[] = {"elements that are no faces", "vertices
 struct reading {
     struct sheen_ply ply;
     struct sheen_polygons *out;
+    int has_uvs; /* of vertices */
 };
 
 /* An element as it is read: which property has which role, and what it was for this one. */
@@ -71,9 +76,10 @@ static int read_index(struct reading *reading, enum sheen_ply_type type, int res
     return error;
 }
 
-static void put_corner(struct sheen_sink *sink, double index)
+/* If vertices have normals, or uv, each has one. */
+static void put_corner(const struct reading *reading, struct sheen_sink *sink, double index)
 {
-    sheen_sink_corner(sink, (size_t)index, (size_t)index); /* if vertices have normals, each has one */
+    sheen_sink_corner(sink, (size_t)index, (size_t)index, reading->has_uvs ? (size_t)index : SHEEN_NONE);
 }
 
 /* Three indices more make the first triangle, each further one another, every second turned around; -1 begins anew. */
@@ -92,9 +98,9 @@ static int read_strips(struct reading *reading, struct sheen_sink *sink, double 
             continue;
         }
         if (++run >= 3 && index != last[0] && index != last[1] && last[0] != last[1]) {
-            put_corner(sink, last[run % 2 ? 0 : 1]);
-            put_corner(sink, last[run % 2 ? 1 : 0]);
-            put_corner(sink, index);
+            put_corner(reading, sink, last[run % 2 ? 0 : 1]);
+            put_corner(reading, sink, last[run % 2 ? 1 : 0]);
+            put_corner(reading, sink, index);
             sheen_sink_polygon(sink, 0, NULL);
         }
         last[0] = last[1];
@@ -110,7 +116,7 @@ static int read_corners(struct reading *reading, struct sheen_sink *sink, double
         int error = read_index(reading, type, 0, &index);
         if (error)
             return error;
-        put_corner(sink, index);
+        put_corner(reading, sink, index);
     }
     return SHEEN_OK;
 }
@@ -165,7 +171,11 @@ static void find_roles(const struct sheen_ply_element *element, struct roles *ro
 
 static int has(const struct roles *roles, int first)
 {
-    return roles->property[first] >= 0 && roles->property[first + 1] >= 0 && roles->property[first + 2] >= 0;
+    int last = first + (first == U ? 1 : 2);
+
+    while (first <= last && roles->property[first] >= 0)
+        first++;
+    return first > last;
 }
 
 /* NULL where there is none; sRGB of bytes, shorts or numbers from 0 to 1. */
@@ -190,6 +200,8 @@ static int put_vertex(struct reading *reading, struct sheen_sink *sink, const st
     sheen_sink_point(sink, roles->value + X, color);
     if (has(roles, NX))
         sheen_sink_normal(sink, roles->value + NX);
+    if (has(roles, U))
+        sheen_sink_uv(sink, roles->value + U);
     return SHEEN_OK;
 }
 
@@ -251,6 +263,7 @@ static int read_elements(struct reading *reading, struct sheen_sink *sink, const
         return sheen_ply_problem(&reading->ply, "vertices without x, y and z");
     if ((kind == FACE || kind == STRIPS) && element->count > 0 && roles.property[INDICES] < 0)
         return sheen_ply_problem(&reading->ply, "faces without a list vertex_indices");
+    reading->has_uvs |= kind == VERTEX && has(&roles, U);
     for (int64_t i = 0; i < element->count; i++) {
         int error = read_element(reading, sink, element, kind, &roles);
         if (error && reading->ply.ended)
@@ -286,6 +299,16 @@ static int pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
+/* `comment TextureFile NAME`, which no standard has and every program writes. */
+static void add_picture(struct sheen_polygons *polygons, const char *path, const struct sheen_word *name)
+{
+    char beside[4096];
+    int is_long = sheen_beside(beside, sizeof beside, path, name->at, name->length);
+    struct sheen_picture picture = {.name = is_long ? strndup(name->at, name->length) : strdup(beside), .cutoff = .5};
+
+    polygons->group[0].picture = sheen_polygons_picture(polygons, &picture);
+}
+
 int sheen_mesh_ply_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     static struct reading reading; /* 40 KB: not on the stack */
@@ -303,6 +326,8 @@ int sheen_mesh_ply_read(struct sheen_polygons *polygons, const char *path, struc
     }
     if (!error)
         error = sheen_sink_run(polygons, pass, &reading, path, problem);
+    if (!error && reading.ply.picture.length)
+        add_picture(polygons, path, &reading.ply.picture);
     sheen_bytes_free(&reading.ply.bytes);
     return error;
 }

@@ -47,8 +47,9 @@ struct sheen_ply {
     int elements;
     const char *body;
     unsigned long body_line;
-    size_t vertices; /* as promised */
-    int ended;       /* the last number was not there: the file had ended */
+    size_t vertices;           /* as promised */
+    struct sheen_word picture; /* the first that a comment names; of no length: none */
+    int ended;                 /* the last number was not there: the file had ended */
 };
 
 /* Reads the header; the body begins at ply->body. 0, or an error with the line. */

@@ -103,6 +103,15 @@ static int read_format(struct sheen_ply *ply)
     return SHEEN_OK;
 }
 
+static void read_comment(struct sheen_ply *ply)
+{
+    struct sheen_word word, name;
+
+    if (sheen_text_word(&ply->text, &word) && sheen_word_is(&word, "TextureFile") &&
+        sheen_text_line_rest(&ply->text, &name) && !ply->picture.length)
+        ply->picture = name;
+}
+
 static int read_line(struct sheen_ply *ply, const struct sheen_word *word)
 {
     if (sheen_word_is(word, "format"))
@@ -111,6 +120,8 @@ static int read_line(struct sheen_ply *ply, const struct sheen_word *word)
         return read_element(ply);
     if (sheen_word_is(word, "property"))
         return read_property(ply);
+    if (sheen_word_is(word, "comment"))
+        read_comment(ply);
     /* Before the first element it may be a comment that lost its first word; after, perhaps a property. */
     if (sheen_word_is(word, "comment") || sheen_word_is(word, "obj_info") || ply->elements == 0)
         return SHEEN_OK;

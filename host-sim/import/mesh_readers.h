@@ -10,7 +10,7 @@
 #include "mesh_text.h"
 #include "polygons.h"
 
-/* Wavefront OBJ: v, vn, f, usemtl, mtllib. Indices of textures (vt) are not looked at. */
+/* Wavefront OBJ: v, vt, vn, f, usemtl, mtllib. An index of a vt that is not there is none. */
 int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /* Stanford PLY, text and binary of both byte orders: vertices, faces, tristrips, in any order. */
@@ -23,7 +23,7 @@ int sheen_mesh_stl_read(struct sheen_polygons *polygons, const char *path, struc
 int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /*
- * The colours (Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ. Whatever else the
+ * The colours (Kd) and textures (map_Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ. Whatever else the
  * .mtl holds is let pass; what cannot be read is a note. 0, or -1 where there is no such file.
  */
 int sheen_mtl_read(struct sheen_polygons *polygons, const struct sheen_word *names, const char *path);

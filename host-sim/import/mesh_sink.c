@@ -25,13 +25,27 @@ void sheen_sink_normal(struct sheen_sink *sink, const double normal[3])
     sink->normals++;
 }
 
-void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal)
+/* What is no number is told from what is not there (polygons.h). */
+void sheen_sink_uv(struct sheen_sink *sink, const double uv[2])
+{
+    if (sink->keeping) {
+        double v = 1 - uv[1];
+        sink->uv[sink->uvs][0] = isnan(uv[0]) ? (double)INFINITY : uv[0];
+        sink->uv[sink->uvs][1] = isnan(v) ? (double)INFINITY : v;
+    }
+    sink->uvs++;
+}
+
+void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal, size_t uv)
 {
     /* Corners that are about to be dropped may be more than were counted to be kept. */
     if (sink->keeping && sink->corners < sink->out->corner_count) {
         sink->out->corners[sink->corners] = (uint32_t)point;
-        if (sink->out->normals) /* until the end its number plus 1, and 0 for none */
-            sink->out->normals[sink->corners][0] = normal == SHEEN_NO_NORMAL ? 0 : (double)normal + 1;
+        /* Until the end the numbers of both plus 1, and 0 for none. */
+        if (sink->out->normals)
+            sink->out->normals[sink->corners][0] = normal == SHEEN_NONE ? 0 : (double)normal + 1;
+        if (sink->out->uvs)
+            sink->out->uvs[sink->corners][0] = uv == SHEEN_NONE ? 0 : (double)uv + 1;
     }
     sink->corners++;
 }
@@ -60,19 +74,21 @@ size_t sheen_sink_drop(struct sheen_sink *sink)
 /* What both passes count is what the arrays are made for. */
 static int make_room(struct sheen_sink *sink)
 {
-    int with = (sink->normals ? SHEEN_WITH_NORMALS : 0) | (sink->has_colors ? SHEEN_WITH_COLORS : 0);
+    int with = (sink->normals ? SHEEN_WITH_NORMALS : 0) | (sink->has_colors ? SHEEN_WITH_COLORS : 0) |
+               (sink->uvs ? SHEEN_WITH_UVS : 0);
     struct sheen_notes notes = sink->out->notes;
     int error = sheen_polygons_alloc(sink->out, sink->points, sink->polygons, sink->corners, sink->groups, with);
 
     sink->out->notes = notes;
     sink->normal = malloc((sink->normals + 1) * sizeof *sink->normal);
+    sink->uv = malloc((sink->uvs + 1) * sizeof *sink->uv);
     sink->color = sink->has_point_color ? malloc((sink->points + 1) * sizeof *sink->color) : NULL;
     if (sink->color)
         memset(sink->color, 255, (sink->points + 1) * sizeof *sink->color);
-    return error || !sink->normal || (sink->has_point_color && !sink->color) ? SHEEN_ERR_MEMORY : SHEEN_OK;
+    return error || !sink->normal || !sink->uv || (sink->has_point_color && !sink->color) ? SHEEN_ERR_MEMORY : SHEEN_OK;
 }
 
-/* Numbers of normals become normals, colours of points those of their corners. */
+/* Numbers of normals and uv become these, colours of points those of their corners. */
 static void spread(struct sheen_sink *sink)
 {
     const struct sheen_polygons *out = sink->out;
@@ -81,6 +97,9 @@ static void spread(struct sheen_sink *sink)
         size_t number = out->normals ? (size_t)out->normals[c][0] : 0;
         if (number)
             memcpy(out->normals[c], sink->normal[number - 1], sizeof out->normals[c]);
+        number = out->uvs ? (size_t)out->uvs[c][0] : 0;
+        for (int k = 0; out->uvs && k < 2; k++)
+            out->uvs[c][k] = number ? sink->uv[number - 1][k] : (double)NAN;
         if (sink->color)
             memcpy(out->colors[c], sink->color[out->corners[c]], sizeof out->colors[c]);
     }
@@ -102,7 +121,7 @@ static int run_passes(struct sheen_sink *sink, sheen_sink_pass *pass, void *cont
     if (error)
         return error;
     sink->keeping = 1;
-    sink->points = sink->normals = sink->polygons = sink->corners = sink->begun = 0;
+    sink->points = sink->normals = sink->uvs = sink->polygons = sink->corners = sink->begun = 0;
     error = pass(context, sink);
     if (!error)
         spread(sink);
@@ -117,6 +136,7 @@ int sheen_sink_run(struct sheen_polygons *out, sheen_sink_pass *pass, void *cont
     sheen_polygons_free(out);
     int error = run_passes(&sink, pass, context, path, problem);
     free(sink.normal);
+    free(sink.uv);
     free(sink.color);
     return error == SHEEN_ERR_MEMORY ? sheen_problem(problem, error, "%s: not enough memory", path) : error;
 }

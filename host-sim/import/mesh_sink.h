@@ -9,16 +9,17 @@
 
 #include "polygons.h"
 
-#define SHEEN_NO_NORMAL SIZE_MAX
+#define SHEEN_NONE SIZE_MAX /* no normal, no uv */
 
 struct sheen_sink {
     struct sheen_polygons *out; /* its arrays are there in the second pass; its notes in both */
     int keeping;                /* 1: the second pass */
-    size_t points, normals, polygons, corners;
+    size_t points, normals, uvs, polygons, corners;
     size_t begun;            /* the corner that the polygon under way begins with */
     size_t groups;           /* 1, or more where the reader says so in the first pass */
     int has_colors;          /* of points or faces */
     double (*normal)[3];     /* all of them */
+    double (*uv)[2];         /* likewise */
     uint8_t (*color)[3];     /* of each point, or NULL */
     uint8_t has_point_color; /* any */
 };
@@ -26,8 +27,10 @@ struct sheen_sink {
 /* color: sRGB, or NULL. */
 void sheen_sink_point(struct sheen_sink *sink, const double point[3], const uint8_t color[3]);
 void sheen_sink_normal(struct sheen_sink *sink, const double normal[3]);
-/* Both count from 0 and may be yet to come; normal: or SHEEN_NO_NORMAL. */
-void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal);
+/* v upwards, as in OBJ and PLY. */
+void sheen_sink_uv(struct sheen_sink *sink, const double uv[2]);
+/* All count from 0 and may be yet to come; normal and uv: or SHEEN_NONE. */
+void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal, size_t uv);
 /* Ends the polygon of the corners since the last one. color: its own, for files without colours of points; or NULL. */
 void sheen_sink_polygon(struct sheen_sink *sink, uint16_t group, const uint8_t color[3]);
 /* Takes these corners back: they make no polygon. Returns how many there were. */
@@ -37,7 +40,7 @@ size_t sheen_sink_drop(struct sheen_sink *sink);
 typedef int sheen_sink_pass(void *context, struct sheen_sink *sink);
 
 /*
- * Runs both passes into *out, zeroed or filled before; that corners name points and normals that came is the
+ * Runs both passes into *out, zeroed or filled before; that corners name points, normals and uv that came is the
  * reader's to see. path: for messages. 0, or an error and *problem; a file without faces is one.
  */
 int sheen_sink_run(struct sheen_polygons *out, sheen_sink_pass *pass, void *context, const char *path,

@@ -69,7 +69,7 @@ static int binary_pass(void *context, struct sheen_sink *sink)
                                          "%s: byte %td: triangle %lu has a corner that is not a finite number",
                                          stl->text.path, facet - bytes, (unsigned long)f + 1);
             }
-            sheen_sink_corner(sink, sink->points, SHEEN_NO_NORMAL);
+            sheen_sink_corner(sink, sink->points, SHEEN_NONE, SHEEN_NONE);
             sheen_sink_point(sink, point, NULL);
         }
         if (whole)
@@ -151,7 +151,7 @@ static int read_facet(struct stl *stl, struct sheen_sink *sink)
         error = sheen_text_point(&stl->text, 1, "a vertex", point);
         if (error)
             break;
-        sheen_sink_corner(sink, sink->points, SHEEN_NO_NORMAL);
+        sheen_sink_corner(sink, sink->points, SHEEN_NONE, SHEEN_NONE);
         sheen_sink_point(sink, point, NULL);
     }
     if (!error && sink->corners - sink->begun < 3)

@@ -4,6 +4,7 @@
 #include "mesh_wire.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ struct header {
     int32_t error;
     uint32_t with; /* SHEEN_WITH_... */
     uint32_t z_up;
-    uint64_t points, polygons, corners, groups;
+    uint64_t points, polygons, corners, groups, pictures;
     struct sheen_problem problem;
     struct sheen_notes notes;
 };
@@ -26,7 +27,7 @@ struct part {
 };
 
 enum {
-    PARTS = 7
+    PARTS = 8
 };
 
 static void list_parts(const struct sheen_polygons *p, struct part parts[PARTS])
@@ -38,6 +39,7 @@ static void list_parts(const struct sheen_polygons *p, struct part parts[PARTS])
     parts[4] = (struct part){p->groups, p->polygon_count * sizeof *p->groups};
     parts[5] = (struct part){p->group, p->group_count * sizeof *p->group};
     parts[6] = (struct part){p->colors, p->colors ? p->corner_count * sizeof *p->colors : 0};
+    parts[7] = (struct part){p->uvs, p->uvs ? p->corner_count * sizeof *p->uvs : 0};
 }
 
 static int send_all(int pipe, const void *bytes, size_t count)
@@ -73,6 +75,14 @@ static int receive_all(int pipe, void *bytes, size_t count)
     return 1;
 }
 
+/* One that was read: first what it is, then its texels. */
+static int send_picture(int pipe, const struct sheen_picture *picture)
+{
+    int failed = send_all(pipe, picture, sizeof *picture);
+
+    return failed ? failed : send_all(pipe, picture->rgba, 4 * (size_t)picture->size[0] * picture->size[1]);
+}
+
 int sheen_mesh_send(int pipe, int error, const struct sheen_polygons *polygons, const struct sheen_problem *problem)
 {
     struct header header;
@@ -84,27 +94,34 @@ int sheen_mesh_send(int pipe, int error, const struct sheen_polygons *polygons, 
         header.problem = *problem;
         return send_all(pipe, &header, sizeof header);
     }
-    header.with = (polygons->normals ? SHEEN_WITH_NORMALS : 0) | (polygons->colors ? SHEEN_WITH_COLORS : 0);
+    header.with = (polygons->normals ? SHEEN_WITH_NORMALS : 0) | (polygons->colors ? SHEEN_WITH_COLORS : 0) |
+                  (polygons->uvs ? SHEEN_WITH_UVS : 0);
     header.z_up = polygons->z_up;
     header.notes = polygons->notes;
     header.points = polygons->point_count;
     header.polygons = polygons->polygon_count;
     header.corners = polygons->corner_count;
     header.groups = polygons->group_count;
+    header.pictures = polygons->picture_count;
     int failed = send_all(pipe, &header, sizeof header);
     list_parts(polygons, parts);
     for (int i = 0; !failed && i < PARTS; i++)
         failed = send_all(pipe, parts[i].bytes, parts[i].count);
+    for (size_t i = 0; !failed && i < polygons->picture_count; i++)
+        failed = send_picture(pipe, &polygons->picture[i]);
     return failed;
 }
 
 /* Within bounds one by one, so that their sum does not wrap. */
 static int is_reasonable(const struct header *h)
 {
-    if (h->points > MAX_BYTES || h->polygons > MAX_BYTES || h->corners > MAX_BYTES || h->groups > UINT16_MAX + 1u)
+    if (h->points > MAX_BYTES || h->polygons > MAX_BYTES || h->corners > MAX_BYTES || h->groups > UINT16_MAX + 1u ||
+        h->pictures > h->groups)
         return 0;
     uint64_t bytes = h->points * 3 * sizeof(double) + h->polygons * 6 + h->groups * sizeof(struct sheen_group) +
-                     h->corners * (4 + (h->with & SHEEN_WITH_NORMALS ? 3 * sizeof(double) : 0) + 3);
+                     h->corners * (4 + (h->with & SHEEN_WITH_NORMALS ? 3 * sizeof(double) : 0) + 3 +
+                                   (h->with & SHEEN_WITH_UVS ? 2 * sizeof(double) : 0)) +
+                     h->pictures * sizeof(struct sheen_picture);
     return bytes <= MAX_BYTES && h->groups > 0;
 }
 
@@ -118,6 +135,27 @@ static void receive_notes(struct sheen_polygons *polygons, struct header *header
         sheen_note(&polygons->notes, note->kind == SHEEN_NOTE_ON_COLORS ? SHEEN_NOTE_ON_COLORS : SHEEN_NOTE_WARNING,
                    "%s", note->line.text);
     }
+}
+
+/* What it says of its size is believed only where it can be. */
+static int receive_pictures(int pipe, struct sheen_polygons *polygons, uint64_t count)
+{
+    uint64_t bytes = 0;
+
+    polygons->picture = calloc(count + 1, sizeof *polygons->picture);
+    for (; polygons->picture && polygons->picture_count < count; polygons->picture_count++) {
+        struct sheen_picture *picture = &polygons->picture[polygons->picture_count];
+        size_t texels = receive_all(pipe, picture, sizeof *picture) ? (size_t)picture->size[0] * picture->size[1] : 0;
+        picture->name = NULL;
+        picture->bytes = NULL;
+        bytes += 4 * (uint64_t)texels;
+        picture->rgba = texels && bytes <= MAX_BYTES ? malloc(4 * texels) : NULL;
+        if (!picture->rgba || !receive_all(pipe, picture->rgba, 4 * texels)) {
+            polygons->picture_count++; /* to be freed */
+            return 0;
+        }
+    }
+    return polygons->picture != NULL;
 }
 
 int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, struct sheen_problem *problem)
@@ -142,6 +180,8 @@ int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, st
         if (!receive_all(pipe, parts[i].bytes, parts[i].count))
             return 0;
     }
+    if (!receive_pictures(pipe, polygons, header.pictures))
+        return 0;
     receive_notes(polygons, &header);
     for (size_t g = 0; g < polygons->group_count; g++)
         polygons->group[g].name[sizeof polygons->group[g].name - 1] = '\0';

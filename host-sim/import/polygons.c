@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "picture.h"
+
 int sheen_polygons_alloc(struct sheen_polygons *polygons, size_t points, size_t count, size_t corners, size_t groups,
                          int with)
 {
@@ -25,8 +27,13 @@ int sheen_polygons_alloc(struct sheen_polygons *polygons, size_t points, size_t 
         polygons->normals = calloc(corners + 1, sizeof *polygons->normals);
     if (with & SHEEN_WITH_COLORS)
         polygons->colors = calloc(corners + 1, sizeof *polygons->colors);
+    if (with & SHEEN_WITH_UVS)
+        polygons->uvs = malloc((corners + 1) * sizeof *polygons->uvs);
+    for (size_t c = 0; polygons->uvs && c < corners; c++)
+        polygons->uvs[c][0] = polygons->uvs[c][1] = NAN;
     if (!polygons->points || !polygons->first || !polygons->corners || !polygons->groups || !polygons->group ||
-        (with & SHEEN_WITH_NORMALS && !polygons->normals) || (with & SHEEN_WITH_COLORS && !polygons->colors))
+        (with & SHEEN_WITH_NORMALS && !polygons->normals) || (with & SHEEN_WITH_COLORS && !polygons->colors) ||
+        (with & SHEEN_WITH_UVS && !polygons->uvs))
         return SHEEN_ERR_MEMORY;
     return SHEEN_OK;
 }
@@ -38,9 +45,68 @@ void sheen_polygons_free(struct sheen_polygons *polygons)
     free(polygons->corners);
     free(polygons->normals);
     free(polygons->colors);
+    free(polygons->uvs);
     free(polygons->groups);
+    sheen_polygons_drop_pictures(polygons);
     free(polygons->group);
     memset(polygons, 0, sizeof *polygons);
+}
+
+void sheen_picture_free(struct sheen_picture *picture)
+{
+    free(picture->name);
+    free(picture->bytes);
+    free(picture->rgba);
+}
+
+void sheen_polygons_drop_pictures(struct sheen_polygons *polygons)
+{
+    for (size_t i = 0; i < polygons->picture_count; i++)
+        sheen_picture_free(&polygons->picture[i]);
+    free(polygons->picture);
+    polygons->picture = NULL;
+    polygons->picture_count = 0;
+    for (size_t g = 0; polygons->group && g < polygons->group_count; g++)
+        polygons->group[g].picture = 0;
+}
+
+/* Bytes within a file are told apart by their names. */
+static int is_same_picture(const struct sheen_picture *a, const struct sheen_picture *b)
+{
+    return strcmp(a->name, b->name) == 0 && memcmp(a->wrap, b->wrap, sizeof a->wrap) == 0 && !(a->cutoff < b->cutoff) &&
+           !(a->cutoff > b->cutoff);
+}
+
+uint32_t sheen_polygons_picture(struct sheen_polygons *polygons, struct sheen_picture *picture)
+{
+    struct sheen_picture *grown = NULL;
+
+    for (size_t i = 0; picture->name && i < polygons->picture_count; i++) {
+        if (is_same_picture(&polygons->picture[i], picture)) {
+            sheen_picture_free(picture);
+            return (uint32_t)i + 1;
+        }
+    }
+    if (picture->name)
+        grown = realloc(polygons->picture, (polygons->picture_count + 1) * sizeof *grown);
+    if (!grown) {
+        sheen_picture_free(picture);
+        return 0;
+    }
+    polygons->picture = grown;
+    grown[polygons->picture_count++] = *picture;
+    return (uint32_t)polygons->picture_count;
+}
+
+int sheen_polygons_is_textured(const struct sheen_polygons *polygons, size_t polygon)
+{
+    if (!polygons->uvs || !polygons->group[polygons->groups[polygon]].picture)
+        return 0;
+    for (uint32_t c = polygons->first[polygon]; c < polygons->first[polygon + 1]; c++) {
+        if (isnan(polygons->uvs[c][0]) || isnan(polygons->uvs[c][1]))
+            return 0;
+    }
+    return 1;
 }
 
 static int is_finite3(const double v[3])
@@ -73,10 +139,15 @@ void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name)
         if (!is_finite3(polygons->normals[c]))
             memset(polygons->normals[c], 0, sizeof polygons->normals[c]);
     }
-    for (size_t g = 0; polygons->colors && g < polygons->group_count; g++) {
+    for (size_t g = 0; polygons->group && g < polygons->group_count; g++) {
         struct sheen_group *group = &polygons->group[g];
-        if (group->has_color || !mean_color(polygons, g, group->color))
+        uint8_t mean[3];
+        memcpy(group->own, group->color, sizeof group->own);
+        group->has_own = group->has_color;
+        if (!polygons->colors || !mean_color(polygons, g, mean))
             continue;
+        for (int k = 0; k < 3; k++)
+            group->color[k] = group->has_own ? (uint8_t)((mean[k] * group->own[k] + 127) / 255) : mean[k];
         group->has_color = 1;
         sheen_note(&polygons->notes, SHEEN_NOTE_ON_COLORS, "%s: has vertex colours; their mean is used", name);
     }
@@ -107,6 +178,32 @@ static int check_polygon(const struct sheen_polygons *polygons, size_t p, const 
         if (polygons->normals && !is_finite3(polygons->normals[c]))
             return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: face %zu has a normal that is not a finite number",
                                  name, p + 1);
+        if (polygons->uvs && (isinf(polygons->uvs[c][0]) || isinf(polygons->uvs[c][1])))
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                                 "%s: face %zu has a texture coordinate that is not a finite number", name, p + 1);
+    }
+    return SHEEN_OK;
+}
+
+static int is_side(unsigned texels)
+{
+    return texels > 0 && texels <= SHEEN_TEXTURE_MAX && (texels & (texels - 1)) == 0;
+}
+
+/* Of what was read: not those yet to be. */
+static int check_pictures(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+{
+    for (size_t i = 0; i < polygons->picture_count; i++) {
+        const struct sheen_picture *picture = &polygons->picture[i];
+        int is_right = is_side(picture->size[0]) && is_side(picture->size[1]) && picture->rgba &&
+                       picture->wrap[0] <= SHEEN_WRAP_CLAMP && picture->wrap[1] <= SHEEN_WRAP_CLAMP &&
+                       picture->cutoff >= 0 && picture->cutoff <= 1;
+        if (!is_right)
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: texture %zu is broken", name, i + 1);
+    }
+    for (size_t g = 0; g < polygons->group_count; g++) {
+        if (polygons->group[g].picture > polygons->picture_count)
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: material %zu: no such texture", name, g + 1);
     }
     return SHEEN_OK;
 }
@@ -122,7 +219,7 @@ int sheen_polygons_check(const struct sheen_polygons *polygons, const char *name
         if (error)
             return error;
     }
-    return SHEEN_OK;
+    return check_pictures(polygons, name, problem);
 }
 
 static void turn(double (*vectors)[3], size_t count)

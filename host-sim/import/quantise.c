@@ -44,7 +44,7 @@ struct chosen {
     uint32_t vertices, polygons, triangles;
 };
 
-static int choose(struct chosen *chosen, const struct sheen_host_mesh *host, uint32_t group)
+static int choose(struct chosen *chosen, const struct sheen_host_mesh *host, uint32_t part)
 {
     chosen->vertex = malloc(host->vertex_count * sizeof *chosen->vertex);
     chosen->polygon = malloc(host->polygon_count * sizeof *chosen->polygon);
@@ -55,7 +55,7 @@ static int choose(struct chosen *chosen, const struct sheen_host_mesh *host, uin
     for (size_t p = 0; p < host->polygon_count; p++) {
         const struct sheen_host_polygon *polygon = &host->polygons[p];
         chosen->polygon[p] = NONE;
-        if (group != SHEEN_ALL_GROUPS && polygon->group != group)
+        if (part != SHEEN_ALL_PARTS && polygon->part != part)
             continue;
         chosen->polygon[p] = chosen->polygons++;
         chosen->triangles += polygon->count - 2;
@@ -64,10 +64,10 @@ static int choose(struct chosen *chosen, const struct sheen_host_mesh *host, uin
                 chosen->vertex[host->corners[c]] = chosen->vertices++;
         }
     }
-    return chosen->polygons ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    return SHEEN_OK;
 }
 
-static int allocate(struct sheen_quantised *out, const struct chosen *chosen)
+static int allocate(struct sheen_quantised *out, const struct chosen *chosen, int with_uvs, int with_colors)
 {
     out->polygon_count = chosen->polygons;
     out->mesh.vertices = (uint16_t)chosen->vertices;
@@ -80,6 +80,12 @@ static int allocate(struct sheen_quantised *out, const struct chosen *chosen)
     out->indices = calloc(chosen->triangles, 3 * (size_t)out->mesh.index_bytes);
     if (chosen->polygons < chosen->triangles)
         out->polygons = calloc(chosen->triangles, sizeof *out->polygons);
+    if (with_uvs)
+        out->uvs = calloc(chosen->vertices, 2 * sizeof *out->uvs);
+    if (with_colors)
+        out->colors = calloc(chosen->vertices, 3);
+    if ((with_uvs && !out->uvs) || (with_colors && !out->colors))
+        return SHEEN_ERR_MEMORY;
     if (!out->positions || !out->normals || !out->polygon_normals || !out->warp || !out->indices ||
         (chosen->polygons < chosen->triangles && !out->polygons))
         return SHEEN_ERR_MEMORY;
@@ -99,6 +105,55 @@ static void fill_vertices(struct sheen_quantised *out, const struct sheen_host_m
     for (size_t p = 0; p < host->polygon_count; p++) {
         if (chosen->polygon[p] != NONE)
             sheen_quantise_unit(host->polygons[p].normal, out->polygon_normals + 3 * (size_t)chosen->polygon[p]);
+    }
+}
+
+/* ---- texture coordinates ---- */
+
+/* What is taken from all of a coordinate, so that it is near 0: whole numbers, which change nothing. */
+static double whole_part(double low, double high, int wrap)
+{
+    if (wrap != SHEEN_WRAP_CLAMP)
+        return floor((low + high) / 2);
+    /* Beyond its edge a clamped texture is the same everywhere: 1 texel beyond is as good as any. */
+    return low > 2 ? floor(low) - 2 : high < -1 ? ceil(high) + 1 : 0;
+}
+
+static void fill_uvs(struct sheen_quantised *out, const struct sheen_host_mesh *host, const struct chosen *chosen,
+                     const struct sheen_picture *picture)
+{
+    double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL}, moved[2], center[2], most = 0;
+    int bits = 15;
+
+    for (size_t i = 0; i < host->vertex_count; i++) {
+        for (int k = 0; chosen->vertex[i] != NONE && k < 2; k++) {
+            low[k] = fmin(low[k], host->vertices[i].uv[k]);
+            high[k] = fmax(high[k], host->vertices[i].uv[k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        moved[k] = whole_part(low[k], high[k], picture->wrap[k]);
+        most = fmax(most, high[k] - low[k]);
+    }
+    while (bits > 0 && ldexp(most, bits) > 65533) /* what both roundings below may add */
+        bits--;
+    out->uv_bits = (uint8_t)bits;
+    for (int k = 0; k < 2; k++) {
+        center[k] = ldexp(floor(ldexp((low[k] + high[k]) / 2 - moved[k], bits) + 0.5), -bits);
+        out->uv_offset[k] = (sheen_q16_t)floor(center[k] * 65536 + 0.5);
+    }
+    for (size_t i = 0; i < host->vertex_count; i++) {
+        for (int k = 0; chosen->vertex[i] != NONE && k < 2; k++)
+            out->uvs[2 * (size_t)chosen->vertex[i] + (size_t)k] =
+                (int16_t)floor(ldexp(host->vertices[i].uv[k] - moved[k] - center[k], bits) + 0.5);
+    }
+}
+
+static void fill_colors(struct sheen_quantised *out, const struct sheen_host_mesh *host, const struct chosen *chosen)
+{
+    for (size_t i = 0; i < host->vertex_count; i++) {
+        if (chosen->vertex[i] != NONE)
+            memcpy(out->colors + 3 * (size_t)chosen->vertex[i], host->vertices[i].color, 3);
     }
 }
 
@@ -124,14 +179,19 @@ static void fill_triangles(struct sheen_quantised *out, const struct sheen_host_
     }
 }
 
-int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t group)
+int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t part)
 {
     struct chosen chosen = {0};
+    uint32_t picture = part == SHEEN_ALL_PARTS ? 0 : host->part[part].picture;
 
     memset(out, 0, sizeof *out);
-    int error = choose(&chosen, host, group);
+    int error = choose(&chosen, host, part);
     if (!error)
-        error = allocate(out, &chosen);
+        error = allocate(out, &chosen, picture > 0, host->has_colors);
+    if (!error && out->uvs)
+        fill_uvs(out, host, &chosen, &host->picture[picture - 1]);
+    if (!error && out->colors)
+        fill_colors(out, host, &chosen);
     if (!error) {
         fill_vertices(out, host, &chosen);
         fill_triangles(out, host, &chosen);
@@ -156,6 +216,8 @@ void sheen_quantised_free(struct sheen_quantised *quantised)
     free(quantised->positions);
     free(quantised->normals);
     free(quantised->polygon_normals);
+    free(quantised->uvs);
+    free(quantised->colors);
     free(quantised->polygons);
     free(quantised->warp);
     free(quantised->indices);

@@ -5,6 +5,8 @@
  * Positions: round(32767 p), the mesh's scale being 32768/32767, offset 0; off by at most
  * 1/65534 of the fitted radius an axis. Normals: of the eight lattice points around 32767 n
  * the one nearest in direction: at most 2.1e-5 rad off, 0.8e-5 in the mean, over 10^5 directions.
+ * Texture coordinates, of a part that shows a texture: the finest grid of 2^-15 to 1 that holds them all in 16 bits,
+ * the offset on it; off by at most half a step. Where they repeat they are moved by whole numbers first.
  */
 #ifndef SHEEN_QUANTISE_H
 #define SHEEN_QUANTISE_H
@@ -15,20 +17,23 @@
 struct sheen_quantised {
     struct sheen_mesh mesh; /* points into the arrays below */
     int16_t *positions, *normals, *polygon_normals;
+    int16_t *uvs;    /* NULL: shows no texture. 2 a vertex: uv_offset + raw / 2^uv_bits, v downwards */
+    uint8_t *colors; /* NULL: the file has none, or they were not asked for. 3 a vertex */
+    uint8_t uv_bits; /* 0..15 */
+    sheen_q16_t uv_offset[2];
     uint16_t *polygons; /* NULL where every polygon is a triangle */
     uint8_t *warp;
     void *indices;
     uint32_t polygon_count;
 };
 
-#define SHEEN_ALL_GROUPS UINT32_MAX
+#define SHEEN_ALL_PARTS UINT32_MAX
 
 /*
- * The polygons of one group (the host mesh built with by_group) or of all of them,
- * in the host mesh's order. 0; SHEEN_ERR_ARGUMENT where the group has no polygon;
+ * The polygons of one part of the host mesh or of all of them, then without texture, in its order. 0, or
  * SHEEN_ERR_MEMORY. On error nothing is left to free.
  */
-int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t group);
+int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t part);
 void sheen_quantised_free(struct sheen_quantised *quantised);
 
 /* A unit vector to int16, 1.0 = 32767. */

@@ -16,7 +16,7 @@
  * is nearer to what it was, by that.
  */
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
-                   double *error, struct sheen_problem *problem)
+                   int keeps_joins, double *error, struct sheen_problem *problem)
 {
     unsigned *made = malloc(2 * *count * sizeof *made), *coarse = made + *count;
     float off = 0, coarse_off = 0;
@@ -26,7 +26,7 @@ int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], s
         return SHEEN_ERR_MEMORY;
     size_t by_grid = 0, left = meshopt_simplify(made, corners, *count, points[0], point_count, sizeof *points, most,
                                                 ANY_ERROR, 0, &off);
-    if (left > most || off > COARSE)
+    if (!keeps_joins && (left > most || off > COARSE))
         by_grid = meshopt_simplifySloppy(coarse, corners, *count, points[0], point_count, sizeof *points, most,
                                          ANY_ERROR, &coarse_off);
     int is_coarse = by_grid > 0 && (left > most || left == 0 || coarse_off < off);

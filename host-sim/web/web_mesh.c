@@ -61,6 +61,8 @@ __attribute__((export_name("web_read"))) void web_read(void)
     if (status.st_size == 0)
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, "the file is empty");
     int error = sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
+    if (!error)
+        error = sheen_textures_read(&polygons, NULL, sheen_web_path, &problem);
     answer(error, &polygons, &problem);
 }
 
@@ -72,10 +74,12 @@ void sheen_confine_file(int file)
 
 /* ---- the instance that draws ---- */
 
-int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
+                         const struct sheen_texture_options *textures, struct sheen_problem *problem)
 {
     int file = open(path, O_RDONLY), error = SHEEN_OK;
 
+    (void)textures;
     memset(polygons, 0, sizeof *polygons);
     if (file < 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
@@ -87,8 +91,8 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, stru
 }
 
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
-                   double *error, struct sheen_problem *problem)
+                   int keeps_joins, double *error, struct sheen_problem *problem)
 {
-    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)error;
+    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)keeps_joins, (void)error;
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--reduce is for the command sheen, a page is without it");
 }

@@ -6,16 +6,17 @@
 #include "simplify.h"
 
 /* There is no reader of files on these machines, and none is asked for. */
-int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
+                         const struct sheen_texture_options *textures, struct sheen_problem *problem)
 {
-    (void)polygons;
+    (void)polygons, (void)textures;
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no files", path);
 }
 
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
-                   double *error, struct sheen_problem *problem)
+                   int keeps_joins, double *error, struct sheen_problem *problem)
 {
-    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)error;
+    (void)corners, (void)count, (void)points, (void)point_count, (void)most, (void)keeps_joins, (void)error;
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--reduce: there is no meshoptimizer");
 }
 
@@ -29,7 +30,7 @@ static int bake(const char *name, const struct sheen_host_options *options)
         fprintf(stderr, "%s\n", problem.text);
         return 1;
     }
-    int error = sheen_quantise(&quantised, &host, SHEEN_ALL_GROUPS);
+    int error = sheen_quantise(&quantised, &host, SHEEN_ALL_PARTS);
     if (!error) {
         struct sheen_bake made = {&quantised, NULL, 1, "mesh", name, 1};
         error = sheen_bake_text(stdout, &made);
