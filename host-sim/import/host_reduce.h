@@ -16,7 +16,8 @@ int sheen_host_places(const struct sheen_host_mesh *mesh, uint32_t *place, size_
  * At most options->reduce triangles where the mesh has more, as near to its shape as can be. What is left are
  * corners of the mesh before, at the same places; each keeps that one of its vertex' normals that is nearest to its
  * new face, so that a smooth mesh stays as smooth and edges stay edges. With options->by_group the borders between
- * groups stay, and so do the seams of uv and of colours. A note tells how far off it is. Errors as sheen_host_mesh_build; *mesh is freed then.
+ * groups stay, and so do the seams of uv and of colours. A note tells how far off it is. Errors as
+ * sheen_host_mesh_build; *mesh is freed then.
  */
 int sheen_host_mesh_reduce(struct sheen_host_mesh *mesh, const struct sheen_host_options *options, const char *name,
                            struct sheen_problem *problem);

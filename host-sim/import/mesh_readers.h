@@ -23,8 +23,8 @@ int sheen_mesh_stl_read(struct sheen_polygons *polygons, const char *path, struc
 int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /*
- * The colours (Kd) and textures (map_Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ. Whatever else the
- * .mtl holds is let pass; what cannot be read is a note. 0, or -1 where there is no such file.
+ * The colours (Kd) and textures (map_Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ.
+ * Whatever else the .mtl holds is let pass; what cannot be read is a note. 0, or -1 where there is no such file.
  */
 int sheen_mtl_read(struct sheen_polygons *polygons, const struct sheen_word *names, const char *path);
 

@@ -133,7 +133,7 @@ static int load_teapot(struct sheen_quantised *teapot)
 
     if (error)
         return error;
-    error = sheen_quantise(teapot, &host, SHEEN_ALL_GROUPS);
+    error = sheen_quantise(teapot, &host, SHEEN_ALL_PARTS);
     sheen_host_mesh_free(&host);
     return error;
 }
