@@ -17,8 +17,8 @@
 #define LEFT 36  /* of the pictures on the page, */
 #define TOP 112
 #define APART 20
-#define TURNS 41   /* samples of two faces' turn */
-#define BRIGHT 0.6 /* what counts as highlight: diffuse and ambient alone stay below */
+#define TURNS 41    /* samples of two faces' turn */
+#define BRIGHT 0.67 /* what counts as highlight: diffuse and ambient alone stay below */
 
 static void make_ball(struct sheen_lecture_mesh *m)
 {
@@ -40,7 +40,7 @@ static void make_ball(struct sheen_lecture_mesh *m)
 static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lecture_mesh *m)
 {
     static const double light[3] = {-0.55, 0.62, 0.75};
-    static const uint8_t base[3] = {0xb8, 0xdc, 0xff};
+    static const uint8_t base[3] = {0x88, 0xbc, 0xff};
 
     sheen_lecture_scene_default(scene, &m->mesh);
     memcpy(scene->light, light, sizeof light);
@@ -48,9 +48,9 @@ static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lect
     scene->width = scene->height = SIZE;
     scene->reach = 1.08;
     scene->yaw = 360.0 / AROUND / 2;
-    scene->ambient = 0.1;
-    scene->diffuse = 0.45;
-    scene->specular = 0.4;
+    scene->ambient = 0.15;
+    scene->diffuse = 0.5;
+    scene->specular = 0.35;
     scene->shininess = 40;
 }
 
@@ -128,7 +128,7 @@ static int draw_scan_line(struct sheen_page *page, struct sheen_lecture_scene *s
     sheen_page_curve(page, &axes, SHEEN_INK_GOURAUD, 1.8, x, gouraud + y * SIZE, SIZE);
     sheen_page_curve(page, &axes, SHEEN_INK_PHONG, 1.8, x, phong + y * SIZE, SIZE);
     sheen_page_line(page, SHEEN_INK_WRONG, 1, LEFT, TOP + y + 0.5, LEFT + 2 * SIZE + APART, TOP + y + 0.5);
-    sheen_page_number(page, 36, 386, SHEEN_INK_GOURAUD, "Gouraud: brightest %.3f, on the line %d px above %.1f",
+    sheen_page_number(page, 36, 386, SHEEN_INK_GOURAUD, "Gouraud: brightest %.3f, on the line %d px above %.2f",
                       brightest(gouraud, SIZE * SIZE), bright_pixels(gouraud + y * SIZE), BRIGHT);
     sheen_page_number(page, 36, 412, SHEEN_INK_PHONG, "Phong: brightest %.3f, %d px above",
                       brightest(phong, SIZE * SIZE), bright_pixels(phong + y * SIZE));

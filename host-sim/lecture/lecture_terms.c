@@ -96,7 +96,7 @@ static int draw_exponents(struct sheen_page *page, struct sheen_lecture_scene sc
 static int draw_powers(struct sheen_page *page)
 {
     static const int n[3] = {4, 16, 64};
-    static const double label[3] = {48, 25.4, 13.4};
+    static const double label[3] = {50.5, 25.4, 13.4};
     struct sheen_axes axes = {506, 292, 456, 120, 0, 60, 0, 1};
     double angle[PLOTTED], table[PLOTTED], exact[PLOTTED], off = 0;
 
