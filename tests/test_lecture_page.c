@@ -18,7 +18,7 @@ static struct sheen_problem problem;
 
 static void open_page(void)
 {
-    assert_int_equal(sheen_page_open(&page, "page", SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT), SHEEN_OK);
+    assert_int_equal(sheen_page_open(&page, "page", SHEEN_RECORD, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT), SHEEN_OK);
     sheen_page_title(&page, "Title", "Its claim, in a line.");
     sheen_page_caption(&page, "What is seen.");
     page.heart = (struct sheen_box){100, 100, 400, 300};

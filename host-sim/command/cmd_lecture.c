@@ -31,15 +31,15 @@ static const struct {
 };
 
 enum {
-    FIGURES = sizeof figures / sizeof figures[0]
+    FIGURES = sizeof figures / sizeof figures[0],
+    PAGES = 2 * FIGURES + 1
 };
 
-/* "DIR/NAME.ENDING". */
-static int write_page(const struct sheen_page *page, const char *folder, const char *ending,
-                      struct sheen_problem *problem)
+/* "DIR/NAME.png", or .svg. */
+static int write_page(struct sheen_page *page, const char *folder, struct sheen_problem *problem)
 {
     char path[4096];
-    int length = snprintf(path, sizeof path, "%s/%s.%s", folder, page->name, ending);
+    int length = snprintf(path, sizeof path, "%s/%s.%s", folder, page->name, page->form == SHEEN_SVG ? "svg" : "png");
 
     if (length < 0 || (size_t)length >= sizeof path)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", folder, strerror(ENAMETOOLONG));
@@ -59,44 +59,43 @@ static int make_folder(const char *folder, struct sheen_problem *problem)
     return why == EEXIST ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", folder, strerror(why));
 }
 
-/*
- * The last page is the contact sheet. What does not fit its page is a warning: it comes with a font that is wider
- * than what the figures were laid out for.
- */
-static int draw_pages(struct sheen_page *pages, int *open, struct sheen_problem *problem)
+static int draw_pages(struct sheen_page *pages, enum sheen_form form, int *open, struct sheen_problem *problem)
 {
     for (int i = 0; i < FIGURES; i++) {
-        int error = sheen_page_open(&pages[(*open)++], figures[i].name, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT);
+        struct sheen_page *page = &pages[(*open)++];
+        int error = sheen_page_open(page, figures[i].name, form, SHEEN_PAGE_WIDTH, SHEEN_PAGE_HEIGHT);
         if (!error)
-            error = figures[i].draw(&pages[i]);
+            error = figures[i].draw(page);
         if (error)
             return sheen_problem(problem, error, "%s: %s", figures[i].name, sheen_strerror(error));
     }
-    int error = sheen_page_sheet(&pages[(*open)++], pages, FIGURES);
+    return SHEEN_OK;
+}
+
+/*
+ * All records, all SVGs, and the contact sheet. What does not fit its page is a warning: it comes with a font that is
+ * wider than what the figures were laid out for.
+ */
+static int draw_all(struct sheen_page *pages, int *open, struct sheen_problem *problem)
+{
+    int error = draw_pages(pages, SHEEN_RECORD, open, problem);
+
+    if (!error)
+        error = draw_pages(pages, SHEEN_SVG, open, problem);
+    if (error)
+        return error;
+    error = sheen_page_sheet(&pages[(*open)++], pages, FIGURES);
     if (error)
         return sheen_problem(problem, error, "contact sheet: %s", sheen_strerror(error));
-    for (int i = 0; i <= FIGURES; i++)
-        if (sheen_page_check(&pages[i], problem))
+    for (int i = 0; i < PAGES; i++)
+        if (pages[i].form != SHEEN_SVG && sheen_page_check(&pages[i], problem))
             fprintf(stderr, "sheen: warning: %s\n", problem->text);
     return SHEEN_OK;
 }
 
-/* All pages are drawn before the first file is written. */
-static int write_pages(const struct sheen_page *pages, const char *folder, struct sheen_problem *problem)
-{
-    int error = SHEEN_OK;
-
-    for (int i = 0; !error && i <= FIGURES; i++) {
-        error = write_page(&pages[i], folder, "png", problem);
-        if (!error && i < FIGURES) /* the sheet would hold each page whole */
-            error = write_page(&pages[i], folder, "svg", problem);
-    }
-    return error;
-}
-
 enum sheen_exit sheen_cmd_lecture(struct sheen_options *options)
 {
-    static struct sheen_page pages[FIGURES + 1];
+    static struct sheen_page pages[PAGES];
     struct sheen_problem problem;
     int open = 0;
 
@@ -110,9 +109,9 @@ enum sheen_exit sheen_cmd_lecture(struct sheen_options *options)
     if (!error)
         error = make_folder(options->out, &problem);
     if (!error)
-        error = draw_pages(pages, &open, &problem);
-    if (!error)
-        error = write_pages(pages, options->out, &problem);
+        error = draw_all(pages, &open, &problem);
+    for (int i = 0; !error && i < open; i++) /* all are drawn before the first file is written */
+        error = write_page(&pages[i], options->out, &problem);
     while (open > 0)
         sheen_page_close(&pages[--open]);
     cairo_debug_reset_static_data(); /* what both keep for the next page is not lost, but looks it */

@@ -1,7 +1,10 @@
 /*
  * lecture_page.c - pages, what is wrong with one, and the contact sheet of all.
  */
+#include <cairo-svg.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "lecture_plot.h"
 
@@ -10,13 +13,35 @@
 #define HEART_TOP 82 /* below a cell's top */
 #define COLUMNS (SHEEN_SHEET_WIDTH / SHEEN_SHEET_CELL)
 
-int sheen_page_open(struct sheen_page *page, const char *name, int width, int height)
+static cairo_status_t append(void *closure, const unsigned char *data, unsigned count)
+{
+    struct sheen_page_bytes *to = closure;
+
+    if (to->count + count > to->room) {
+        size_t room = 2 * (to->count + count);
+        unsigned char *more = realloc(to->data, room);
+        if (!more)
+            return CAIRO_STATUS_NO_MEMORY;
+        to->data = more;
+        to->room = room;
+    }
+    memcpy(to->data + to->count, data, count);
+    to->count += count;
+    return CAIRO_STATUS_SUCCESS;
+}
+
+int sheen_page_open(struct sheen_page *page, const char *name, enum sheen_form form, int width, int height)
 {
     const cairo_rectangle_t extents = {0, 0, width, height};
 
-    *page = (struct sheen_page){.name = name, .width = width, .height = height};
-    page->record = cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents);
-    page->cr = cairo_create(page->record);
+    *page = (struct sheen_page){.name = name, .form = form, .width = width, .height = height};
+    if (form == SHEEN_SVG) {
+        page->surface = cairo_svg_surface_create_for_stream(append, &page->svg, width, height);
+        cairo_svg_surface_set_document_unit(page->surface, CAIRO_SVG_UNIT_PX);
+    } else {
+        page->surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents);
+    }
+    page->cr = cairo_create(page->surface);
     cairo_set_source_rgb(page->cr, 1, 1, 1);
     cairo_paint(page->cr);
     return cairo_status(page->cr) == CAIRO_STATUS_SUCCESS ? SHEEN_OK : SHEEN_ERR_MEMORY;
@@ -25,7 +50,8 @@ int sheen_page_open(struct sheen_page *page, const char *name, int width, int he
 void sheen_page_close(struct sheen_page *page)
 {
     cairo_destroy(page->cr);
-    cairo_surface_destroy(page->record);
+    cairo_surface_destroy(page->surface);
+    free(page->svg.data);
 }
 
 /* ---- what can be read ---- */
@@ -111,7 +137,7 @@ void sheen_page_hearts(const struct sheen_page *sheet, cairo_t *cr)
         cairo_scale(cr, heart_scale(h), heart_scale(h));
         cairo_rectangle(cr, 0, 0, h->x1 - h->x0, h->y1 - h->y0);
         cairo_clip(cr);
-        cairo_set_source_surface(cr, sheet->shown[i].record, -h->x0, -h->y0);
+        cairo_set_source_surface(cr, sheet->shown[i].surface, -h->x0, -h->y0);
         cairo_paint(cr);
         cairo_restore(cr);
     }
@@ -139,7 +165,7 @@ static void draw_key(struct sheen_page *sheet)
 int sheen_page_sheet(struct sheen_page *sheet, const struct sheen_page *pages, int count)
 {
     int rows = (count + COLUMNS) / COLUMNS;
-    int error = sheen_page_open(sheet, "contact-sheet", SHEEN_SHEET_WIDTH, rows * SHEEN_SHEET_ROW);
+    int error = sheen_page_open(sheet, "contact-sheet", SHEEN_RECORD, SHEEN_SHEET_WIDTH, rows * SHEEN_SHEET_ROW);
 
     if (error)
         return error;

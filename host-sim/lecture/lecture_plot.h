@@ -24,6 +24,12 @@
 #define SHEEN_SMALLEST_TYPE 11
 #define SHEEN_PAGE_TEXTS 160
 
+/* What a page is drawn on: one of either kind for a figure that is wanted as PNG and as SVG. */
+enum sheen_form {
+    SHEEN_RECORD, /* replayed as PNG and on the sheet; of it cairo 1.16 would lose memory when writing SVG */
+    SHEEN_SVG     /* drawn as it is written; its lines of figures are not printed once more */
+};
+
 /* px of the page, from the top left. */
 struct sheen_box {
     double x0, y0, x1, y1;
@@ -31,11 +37,16 @@ struct sheen_box {
 
 struct sheen_page {
     const char *name; /* of the file, and before each line on standard output */
+    enum sheen_form form;
     int width, height;
     const char *title, *claim;
     struct sheen_box heart; /* what of it the contact sheet shows; all 0: nothing */
-    cairo_surface_t *record;
+    cairo_surface_t *surface;
     cairo_t *cr;
+    struct sheen_page_bytes {
+        unsigned char *data;
+        size_t count, room;
+    } svg;                          /* written so far */
     const struct sheen_page *shown; /* on the sheet: the pages whose hearts it shows; they outlive it */
     int shown_count;
     /* What is written on it, for sheen_page_check: the letters' extents and size. */
@@ -48,7 +59,7 @@ struct sheen_page {
 };
 
 /* 0, or SHEEN_ERR_MEMORY. Close in either case. */
-int sheen_page_open(struct sheen_page *page, const char *name, int width, int height);
+int sheen_page_open(struct sheen_page *page, const char *name, enum sheen_form form, int width, int height);
 void sheen_page_close(struct sheen_page *page);
 /*
  * 0, or SHEEN_ERR_ARGUMENT and *problem: a text leaves the page, touches another one, is cut by the heart's edge or is
@@ -122,8 +133,8 @@ void sheen_page_line(struct sheen_page *page, enum sheen_ink ink, double line_wi
 
 /* ---- to files ---- */
 
-/* By path's ending: .png or .svg. */
-int sheen_page_write(const struct sheen_page *page, const char *path, struct sheen_problem *problem);
+/* A page of an SVG is complete then. */
+int sheen_page_write(struct sheen_page *page, const char *path, struct sheen_problem *problem);
 /* The contact sheet, on a page that this opens: what it is, then each page's title, claim and heart. */
 int sheen_page_sheet(struct sheen_page *sheet, const struct sheen_page *pages, int count);
 /* Those hearts, onto what the sheet itself was drawn on. */

@@ -38,7 +38,7 @@ static void note_text(struct sheen_page *page, const cairo_text_extents_t *e, do
     snprintf(t->start, sizeof t->start, "%s", text);
 }
 
-/* As outlines: letters that are recorded cairo 1.16 never frees once they were written as SVG. */
+/* As outlines: the letters are the same wherever the SVG is looked at. */
 static void write_text(struct sheen_page *page, double x, double y, enum sheen_align align, const char *text)
 {
     cairo_text_extents_t extents;
@@ -150,7 +150,8 @@ void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_i
     va_end(arguments);
     sheen_page_ink(page, ink);
     write_text(page, x, y, SHEEN_LEFT, text);
-    printf("%s: %s\n", page->name, text);
+    if (page->form != SHEEN_SVG)
+        printf("%s: %s\n", page->name, text);
 }
 
 /* ---- pictures ---- */

@@ -1,10 +1,7 @@
 /*
- * lecture_write.c - recorded pages to PNG and SVG files.
+ * lecture_write.c - pages to PNG and SVG files.
  */
 #include <stdlib.h>
-#include <string.h>
-
-#include <cairo-svg.h>
 
 #include "lecture_plot.h"
 #include "out_file.h"
@@ -39,7 +36,7 @@ static cairo_status_t draw_record(const struct sheen_page *page, cairo_surface_t
 {
     cairo_t *cr = cairo_create(surface);
 
-    cairo_set_source_surface(cr, page->record, 0, 0);
+    cairo_set_source_surface(cr, page->surface, 0, 0);
     cairo_paint(cr);
     sheen_page_hearts(page, cr);
     cairo_status_t status = cairo_status(cr);
@@ -59,55 +56,20 @@ static int write_png(const struct sheen_page *page, const char *path, struct she
     return error;
 }
 
-/* What cairo has written, in memory that grows. */
-struct bytes {
-    unsigned char *data;
-    size_t count, room;
-};
-
-static cairo_status_t append(void *closure, const unsigned char *data, unsigned count)
+static int write_svg(struct sheen_page *page, const char *path, struct sheen_problem *problem)
 {
-    struct bytes *to = closure;
-
-    if (to->count + count > to->room) {
-        size_t room = 2 * (to->count + count);
-        unsigned char *more = realloc(to->data, room);
-        if (!more)
-            return CAIRO_STATUS_NO_MEMORY;
-        to->data = more;
-        to->room = room;
-    }
-    memcpy(to->data + to->count, data, count);
-    to->count += count;
-    return CAIRO_STATUS_SUCCESS;
+    cairo_surface_finish(page->surface);
+    cairo_status_t status = cairo_surface_status(page->surface);
+    if (status != CAIRO_STATUS_SUCCESS)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(status));
+    return sheen_out_file(path, page->svg.data, page->svg.count, problem);
 }
 
-static int write_svg(const struct sheen_page *page, const char *path, struct sheen_problem *problem)
-{
-    struct bytes bytes = {NULL, 0, 0};
-    cairo_surface_t *surface = cairo_svg_surface_create_for_stream(append, &bytes, page->width, page->height);
-
-    cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
-    cairo_status_t status = draw_record(page, surface);
-    cairo_surface_finish(surface);
-    if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    int error = status != CAIRO_STATUS_SUCCESS
-                    ? sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(status))
-                    : sheen_out_file(path, bytes.data, bytes.count, problem);
-    free(bytes.data);
-    return error;
-}
-
-int sheen_page_write(const struct sheen_page *page, const char *path, struct sheen_problem *problem)
+int sheen_page_write(struct sheen_page *page, const char *path, struct sheen_problem *problem)
 {
     cairo_status_t status = cairo_status(page->cr);
-    size_t length = strlen(path);
 
     if (status != CAIRO_STATUS_SUCCESS)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(status));
-    if (length > 4 && strcmp(path + length - 4, ".svg") == 0)
-        return write_svg(page, path, problem);
-    return write_png(page, path, problem);
+    return page->form == SHEEN_SVG ? write_svg(page, path, problem) : write_png(page, path, problem);
 }
