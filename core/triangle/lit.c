@@ -47,37 +47,21 @@ static void polygon_normal(const struct sheen_mesh *mesh, uint32_t triangle, int
         normal[i] = (int16_t)(known ? min32(asr32(unit[i] + (1 << 14), 15), 32767) : 0);
 }
 
-/* Normals of back faces are negated. */
-static void lit_as_seen(const struct setup *s, const struct surface_corners *c, const int16_t normal[3],
-                        struct lit *lit)
-{
-    int16_t seen[3];
-
-    for (int i = 0; i < 3; i++)
-        seen[i] = (int16_t)(c->back ? -max32(normal[i], -32767) : normal[i]);
-    sheen_light_normal(&s->draw->light, s->draw->power, seen, lit);
-}
-
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
 {
     int16_t normal[3];
 
     polygon_normal(s->draw->mesh, c->at.triangle, normal);
-    lit_as_seen(s, c, normal, lit);
+    if (c->back)
+        for (int i = 0; i < 3; i++)
+            normal[i] = (int16_t)-max32(normal[i], -32767);
+    sheen_light_normal(&s->draw->light, s->draw->power, normal, lit);
 }
 
-/* Back faces' intensities are not what vertices keep, but for those of pieces. */
-uint32_t sheen_corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3])
+void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit)
 {
-    uint32_t most = 0;
+    const int16_t negated[3] = {(int16_t)-max32(normal[0], -32767), (int16_t)-max32(normal[1], -32767),
+                                (int16_t)-max32(normal[2], -32767)};
 
-    for (int k = 0; k < 3; k++) {
-        const struct vertex *v = c->at.v[k];
-        lit[k].diffuse = v->kept[0];
-        lit[k].specular = v->kept[1];
-        if (c->back && (v->flags & LIT_AS_SEEN) == 0)
-            lit_as_seen(s, c, c->at.normal[k], &lit[k]);
-        most = lit[k].specular > most ? lit[k].specular : most;
-    }
-    return most;
+    sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
 }

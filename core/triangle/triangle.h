@@ -159,12 +159,25 @@ struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, i
 
 /* ---- set-up and rows ---- */
 
-/*
- * lit.c: light at the polygon that the triangle is of; at its corners, as vertices keep it for Gouraud: returns the
- * largest specular one.
- */
+/* lit.c: light at the polygon that the triangle is of; at a normal of a back face, which vertices do not keep. */
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
-uint32_t sheen_corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3]);
+void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit);
+
+/* At the corners, as vertices keep it for Gouraud; returns the largest specular one. */
+static inline uint32_t corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3])
+{
+    uint32_t most = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const struct vertex *v = c->at.v[k];
+        lit[k].diffuse = v->kept[0];
+        lit[k].specular = v->kept[1];
+        if (c->back && (v->flags & LIT_AS_SEEN) == 0)
+            sheen_light_back(s, c->at.normal[k], &lit[k]);
+        most = lit[k].specular > most ? lit[k].specular : most;
+    }
+    return most;
+}
 
 /*
  * setup.c: edges, depth and gradients of a triangle from the rectangle's rows on; its spans there are filled.
