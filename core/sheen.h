@@ -107,6 +107,14 @@ struct sheen_mesh {
     uint16_t triangles;    /* 1..65535 */
     sheen_q24_t scale;     /* units that raw 32768 stands for, > 0 */
     sheen_q24_t offset[3]; /* units */
+    /*
+     * For textures, (0, 0) the upper left corner of the picture, (1, 1) the lower right one: u to the right, v down.
+     * Between corners they are linear in space; over a triangle u times the texture's width and v times its height
+     * MUST change by less than 8192.
+     */
+    const int16_t *uvs;       /* 2 a vertex: u = uv_offset[0] + raw / 2^uv_bits, v likewise; NULL: none */
+    uint8_t uv_bits;          /* 0..15 */
+    sheen_q16_t uv_offset[2]; /* of u and v */
 };
 
 #define SHEEN_POWER_ENTRIES 256 /* steps of a power table */
@@ -129,14 +137,34 @@ extern const struct sheen_shine sheen_shine_4, sheen_shine_8, sheen_shine_16, sh
 /* SHEEN_ERR_ARGUMENT where n is not 1..128; *shine is untouched then. */
 int sheen_shine_make(struct sheen_shine *shine, unsigned shininess);
 
+/*
+ * A picture in flash or RAM, of 2^width_log2 by 2^height_log2 texels in rows from the top, without gaps. A texel is a
+ * colour of 565, red in the high bits, in the machine's own byte order whatever the target's: red / 31, green / 63,
+ * blue / 31. Of texel coordinates U = u * width, V = v * height, nearest takes texel (floor U, floor V), bilinear the
+ * four around (U - 1/2, V - 1/2) by their shares. A pixel whose nearest texel is transparent is not drawn and leaves
+ * depth as it was; to bilinear a transparent neighbour is as that nearest texel.
+ */
+struct sheen_texture {
+    const void *texels;              /* bits 16: uint16_t, 565; 8: a byte, 4: two of them a byte, the left one in its
+                                          low half, numbers of the palette */
+    const uint16_t *palette;         /* 565; MUST be there with bits 8 and 4, as long as the numbers in use */
+    uint8_t bits;                    /* of a texel: 16, 8, 4; 0: 16 */
+    uint8_t width_log2, height_log2; /* 0..9 */
+    uint8_t clamp_u, clamp_v;        /* beyond 0..1: 1: the texel at the edge; 0: the picture repeats */
+    uint8_t bilinear;                /* 1: bilinear; 0: nearest */
+    uint8_t keyed;                   /* 1: texels of the colour `key` are transparent */
+    uint16_t key;                    /* 565, of palettes too */
+};
+
 /* A surface, usually const data. All zero is black. */
 struct sheen_material {
-    uint8_t base[3];                 /* r, g, b, 255 = 1.0 */
-    uint8_t highlight[3];            /* r, g, b of the specular part; all 0: white */
-    sheen_q16_t ambient;             /* Ia ka, 0..4 */
-    sheen_q16_t diffuse;             /* Ip kd, 0..4 */
-    sheen_q16_t specular;            /* Ip ks, 0..4 */
-    const struct sheen_shine *shine; /* MUST be there where specular is not 0 */
+    uint8_t base[3];                     /* r, g, b, 255 = 1.0 */
+    uint8_t highlight[3];                /* r, g, b of the specular part; all 0: white */
+    sheen_q16_t ambient;                 /* Ia ka, 0..4 */
+    sheen_q16_t diffuse;                 /* Ip kd, 0..4 */
+    sheen_q16_t specular;                /* Ip ks, 0..4 */
+    const struct sheen_shine *shine;     /* MUST be there where specular is not 0 */
+    const struct sheen_texture *texture; /* of textured: MUST be there; others do not read it */
 };
 
 /* A light at infinity. `to` points to it, any length but zero. */
@@ -163,6 +191,13 @@ struct sheen_shader;
  * method: it depends on the triangle's orientation on the screen.
  */
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
+
+/*
+ * With the material's texture, for meshes with uvs: base times the texel takes the place of base; the highlight is as
+ * without. sheen_textured is lit at the vertices as gouraud is, sheen_textured_flat a polygon, as flat is. Ambient 1,
+ * diffuse 0, specular 0 and a white base show the texels as they are, and cost no light.
+ */
+extern const struct sheen_shader sheen_textured, sheen_textured_flat;
 
 /* What is drawn. Mesh, material and shader MUST be there. */
 struct sheen_object {
@@ -300,7 +335,9 @@ enum sheen_subject {
     SHEEN_ABOUT_MATERIAL,
     SHEEN_ABOUT_SHINE,
     SHEEN_ABOUT_SHADER,
-    SHEEN_ABOUT_LIGHTS
+    SHEEN_ABOUT_LIGHTS,
+    SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
+    SHEEN_ABOUT_TEXTURE
 };
 
 /*

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const way_name[SHEEN_WAYS] = {"one colour", "linear", "quadratic", "quotient", "quadratic",
-                                                 "cells",      "root",   "lights",    "slerp"};
+static const char *const way_name[SHEEN_WAYS] = {"one colour", "linear", "quadratic", "quotient", "quadratic", "cells",
+                                                 "root",       "lights", "slerp",     "linear",   "quotient"};
 
 static double share(long part, long whole)
 {

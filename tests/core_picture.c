@@ -12,7 +12,7 @@
 /* Corners in an order that brings those together which become one vertex. */
 struct key {
     uint32_t weld, corner;
-    int16_t normal[3];
+    int16_t normal[3], uv[2];
 };
 
 static int key_order(const void *a, const void *b)
@@ -21,7 +21,8 @@ static int key_order(const void *a, const void *b)
 
     if (p->weld != q->weld)
         return p->weld < q->weld ? -1 : 1;
-    return memcmp(p->normal, q->normal, sizeof p->normal);
+    int order = memcmp(p->normal, q->normal, sizeof p->normal);
+    return order != 0 ? order : memcmp(p->uv, q->uv, sizeof p->uv);
 }
 
 static int16_t to_q15(double c)
@@ -29,7 +30,33 @@ static int16_t to_q15(double c)
     return (int16_t)lround(32767 * c);
 }
 
-static uint32_t number_vertices(const struct ref_mesh *from, struct key *keys, uint32_t *vertex_of)
+/* The finest power of two that 16 bits hold, about the middle, on the grid itself. */
+static void choose_grid(const struct ref_mesh *from, struct sheen_mesh *mesh)
+{
+    double low[2] = {0, 0}, high[2] = {0, 0}, span = 0;
+
+    for (int i = 0; i < 2; i++) {
+        low[i] = high[i] = from->uv[0][i];
+        for (size_t c = 1; c < from->corner_count; c++) {
+            low[i] = fmin(low[i], from->uv[c][i]);
+            high[i] = fmax(high[i], from->uv[c][i]);
+        }
+        span = fmax(span, high[i] - low[i]);
+    }
+    for (mesh->uv_bits = 15; mesh->uv_bits > 0 && span * (1 << mesh->uv_bits) > 65000; mesh->uv_bits--)
+        ;
+    for (int i = 0; i < 2; i++)
+        mesh->uv_offset[i] =
+            (sheen_q16_t)(lround((low[i] + high[i]) / 2 * (1 << mesh->uv_bits)) * (1 << (16 - mesh->uv_bits)));
+}
+
+static int16_t to_grid(const struct sheen_mesh *mesh, const double uv[2], int i)
+{
+    return (int16_t)lround((uv[i] - mesh->uv_offset[i] / 65536.0) * (1 << mesh->uv_bits));
+}
+
+static uint32_t number_vertices(const struct ref_mesh *from, const struct sheen_mesh *mesh, struct key *keys,
+                                uint32_t *vertex_of)
 {
     uint32_t vertices = 0;
 
@@ -37,6 +64,8 @@ static uint32_t number_vertices(const struct ref_mesh *from, struct key *keys, u
         keys[c] = (struct key){.weld = from->weld[c], .corner = (uint32_t)c};
         for (int k = 0; k < 3; k++)
             keys[c].normal[k] = to_q15(from->normal[c][k]);
+        for (int i = 0; i < 2 && from->uv; i++)
+            keys[c].uv[i] = to_grid(mesh, from->uv[c], i);
     }
     qsort(keys, from->corner_count, sizeof *keys, key_order);
     for (size_t i = 0; i < from->corner_count; i++) {
@@ -54,6 +83,8 @@ static void fill(struct core_mesh *to, const struct ref_mesh *from, const uint32
             to->positions[3 * vertex_of[c] + (uint32_t)k] = to_q15(from->position[c][k] / reach);
             to->normals[3 * vertex_of[c] + (uint32_t)k] = to_q15(from->normal[c][k]);
         }
+        for (int i = 0; i < 2 && from->uv; i++)
+            to->uvs[2 * vertex_of[c] + (uint32_t)i] = to_grid(&to->mesh, from->uv[c], i);
     }
     for (size_t p = 0; p < from->polygon_count; p++) {
         for (int k = 0; k < 3; k++)
@@ -79,13 +110,17 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
         for (int k = 0; k < 3; k++)
             reach = fmax(reach, fabs(from->position[c][k]));
     }
-    uint32_t vertices = number_vertices(from, keys, vertex_of);
+    if (from->uv)
+        choose_grid(from, &to->mesh);
+    uint32_t vertices = number_vertices(from, &to->mesh, keys, vertex_of);
     to->positions = calloc(vertices, 3 * sizeof *to->positions);
     to->normals = calloc(vertices, 3 * sizeof *to->normals);
+    to->uvs = calloc(vertices, 2 * sizeof *to->uvs);
     to->polygon_normals = calloc(from->polygon_count, 3 * sizeof *to->polygon_normals);
     to->polygons = calloc(from->triangle_count, sizeof *to->polygons);
     to->indices = calloc(from->triangle_count, 3 * sizeof *to->indices);
-    if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices)
+    if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices ||
+        !to->uvs)
         goto fail;
     fill(to, from, vertex_of, reach);
     to->mesh = (struct sheen_mesh){.positions = to->positions,
@@ -94,6 +129,9 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
                                    .polygons = to->polygons,
                                    .indices = to->indices,
                                    .index_bytes = 2,
+                                   .uvs = from->uv ? to->uvs : NULL,
+                                   .uv_bits = to->mesh.uv_bits,
+                                   .uv_offset = {to->mesh.uv_offset[0], to->mesh.uv_offset[1]},
                                    .vertices = (uint16_t)vertices,
                                    .triangles = (uint16_t)from->triangle_count,
                                    .scale = (sheen_q24_t)lround(reach * 32768 / 32767 * 16777216)};
@@ -112,6 +150,7 @@ void core_mesh_free(struct core_mesh *mesh)
     free(mesh->positions);
     free(mesh->normals);
     free(mesh->polygon_normals);
+    free(mesh->uvs);
     free(mesh->polygons);
     free(mesh->indices);
     memset(mesh, 0, sizeof *mesh);
@@ -190,6 +229,64 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
     return core_draw_scene_way(target, scene, mesh, band_rows, 0, &unused);
 }
 
+/* Texels as the core keeps them. */
+struct core_texture {
+    struct sheen_texture texture;
+    uint16_t palette[256];
+    uint8_t *numbers;
+};
+
+/* The palette's number of a colour, where it is new a new one. */
+static unsigned number_of(struct core_texture *to, unsigned *count, uint16_t value)
+{
+    for (unsigned i = 0; i < *count; i++) {
+        if (to->palette[i] == value)
+            return i;
+    }
+    if (*count < 256)
+        to->palette[*count] = value;
+    return (*count)++;
+}
+
+/* 0, or -1 where memory or the palette's numbers are short. */
+static int core_texture_make(struct core_texture *to, const struct ref_texture *from)
+{
+    unsigned count = 0, texels = (unsigned)(from->width * from->height);
+
+    memset(to, 0, sizeof *to);
+    to->texture = (struct sheen_texture){.texels = from->texels,
+                                         .bits = (uint8_t)from->bits,
+                                         .clamp_u = from->clamp[0],
+                                         .clamp_v = from->clamp[1],
+                                         .bilinear = from->bilinear,
+                                         .keyed = from->keyed,
+                                         .key = from->key};
+    while (1 << to->texture.width_log2 < from->width)
+        to->texture.width_log2++;
+    while (1 << to->texture.height_log2 < from->height)
+        to->texture.height_log2++;
+    if (from->bits == 16)
+        return 0;
+    to->numbers = calloc(texels, 1);
+    for (unsigned i = 0; i < texels && to->numbers; i++) {
+        unsigned number = number_of(to, &count, from->texels[i]);
+        if (from->bits == 8)
+            to->numbers[i] = (uint8_t)number;
+        else
+            to->numbers[i / 2] |= (uint8_t)(number << (4 * (i & 1)));
+    }
+    to->texture.texels = to->numbers;
+    to->texture.palette = to->palette;
+    return to->numbers && count <= 1u << from->bits ? 0 : -1;
+}
+
+static const struct sheen_shader *shader_of(const struct ref_scene *scene)
+{
+    if (scene->texture)
+        return scene->shading == REF_FLAT ? &sheen_textured_flat : &sheen_textured;
+    return sheen_shader_of((unsigned)scene->shading);
+}
+
 #define CLIPPED 2000 /* pieces, more than any test makes */
 
 int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
@@ -208,8 +305,9 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                 .material = &material,
                                 .lights = lights,
                                 .light_count = (uint8_t)scene->light_count,
-                                .shader = sheen_shader_of((unsigned)scene->shading),
+                                .shader = shader_of(scene),
                                 .two_sided = scene->two_sided};
+    struct core_texture texture = {.numbers = NULL};
     struct core_frame f;
     int status = core_frame_make(&f, &config);
 
@@ -219,12 +317,16 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
     core_view(&view, scene);
     core_pose(&draw.pose, scene);
     core_lights(lights, scene);
-    if ((status = core_material(&material, &shine, scene)) == SHEEN_OK &&
-        (status = sheen_begin(f.frame, &view)) == SHEEN_OK && (status = sheen_draw(f.frame, &draw)) == SHEEN_OK &&
-        (status = sheen_end(f.frame)) == SHEEN_OK)
+    if ((status = core_material(&material, &shine, scene)) == SHEEN_OK && scene->texture) {
+        status = core_texture_make(&texture, scene->texture) == 0 ? SHEEN_OK : SHEEN_ERR_MEMORY;
+        material.texture = &texture.texture;
+    }
+    if (status == SHEEN_OK && (status = sheen_begin(f.frame, &view)) == SHEEN_OK &&
+        (status = sheen_draw(f.frame, &draw)) == SHEEN_OK && (status = sheen_end(f.frame)) == SHEEN_OK)
         status = sheen_wait(f.frame);
     sheen_frame_stats(f.frame, &stats->frame);
     sheen_frame_ways(f.frame, stats->by_way);
     core_frame_free(&f);
+    free(texture.numbers);
     return status;
 }

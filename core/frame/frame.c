@@ -185,19 +185,37 @@ static enum sheen_subject material_problem(const struct sheen_material *m)
     return SHEEN_ABOUT_NOTHING;
 }
 
+static int texture_valid(const struct sheen_texture *t)
+{
+    return t != NULL && t->texels != NULL && t->width_log2 <= 9 && t->height_log2 <= 9 &&
+           (t->bits == 0 || t->bits == 16 || ((t->bits == 8 || t->bits == 4) && t->palette != NULL));
+}
+
+/* What a shader needs and the object has not, SHEEN_ABOUT_NOTHING if nothing is. */
+static enum sheen_subject shader_problem(const struct sheen_object *o)
+{
+    const struct sheen_mesh *mesh = o->mesh;
+
+    if (o->shader == NULL)
+        return SHEEN_ABOUT_SHADER;
+    if (mesh->normals == NULL && o->shader->needs_normals)
+        return SHEEN_ABOUT_NORMALS;
+    if ((mesh->uvs == NULL || mesh->uv_bits > 15) && o->shader->needs_uvs)
+        return SHEEN_ABOUT_UVS;
+    return o->shader->needs_texture && !texture_valid(o->material->texture) ? SHEEN_ABOUT_TEXTURE : SHEEN_ABOUT_NOTHING;
+}
+
 static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
 {
     const struct sheen_mesh *mesh = o->mesh;
-    enum sheen_subject material = material_problem(o->material);
+    enum sheen_subject material = material_problem(o->material), shader;
 
     if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH, 0);
     if (material != SHEEN_ABOUT_NOTHING)
         return refuse(f, SHEEN_ERR_ARGUMENT, material, 0);
-    if (o->shader == NULL)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHADER, 0);
-    if (mesh->normals == NULL && o->shader->needs_normals)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_NORMALS, 0);
+    if ((shader = shader_problem(o)) != SHEEN_ABOUT_NOTHING)
+        return refuse(f, SHEEN_ERR_ARGUMENT, shader, 0);
     if (f->draws == f->config.max_draws)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_DRAWS, f->draws + 1);
     if (f->vertices + mesh->vertices > f->config.max_vertices)
@@ -251,11 +269,12 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 }
 
 /* The ramp of these colours, one that has none of this frame's, or NULL: depends on the frame's draws alone. */
-static const uint16_t *ramp_of(struct sheen_frame *f, const struct colour_terms *terms)
+static const uint16_t *ramp_of(struct sheen_frame *f, const struct sheen_shader *shader,
+                               const struct colour_terms *terms)
 {
     unsigned i = 0;
 
-    if (f->format.grey || f->view.dither)
+    if (f->format.grey || f->view.dither || shader->needs_texture)
         return NULL;
     while (i < f->ramps && !sheen_ramp_is_of(&f->ramp[i], terms))
         i++;
@@ -297,8 +316,10 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.forced = f->forced;
     d->first_vertex = f->vertices;
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
-    d->as.ramp = ramp_of(f, &d->as.colour);
+    d->as.ramp = ramp_of(f, object->shader, &d->as.colour);
     sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
+    if (object->shader->begin != NULL)
+        object->shader->begin(&d->as, object->material, &f->format);
     error = draw_triangles(f, d, &t, &viewpoint);
     if (error < 0) {
         f->pieces = pieces;

@@ -53,6 +53,17 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
         v->kept[i] = (uint16_t)max32(0, shared(from->share, lit[0][i], lit[1][i], lit[2][i]));
 }
 
+/* u and v of a piece's corner. */
+static void piece_uv(const struct draw_record *d, uint16_t triangle, const int32_t share[3], int16_t out[3])
+{
+    const int16_t *uv[3];
+
+    for (uint32_t k = 0; k < 3; k++)
+        uv[k] = d->as.mesh->uvs + 2 * mesh_index(d->as.mesh, 3u * triangle + k);
+    for (int i = 0; i < 2; i++)
+        out[i] = (int16_t)shared(share, uv[0][i], uv[1][i], uv[2][i]);
+}
+
 /* Twice the area of what is left, as twice_area; 0 where nothing is. */
 static int64_t area_left(const struct clip_job *job)
 {
@@ -88,8 +99,11 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
             continue;
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
-        for (int k = 0; k < 3; k++)
+        for (int k = 0; k < 3; k++) {
             piece_corner(fan[k], normal, lit, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
+            if (d->as.shader->needs_uvs)
+                piece_uv(d, triangle, fan[k]->share, piece->normal[k]);
+        }
     }
 }
 

@@ -145,6 +145,27 @@ struct loop_terms {
 /* Thresholds are 1/64 level apart: over an area of one colour each that is crossed is 1/64 of its pixels a channel. */
 #define FAINT_DITHERED 2 /* dithered a highlight may be left out where it gives so many powers of two less */
 
+/*
+ * Light on texels, for draws with a texture: of channel k it is a + b * diffuse, in [0, 20], and c * specular is added
+ * in levels of 565.
+ */
+#define LIGHT_BITS 15       /* the light's fraction at a pixel, so a channel's too */
+#define LIGHT_PLANE_BITS 25 /* its fraction as it is stepped: 1.0 is 2^25 */
+
+#define GREY_BITS 11 /* a channel's fraction where levels of grey are made of it */
+
+struct texel_terms {
+    const struct sheen_texture *texture;
+    uint32_t a[3];    /* with `fraction` bits; below 2^30 with b * 1.0 */
+    uint16_t b[3];    /* with 15 less, for diffuse in UQ1.15 */
+    uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(LIGHT_BITS + c_shift) */
+    uint16_t grey[3]; /* what a channel's level of 565 / 2^GREY_BITS is in the target's, with 31 - level_bits bits */
+    uint8_t fraction; /* 25..30 */
+    uint8_t c_shift;
+    uint8_t alike; /* all channels' light is one */
+    uint8_t unlit; /* it is 1.0 everywhere, and there is no highlight */
+};
+
 static inline uint32_t clamped(uint32_t x, uint32_t top)
 {
     return x > top ? top : x;
@@ -207,6 +228,8 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
 /* Ends the power table where a highlight gives less than 1/32 level, dithered 1/128, and fills in *q. */
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither);
+void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                       sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
 /* Grey levels of a tile, a byte each, to the target's packing, in place. */

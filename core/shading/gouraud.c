@@ -154,7 +154,7 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
 {
     const struct draw *d = s->draw;
     struct lit lit[3];
-    uint32_t specular = corners_lit(s, c, lit);
+    uint32_t specular = corners_lit(s, c, c->at.normal, lit);
 
     if (g == NULL) {
         struct lit mean = {(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse) / 3,

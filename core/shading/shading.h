@@ -11,16 +11,20 @@
 #include "../triangle/triangle.h"
 
 /*
+ * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing.
  * light: what the shading keeps of a vertex, from its normal (as the mesh has it, or as
  *   seen), once for each that a listed triangle uses; NULL: nothing. Between corners it is linear.
  * setup: chooses the cheapest way within PICTURE's table and fills in what follows *s; g: NULL
  *   where the triangle is too flat for gradients. Sets way, fast and rows.
  */
 struct sheen_shader {
+    void (*begin)(struct draw *d, const struct sheen_material *material, const struct pixel_format *format);
     void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
     uint8_t needs_normals; /* 1: the mesh has to have vertex normals */
     uint8_t unit_normals;  /* 1: corners of pieces need unit normals */
+    uint8_t needs_texture; /* 1: the material has to have a texture; there is no ramp then */
+    uint8_t needs_uvs;     /* 1: the mesh has to have uvs; corners and pieces have them in place of normals */
 };
 
 #endif

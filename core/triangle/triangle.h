@@ -18,7 +18,10 @@ struct draw {
     struct colour_terms colour;
     struct power power;
     const uint16_t *ramp; /* its first entry, a guard; NULL: there is none */
-    struct loop_terms loop;
+    union {
+        struct loop_terms loop;
+        struct texel_terms texel; /* of shadings with a texture */
+    };
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
@@ -82,7 +85,7 @@ struct setup {
     struct edge edge[3];
 };
 
-#define SETUP_BYTES (sizeof(struct setup) + 56)
+#define SETUP_BYTES (sizeof(struct setup) + 64)
 #define SETUP_FITS(type) _Static_assert(sizeof(type) <= SETUP_BYTES, #type " is larger than a set-up's slot")
 
 static inline uint32_t plane_at(const struct plane *p, int32_t x, int32_t y)
@@ -99,7 +102,7 @@ static inline uint32_t pairs(int32_t x)
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
     const struct vertex *v[3];
-    const int16_t *normal[3]; /* NULL where the mesh has none */
+    const int16_t *normal[3]; /* NULL where the mesh has none; u, v where the shading needs these */
     uint16_t triangle;        /* of the mesh */
 };
 
@@ -163,8 +166,9 @@ struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, i
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit);
 
-/* At the corners, as vertices keep it for Gouraud; returns the largest specular one. */
-static inline uint32_t corners_lit(const struct setup *s, const struct surface_corners *c, struct lit lit[3])
+/* At the corners, as vertices keep it for Gouraud; returns the largest specular one. normal: the mesh's. */
+static inline uint32_t corners_lit(const struct setup *s, const struct surface_corners *c,
+                                   const int16_t *const normal[3], struct lit lit[3])
 {
     uint32_t most = 0;
 
@@ -173,7 +177,7 @@ static inline uint32_t corners_lit(const struct setup *s, const struct surface_c
         lit[k].diffuse = v->kept[0];
         lit[k].specular = v->kept[1];
         if (c->back && (v->flags & LIT_AS_SEEN) == 0)
-            sheen_light_back(s, c->at.normal[k], &lit[k]);
+            sheen_light_back(s, normal[k], &lit[k]);
         most = lit[k].specular > most ? lit[k].specular : most;
     }
     return most;

@@ -16,7 +16,9 @@ static const char *const way_names[SHEEN_WAYS] = {"flat",
                                                   "phong_cells",
                                                   "phong_root",
                                                   "phong_lights",
-                                                  "slerp"};
+                                                  "slerp",
+                                                  "textured_linear",
+                                                  "textured_quotient"};
 
 static void print_triangles(FILE *stream, const struct sheen_stats *stats, const struct sheen_frame *frame)
 {

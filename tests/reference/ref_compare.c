@@ -20,6 +20,7 @@ struct side {
     uint32_t from, to;
     uint32_t triangle;
     double normals[2][3]; /* at from, at to */
+    double uv[2][2];
 };
 
 static int side_order(const void *a, const void *b)
@@ -62,19 +63,25 @@ static size_t list_sides(const struct ref_picture *picture, const struct ref_mes
                 s->normals[0][c] = piece->back ? -mesh->normal[a][c] : mesh->normal[a][c];
                 s->normals[1][c] = piece->back ? -mesh->normal[b][c] : mesh->normal[b][c];
             }
+            for (int c = 0; c < 2 && mesh->uv; c++) {
+                s->uv[0][c] = mesh->uv[a][c];
+                s->uv[1][c] = mesh->uv[b][c];
+            }
         }
     }
     qsort(sides, count, sizeof *sides, side_order);
     return count;
 }
 
-static bool equal_normals(const struct side *p, const struct side *q)
+static bool equal_corners(const struct side *p, const struct side *q)
 {
     for (int e = 0; e < 2; e++) {
         for (int c = 0; c < 3; c++) {
             if (fabs(p->normals[e][c] - q->normals[e][c]) > 1e-6)
                 return false;
         }
+        if (p->uv[e][0] != q->uv[e][0] || p->uv[e][1] != q->uv[e][1])
+            return false;
     }
     return true;
 }
@@ -94,7 +101,7 @@ static int find_surfaces(const struct ref_picture *picture, const struct ref_sce
     size_t count = list_sides(picture, mesh, sides);
     for (size_t i = 1; i < count; i++) {
         const struct side *p = &sides[i - 1], *q = &sides[i];
-        if (p->from == q->from && p->to == q->to && equal_normals(p, q))
+        if (p->from == q->from && p->to == q->to && equal_corners(p, q))
             surface[root_of(surface, p->triangle)] = root_of(surface, q->triangle);
     }
     for (size_t t = 0; t < mesh->triangle_count; t++)
@@ -129,13 +136,14 @@ static int steps_apart(uint16_t a, uint16_t b)
     return r > g ? (r > l ? r : l) : g > l ? g : l;
 }
 
-static void judge(struct ref_score *score, const struct ref_pixel *pixel, uint16_t value, int x, int y)
+static void judge(struct ref_score *score, const struct ref_pixel *pixel, uint16_t value, int x, int y, double bound)
 {
     int apart = steps_apart(pixel->value, value);
 
     score->compared++;
     score->equal += apart == 0;
     score->within_one += apart <= 1;
+    score->beyond += apart > bound;
     if (pixel->specular > 1.0 / 63) {
         score->highlight++;
         score->highlight_equal += apart == 0;
@@ -146,6 +154,31 @@ static void judge(struct ref_score *score, const struct ref_pixel *pixel, uint16
         score->worst_y = y;
         score->cause = pixel->triangle;
     }
+}
+
+/* 1 step where there is no texture. */
+static bool settled(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_pixel *pixel,
+                    int x, int y, double *bound)
+{
+    *bound = 1;
+    return !scene->texture ||
+           (!pixel->unsettled && ref_settled(scene, picture, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, bound));
+}
+
+/* Nothing but transparent texels, and no edge beside. */
+static bool seen_through(const struct ref_picture *picture, int x, int y)
+{
+    const struct ref_pixel *centre = &picture->pixels[y * picture->width + x];
+
+    if (centre->covered || !centre->dropped || centre->unsettled || x == 0 || y == 0 || x == picture->width - 1 ||
+        y == picture->height - 1)
+        return false;
+    for (int i = 0; i < 9; i++) {
+        const struct ref_pixel *p = centre + (i / 3 - 1) * picture->width + i % 3 - 1;
+        if (!p->covered && !p->dropped)
+            return false;
+    }
+    return true;
 }
 
 int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,
@@ -160,9 +193,17 @@ int ref_compare(struct ref_score *score, const struct ref_scene *scene, const st
     for (int y = 0; y < picture->height; y++) {
         for (int x = 0; x < picture->width; x++) {
             const struct ref_pixel *pixel = &picture->pixels[y * picture->width + x];
+            double bound;
             score->covered += pixel->covered;
-            if (pixel->covered && comparable(picture, surface, x, y))
-                judge(score, pixel, values[y * picture->width + x], x, y);
+            if (seen_through(picture, x, y)) {
+                score->dropped++;
+                score->dropped_drawn += values[y * picture->width + x] != pixel->value;
+            }
+            if (!pixel->covered || !comparable(picture, surface, x, y))
+                continue;
+            score->comparable++;
+            if (settled(scene, picture, pixel, x, y, &bound))
+                judge(score, pixel, values[y * picture->width + x], x, y, bound);
         }
     }
     free(surface);

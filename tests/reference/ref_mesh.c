@@ -240,6 +240,8 @@ static int build(struct ref_mesh *mesh, const struct ref_polygons *from, const s
     }
     if (corner_normals(mesh, from, options) != 0 || split_all(mesh, from) != 0)
         return -1;
+    if (from->uv)
+        memcpy(mesh->uv, from->uv, mesh->corner_count * sizeof *mesh->uv);
     if (from->base)
         memcpy(mesh->base, from->base, mesh->polygon_count * sizeof *mesh->base);
     return mesh->triangle_count > 0 ? 0 : -1;
@@ -256,9 +258,10 @@ int ref_mesh_build(struct ref_mesh *mesh, const struct ref_polygons *from, const
     mesh->normal = calloc(mesh->corner_count, sizeof *mesh->normal);
     mesh->weld = calloc(mesh->corner_count, sizeof *mesh->weld);
     mesh->polygon_normal = calloc(mesh->polygon_count, sizeof *mesh->polygon_normal);
+    mesh->uv = from->uv ? calloc(mesh->corner_count, sizeof *mesh->uv) : NULL;
     mesh->base = from->base ? calloc(mesh->polygon_count, sizeof *mesh->base) : NULL;
     bool allocated = mesh->position && mesh->normal && mesh->weld && mesh->polygon_normal;
-    if (!allocated || (from->base && !mesh->base) || build(mesh, from, options) != 0) {
+    if (!allocated || (from->base && !mesh->base) || (from->uv && !mesh->uv) || build(mesh, from, options) != 0) {
         ref_mesh_free(mesh);
         return -1;
     }
@@ -273,5 +276,6 @@ void ref_mesh_free(struct ref_mesh *mesh)
     free(mesh->triangles);
     free(mesh->polygon_normal);
     free(mesh->base);
+    free(mesh->uv);
     memset(mesh, 0, sizeof *mesh);
 }

@@ -52,7 +52,7 @@ void ref_scene_default(struct ref_scene *scene, const struct ref_mesh *mesh)
 
 /* A corner on its way through near plane and, for slerp, guard band: everything in it is linear in space. */
 struct corner {
-    double eye[3], normal[3], diffuse, specular;
+    double eye[3], normal[3], diffuse, specular, uv[2];
 };
 
 #define MAX_CUT 8 /* a triangle against five planes */
@@ -65,6 +65,8 @@ static struct corner between(const struct corner *a, const struct corner *b, dou
     ref_lerp(a->normal, b->normal, t, c.normal);
     c.diffuse = (1 - t) * a->diffuse + t * b->diffuse;
     c.specular = (1 - t) * a->specular + t * b->specular;
+    for (int i = 0; i < 2; i++)
+        c.uv[i] = (1 - t) * a->uv[i] + t * b->uv[i];
     return c;
 }
 
@@ -124,6 +126,7 @@ static void to_screen(const struct ref_scene *scene, const struct corner *c, str
     memcpy(piece->normal[k], c->normal, sizeof piece->normal[k]);
     piece->diffuse[k] = c->diffuse;
     piece->specular[k] = c->specular;
+    memcpy(piece->uv[k], c->uv, sizeof piece->uv[k]);
 }
 
 static double signed_area(const struct ref_piece *p)
@@ -169,6 +172,20 @@ static void make_corners(const struct ref_scene *scene, const struct ref_triangl
             scene->shading == REF_FLAT ? mesh->polygon_normal[t->polygon] : mesh->normal[t->corner[k]];
         turn_normal(scene, normal, *back, c[k].normal);
         ref_light(scene, c[k].normal, &c[k].diffuse, &c[k].specular);
+        for (int i = 0; i < 2; i++)
+            c[k].uv[i] = mesh->uv ? mesh->uv[t->corner[k]][i] : 0;
+    }
+}
+
+static void find_span(struct ref_picture *picture, const struct ref_mesh *mesh)
+{
+    for (int i = 0; i < 2 && mesh->uv; i++) {
+        double low = mesh->uv[0][i], high = low;
+        for (size_t c = 1; c < mesh->corner_count; c++) {
+            low = fmin(low, mesh->uv[c][i]);
+            high = fmax(high, mesh->uv[c][i]);
+        }
+        picture->uv_span[i] = high - low;
     }
 }
 
@@ -181,6 +198,7 @@ int ref_project(struct ref_picture *picture, const struct ref_scene *scene)
     picture->piece_count = 0;
     if (!picture->pieces)
         return -1;
+    find_span(picture, mesh);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
         struct corner polygon[MAX_CUT + 1];
         bool back;

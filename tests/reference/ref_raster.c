@@ -78,6 +78,16 @@ static int end_pixel(double high, int end)
     return high >= end ? end : high < 0 ? 0 : (int)floor(high) + 1 > end ? end : (int)floor(high) + 1;
 }
 
+static bool transparent(const struct ref_scene *scene, const struct ref_piece *p, double x, double y)
+{
+    double at[2], unused[3];
+
+    if (!scene->texture)
+        return false;
+    ref_texture_point(scene, p, x, y, at);
+    return !ref_texture_color(scene->texture, at, unused);
+}
+
 static void draw(struct ref_picture *picture, int *nearest, const struct ref_scene *scene, uint32_t index)
 {
     const struct ref_piece *p = &picture->pieces[index];
@@ -93,7 +103,7 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
             double depth = screen_linear(p, p->depth, x + 0.5, y + 0.5);
             double m = scene->ortho ? -depth : 1 / depth;
             int z = z16(scene, depth), *best = &nearest[y * picture->width + x];
-            if (m >= scene->far || z <= *best)
+            if (m >= scene->far || z <= *best || transparent(scene, p, x + 0.5, y + 0.5))
                 continue;
             *best = z;
             picture->pixels[y * picture->width + x] = (struct ref_pixel){.covered = true,
@@ -106,15 +116,37 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
     }
 }
 
+/* What lies in front of what is seen is transparent there: is that for sure? */
+static void look_through(struct ref_picture *picture, const int *nearest, const struct ref_scene *scene, uint32_t index)
+{
+    const struct ref_piece *p = &picture->pieces[index];
+
+    for (int i = 0; i < picture->width * picture->height; i++) {
+        double x = i % picture->width + 0.5, y = i / picture->width + 0.5, bound;
+        if (!ref_inside(p, x, y) || (picture->pixels[i].covered && picture->pixels[i].piece == index))
+            continue;
+        double depth = screen_linear(p, p->depth, x, y);
+        if (z16(scene, depth) <= nearest[i] || (scene->ortho ? -depth : 1 / depth) >= scene->far)
+            continue;
+        picture->pixels[i].dropped = true;
+        if (!ref_settled(scene, picture, p, x, y, &bound))
+            picture->pixels[i].unsettled = true;
+    }
+}
+
 static void color(const struct ref_scene *scene, const struct ref_picture *picture, struct ref_pixel *pixel, int x,
                   int y)
 {
     const double *base = scene->mesh->base ? scene->mesh->base[pixel->polygon] : scene->base;
-    double diffuse;
+    double diffuse, at[2], texel[3] = {1, 1, 1};
 
+    if (scene->texture) {
+        ref_texture_point(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, at);
+        (void)ref_texture_color(scene->texture, at, texel);
+    }
     ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &diffuse, &pixel->specular);
     for (int k = 0; k < 3; k++)
-        pixel->color[k] = fmin(fmax(base[k] * diffuse + scene->highlight[k] * pixel->specular, 0), 1);
+        pixel->color[k] = fmin(fmax(base[k] * texel[k] * diffuse + scene->highlight[k] * pixel->specular, 0), 1);
 }
 
 void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)
@@ -128,6 +160,8 @@ void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)
         nearest[i] = -1;
     for (size_t i = 0; i < picture->piece_count; i++)
         draw(picture, nearest, scene, (uint32_t)i);
+    for (size_t i = 0; i < picture->piece_count && scene->texture && scene->texture->keyed; i++)
+        look_through(picture, nearest, scene, (uint32_t)i);
     free(nearest);
 }
 

@@ -9,7 +9,7 @@
 #include "ref_vector.h"
 #include "reference.h"
 
-static void weights(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double b[3])
+void ref_weights(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double b[3])
 {
     double sum = 0;
 
@@ -101,7 +101,7 @@ void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double 
         ref_light(scene, normal, diffuse, specular);
         return;
     }
-    weights(scene, p, x, y, b);
+    ref_weights(scene, p, x, y, b);
     if (scene->shading == REF_GOURAUD) {
         *diffuse = ref_dot(b, p->diffuse);
         *specular = ref_dot(b, p->specular);

@@ -10,6 +10,7 @@
  *   ref_light.c    ambient + diffuse and specular at a normal
  *   ref_raster.c   which triangle is seen at a pixel centre
  *   ref_shade.c    flat, Gouraud, Phong, slerp at a pixel centre
+ *   ref_texture.c  texels at a pixel centre
  *   ref_pixel.c    colour -> 565 value or grey level
  *   ref_compare.c  which pixels may be compared, and how far they are apart
  *
@@ -34,6 +35,7 @@ struct ref_polygons {
     const uint32_t *corners;    /* the point of each corner */
     const double (*normals)[3]; /* the file's normal of each corner, zero where it has none; or NULL */
     const double (*base)[3];    /* a base colour a polygon, or NULL: the scene's */
+    const double (*uv)[2];      /* u, v of each corner, v downwards, or NULL */
 };
 
 struct ref_mesh_options {
@@ -58,6 +60,7 @@ struct ref_mesh {
     size_t polygon_count;
     double (*polygon_normal)[3]; /* a polygon: unit, zero where it has no area */
     double (*base)[3];           /* a polygon, or NULL */
+    double (*uv)[2];             /* a corner, or NULL */
 };
 
 /* 0, or -1 where memory is short or the polygons have no faces or no extent. Release with ref_mesh_free. */
@@ -71,6 +74,16 @@ enum ref_shading {
     REF_GOURAUD,
     REF_PHONG,
     REF_SLERP
+};
+
+/* Texels of 565, rows from the top. */
+struct ref_texture {
+    int width, height;
+    const uint16_t *texels;
+    bool clamp[2]; /* u, v; else they repeat */
+    bool bilinear, keyed;
+    uint16_t key;
+    int bits; /* what the core is to keep a texel in: 16, 8, 4 */
 };
 
 #define REF_MAX_LIGHTS 4
@@ -93,6 +106,7 @@ struct ref_scene {
     double base[3], highlight[3], background[3];
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
+    const struct ref_texture *texture; /* NULL: none; flat or Gouraud, the mesh has uv */
 };
 
 /* The defaults of the command line: 320x240, yaw 30, pitch 20, Phong, 565 without dither. */
@@ -113,6 +127,8 @@ struct ref_pixel {
     double color[3]; /* 0..1, unrounded */
     double specular; /* I_specular */
     uint16_t value;  /* 565 value or grey level */
+    bool dropped;    /* a transparent texel lies here, */
+    bool unsettled;  /* or may lie, in front of what is seen */
 };
 
 /* A triangle, or what the planes left of it, on the screen. */
@@ -121,6 +137,7 @@ struct ref_piece {
     double depth[3];                /* linear on the screen, larger is nearer: 1/m, under ortho -m */
     double normal[3][3];            /* eye space, turned to the eye's side on a drawn back face */
     double diffuse[3], specular[3]; /* Gouraud: intensities at the corners */
+    double uv[3][2];
     uint32_t triangle, polygon;
     bool back;
 };
@@ -130,6 +147,7 @@ struct ref_picture {
     struct ref_pixel *pixels;
     struct ref_piece *pieces;
     size_t piece_count;
+    double uv_span[2]; /* largest less smallest u, v of the mesh */
 };
 
 /* 0, or -1 where memory is short. Release with ref_picture_free. */
@@ -144,6 +162,20 @@ void ref_light(const struct ref_scene *scene, const double normal[3], double *di
 /* Intensities of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double *diffuse,
                double *specular);
+/* The corners' weights at a point of the screen, in space or, under affine, on the screen. */
+void ref_weights(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double b[3]);
+/* U and V, in texels, there. */
+void ref_texture_point(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y,
+                       double texels[2]);
+uint16_t ref_texel(const struct ref_texture *texture, int i, int j);
+/* False where the nearest texel is transparent. */
+bool ref_texture_color(const struct ref_texture *texture, const double texels[2], double color[3]);
+/*
+ * Whether what is seen there does not hang on 1/16 texel, 1/16 px or the coordinates' rounding; *bound: steps that a
+ * channel may be off by.
+ */
+bool ref_settled(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_piece *piece,
+                 double x, double y, double *bound);
 /* Great arc between unit vectors; equal ends: a; opposite ends: a while t < 1/2, else b. */
 void ref_slerp(const double a[3], const double b[3], double t, double out[3]);
 bool ref_inside(const struct ref_piece *piece, double x, double y);
@@ -157,6 +189,9 @@ uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, 
 
 struct ref_score {
     long covered, compared, equal, within_one;
+    long comparable;                 /* compared, or with a texture not settled */
+    long beyond;                     /* of the compared: off by more than the texels there allow */
+    long dropped, dropped_drawn;     /* settled transparent pixels with nothing behind; those that are not background */
     int worst;                       /* steps of a channel */
     int worst_x, worst_y;            /* where */
     long highlight, highlight_equal; /* of the compared: I_specular > 1/63 */
@@ -166,7 +201,8 @@ struct ref_score {
 /*
  * Compare 565 values (width * height, row by row) at the pixels whose 3x3
  * neighbourhood belongs to triangles joined through shared edges with equal
- * corner normals (flat: one polygon), without a jump in depth above 2 %.
+ * corner normals and uv (flat: one polygon), without a jump in depth above 2 %,
+ * and whose texels, if any, are settled.
  * Adds to *score. 0, or -1 where memory is short.
  */
 int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,

@@ -1,0 +1,151 @@
+/*
+ * textured_blocks.c - rows of textured triangles, in perspective by blocks of 8 px or less whose ends are exact.
+ */
+#include "../math/inverse.h"
+#include "textured.h"
+
+/* An attribute's quotient; up: of texel coordinates, see struct textured_setup; 1 for the others. */
+static inline uint32_t quotient_of(struct inverse i, const struct plane *p, int32_t x, int32_t y, unsigned up)
+{
+    int32_t half = over(i, (int32_t)(plane_at(p, x, y) << i.up));
+
+    return up > 0 ? (uint32_t)asr32(half, up - 1) : (uint32_t)half * 2;
+}
+
+/* At pixel (x, y), exactly; *weight is what lies below. */
+static APART struct inverse quotients_at(const struct textured_setup *s, int32_t x, int32_t y, struct texel_at *at,
+                                         uint32_t *weight)
+{
+    *weight = plane_at(&s->weight, x, y) | 1u;
+    struct inverse i = inverse_of(*weight);
+    const unsigned up = s->s.detail;
+
+    at->u = quotient_of(i, &s->u, x, y, up);
+    at->v = quotient_of(i, &s->v, x, y, up);
+    at->light = quotient_of(i, &s->light, x, y, 0);
+    at->specular = quotient_of(i, &s->specular, x, y, 0);
+    return i;
+}
+
+#define BLOCK 8 /* px */
+
+static uint32_t change_of(uint32_t from, uint32_t to, unsigned shift)
+{
+    return magnitude32((int32_t)(to - from)) >> shift;
+}
+
+/*
+ * How far linear is off between two ends, 2^-21 texel / 4: what changes most times what 1/m changes by, over 4. Light
+ * counts as 16 texels for 1.0, so that 1/32 texel is 1/512.
+ */
+static uint32_t off_by(const struct texel_at *from, const struct texel_at *to, uint32_t weight, uint32_t next_weight,
+                       struct inverse i, struct inverse next)
+{
+    uint32_t most = change_of(from->u, to->u, 10), v = change_of(from->v, to->v, 10);
+    uint32_t light = change_of(from->light, to->light, LIGHT_PLANE_BITS - 10);
+    uint32_t specular = change_of(from->specular, to->specular, 20);
+    uint32_t less = weight < next_weight ? weight : next_weight, change = (weight ^ next_weight ^ less) - less;
+    struct inverse more = weight < next_weight ? i : next;
+
+    most = v > most ? v : most;
+    most = light > most ? light : most;
+    most = specular > most ? specular : most;
+    most = most < 65535 ? most : 65535;
+    if (change >= less)
+        return most << 15;
+    return most * (((change << more.up) >> 16) * more.seed >> 16);
+}
+
+/* A block on its way. */
+struct block {
+    struct texel_at at, step, end; /* end: exact where the next block begins */
+    struct inverse inverse;        /* of weight, there too */
+    uint32_t weight;
+};
+
+/* (to - from) / count, count 1..8. */
+static uint32_t share_of(uint32_t from, uint32_t to, uint32_t count)
+{
+    static const uint16_t part[BLOCK + 1] = {0, 0, 32768, 21845, 16384, 13107, 10923, 9362, 8192}; /* 2^16 / count */
+    const int32_t difference = (int32_t)(to - from);
+
+    return (uint32_t)(count == 1 ? difference : mul_16_32(part[count], difference));
+}
+
+static void block_steps(struct block *b, uint32_t count)
+{
+    b->step.u = share_of(b->at.u, b->end.u, count);
+    b->step.v = share_of(b->at.v, b->end.v, count);
+    b->step.light = share_of(b->at.light, b->end.light, count);
+    b->step.specular = share_of(b->at.specular, b->end.specular, count);
+}
+
+#define OFF_LIMIT (1u << 18) /* 1/32 texel, see off_by */
+
+/*
+ * The block that begins in pixel (x, y), where b->end is exact: returns its pixels, `left` at the most. The row's last
+ * one ends in its last pixel: beyond, weights may be none.
+ */
+static APART int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
+{
+    int32_t count = min32(left, BLOCK), to = min32(left - 1, BLOCK);
+    struct inverse i = b->inverse;
+    uint32_t weight = b->weight;
+
+    b->at = b->end;
+    b->at.z = plane_at(&s->s.depth, x, y);
+    if (to == 0)
+        return count;
+    b->inverse = quotients_at(s, x + to, y, &b->end, &b->weight);
+    uint32_t off = off_by(&b->at, &b->end, weight, b->weight, i, b->inverse);
+    if (off > OFF_LIMIT && to > 1) {
+        for (; off > OFF_LIMIT && to > 1; off >>= 2)
+            to /= 2;
+        count = to;
+        b->inverse = quotients_at(s, x + to, y, &b->end, &b->weight);
+    }
+    block_steps(b, (uint32_t)to);
+    return count;
+}
+
+static void block_runs(const struct textured_setup *s, struct texel_run *r)
+{
+    int32_t left = r->count;
+    struct block b;
+
+    b.inverse = quotients_at(s, r->x, r->y, &b.end, &b.weight);
+    b.step = (struct texel_at){s->s.depth.dx, 0, 0, 0, 0};
+    do {
+        r->count = next_block(s, &b, r->x, r->y, left);
+        sheen_textured_run(r, b.at, &b.step);
+        left -= r->count;
+        r->x += r->count;
+        r->depth += r->count;
+    } while (left > 0);
+}
+
+static void linear_run(const struct textured_setup *s, const struct texel_run *r)
+{
+    const struct texel_at step = {s->s.depth.dx, s->u.dx, s->v.dx, s->light.dx, s->specular.dx};
+    const struct texel_at at = {plane_at(&s->s.depth, r->x, r->y), plane_at(&s->u, r->x, r->y),
+                                plane_at(&s->v, r->x, r->y), plane_at(&s->light, r->x, r->y),
+                                plane_at(&s->specular, r->x, r->y)};
+
+    sheen_textured_run(r, at, &step);
+}
+
+void sheen_textured_blocks(const struct tile *t, const struct setup *s)
+{
+    const struct textured_setup *textured = (const struct textured_setup *)s;
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
+        struct texel_run r = {t, s->draw, t->depth + tile_offset(t, x, y), x, y, t->spans[row].x1 - x};
+        if (r.count <= 0)
+            continue;
+        if (s->way == SHEEN_WAY_TEXTURED_LINEAR)
+            linear_run(textured, &r);
+        else
+            block_runs(textured, &r);
+    }
+}
