@@ -3,8 +3,8 @@
  *
  * Every depth has to lie within its bound of the plane through the corners: z16 is cut off (1 step), and gradients of
  * 15 bits may add another, though the depths' difference over the triangle is up to all of z16 here; the thinnest
- * needles are level. Where two surfaces intersect at a shallow angle, pixels show the wrong one only where the planes are
- * less than both bounds apart.
+ * needles are level. Where two surfaces intersect at a shallow angle, pixels show the wrong one only where the planes
+ * are less than both bounds apart.
  */
 #include <math.h>
 #include <setjmp.h>
