@@ -129,6 +129,7 @@ int sheen_lecture_distortion(struct sheen_page *page)
     sheen_page_number(page, 36, 526, SHEEN_INK_FLAT, "by the formula, dI (√q - 1) / (√q + 1): %.4f",
                       ALONG * (root - 1) / (root + 1));
     sheen_page_number(page, 36, 552, SHEEN_INK_GOURAUD,
-                      "measured from the grey curves: at most %.5f (screen), %.5f (Blinn)", affine.off, correct.off);
+                      "what the core draws lies within %.5f (screen) and %.5f (Blinn) of the grey curves", affine.off,
+                      correct.off);
     return SHEEN_OK;
 }
