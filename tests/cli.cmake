@@ -23,6 +23,8 @@ target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimize
 sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
 sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
+sheen_script(cli_textures cli COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
+  $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 
 # Headers baked while building, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
@@ -35,13 +37,15 @@ sheen_baked(baked_teapot.h builtin:teapot)
 sheen_baked(baked_egg.h data/egg.obj)
 sheen_baked(baked_egg_crease.h data/egg.obj --normals average --crease 12.5 --weights equal --no-flat --name smooth)
 sheen_baked(baked_box.h data/box.obj --groups)
+sheen_baked(baked_crate.h data/crate.obj --palette 16 --filter bilinear)
+sheen_baked(baked_crate_565.h data/crate.obj --texture-size 32 --name crate_565)
 set(shines "")
 foreach(n 1 7 24 127)
   sheen_baked(baked_shine_${n}.h shine:${n})
   list(APPEND shines ${baked}/baked_shine_${n}.h)
 endforeach()
 sheen_test(test_bake unit SOURCES test_bake.c ${shines} ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
-  ${baked}/baked_box.h LIBRARIES sheen::host sheen::core m)
+  ${baked}/baked_box.h ${baked}/baked_crate.h ${baked}/baked_crate_565.h LIBRARIES sheen::host sheen::core m)
 target_include_directories(test_bake PRIVATE ${baked})
 
 # The baker without assimp, on other processors.

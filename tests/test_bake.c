@@ -14,6 +14,8 @@
 
 #include "../host-sim/command/shadings.h"
 #include "baked_box.h"
+#include "baked_crate.h"
+#include "baked_crate_565.h"
 #include "baked_egg.h"
 #include "baked_egg_crease.h"
 #include "baked_shine_1.h"
@@ -22,6 +24,7 @@
 #include "baked_shine_7.h"
 #include "baked_teapot.h"
 #include "quantise.h"
+#include "texels.h"
 
 static void load(struct sheen_host_mesh *host, const char *name, const struct sheen_host_options *options)
 {
@@ -49,6 +52,12 @@ static void equal(const struct sheen_mesh *baked, const struct sheen_host_mesh *
     assert_int_equal(baked->polygons != NULL, flat && mesh->polygons != NULL);
     if (flat)
         assert_memory_equal(baked->polygon_normals, mesh->polygon_normals, 6u * made.polygon_count);
+    assert_int_equal(baked->uvs != NULL, mesh->uvs != NULL);
+    if (mesh->uvs) {
+        assert_memory_equal(baked->uvs, mesh->uvs, 4u * mesh->vertices);
+        assert_int_equal(baked->uv_bits, mesh->uv_bits);
+        assert_memory_equal(baked->uv_offset, mesh->uv_offset, sizeof mesh->uv_offset);
+    }
     if (baked->polygons)
         assert_memory_equal(baked->polygons, mesh->polygons, 2u * mesh->triangles);
     sheen_quantised_free(&made);
@@ -68,6 +77,47 @@ static void headers_are_the_files(void **state)
     load(&host, "data/egg.obj",
          &(struct sheen_host_options){.average = 1, .use_crease = 1, .crease = 12.5, .equal = 1});
     equal(&smooth, &host, SHEEN_ALL_PARTS, 0);
+    sheen_host_mesh_free(&host);
+}
+
+static void same_texture(const struct sheen_texture *baked, const struct sheen_picture *picture, unsigned colors,
+                         int bilinear)
+{
+    struct sheen_texels made;
+
+    assert_int_equal(sheen_texels_make(&made, picture, colors, bilinear), 0);
+    const struct sheen_texture *texture = &made.texture;
+    size_t texels = (size_t)1 << (texture->width_log2 + texture->height_log2);
+    assert_int_equal(baked->bits, texture->bits);
+    assert_int_equal(baked->width_log2, texture->width_log2);
+    assert_int_equal(baked->height_log2, texture->height_log2);
+    assert_int_equal(baked->clamp_u, texture->clamp_u);
+    assert_int_equal(baked->bilinear, texture->bilinear);
+    assert_int_equal(baked->keyed, texture->keyed);
+    assert_memory_equal(baked->texels, texture->texels, texels * texture->bits / 8);
+    assert_int_equal(baked->palette != NULL, colors != 0);
+    if (colors)
+        assert_memory_equal(baked->palette, texture->palette, 2 * made.colors);
+    sheen_texels_free(&made);
+}
+
+static void textures(void **state)
+{
+    const struct sheen_texture_options whole = {.most = 256, .cutoff = -1}, small = {.most = 32, .cutoff = -1};
+    struct sheen_host_options how = {.use_crease = 1, .crease = 60, .textures = &whole};
+    struct sheen_host_mesh host;
+
+    (void)state;
+    load(&host, "data/crate.obj", &how);
+    equal(&baked_crate, &host, 0, 1);
+    same_texture(&baked_crate_texture, &host.picture[0], 16, 1);
+    assert_int_equal(baked_crate_texture.bits, 4);
+    sheen_host_mesh_free(&host);
+    how.textures = &small;
+    load(&host, "data/crate.obj", &how);
+    equal(&crate_565, &host, 0, 1);
+    same_texture(&crate_565_texture, &host.picture[0], 0, 0);
+    assert_int_equal(crate_565_texture.width_log2, 5);
     sheen_host_mesh_free(&host);
 }
 
@@ -176,6 +226,7 @@ int main(void)
         cmocka_unit_test(power_tables),
         cmocka_unit_test(headers_are_the_files),
         cmocka_unit_test(groups),
+        cmocka_unit_test(textures),
         cmocka_unit_test(the_same_pixels),
     };
 

@@ -11,7 +11,7 @@
 
 enum {
     COLUMNS = 116,
-    STRUCT_BYTES = 40 /* struct sheen_mesh with 32-bit pointers */
+    STRUCT_BYTES = 64 /* struct sheen_mesh with 32-bit pointers */
 };
 
 size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
@@ -19,6 +19,8 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
     const struct sheen_mesh *mesh = &quantised->mesh;
     size_t bytes = STRUCT_BYTES + mesh->vertices * 12u + mesh->triangles * 3u * mesh->index_bytes;
 
+    if (mesh->uvs)
+        bytes += mesh->vertices * 4u;
     if (flat)
         bytes += quantised->polygon_count * 6u + (quantised->polygons ? mesh->triangles * 2u : 0);
     return bytes;
@@ -72,6 +74,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
     if (flat)
         put_unsigned(stream, name, "warp", mesh->warp, 1, quantised->polygon_count);
     put_unsigned(stream, name, "indices", mesh->indices, mesh->index_bytes, 3u * mesh->triangles);
+    if (mesh->uvs)
+        put_signed(stream, name, "uvs", mesh->uvs, 2u * mesh->vertices);
 
     fprintf(stream, "static const struct sheen_mesh %s = {\n", name);
     fprintf(stream, "    .positions = %s_positions,\n    .normals = %s_normals,\n", name, name);
@@ -83,8 +87,52 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
         fprintf(stream, "    .warp = %s_warp,\n", name);
     fprintf(stream, "    .indices = %s_indices,\n    .index_bytes = %u,\n", name, mesh->index_bytes);
     fprintf(stream, "    .vertices = %u,\n    .triangles = %u,\n", mesh->vertices, mesh->triangles);
-    fprintf(stream, "    .scale = %" PRId32 ",\n    .offset = {%" PRId32 ", %" PRId32 ", %" PRId32 "},\n};\n\n",
-            mesh->scale, mesh->offset[0], mesh->offset[1], mesh->offset[2]);
+    fprintf(stream, "    .scale = %" PRId32 ",\n    .offset = {%" PRId32 ", %" PRId32 ", %" PRId32 "},\n", mesh->scale,
+            mesh->offset[0], mesh->offset[1], mesh->offset[2]);
+    if (mesh->uvs)
+        fprintf(stream, "    .uvs = %s_uvs,\n    .uv_bits = %u,\n    .uv_offset = {%" PRId32 ", %" PRId32 "},\n", name,
+                mesh->uv_bits, mesh->uv_offset[0], mesh->uv_offset[1]);
+    fputs("};\n\n", stream);
+}
+
+/* Called NAME_texture, or of several NAME_texture_0 ... */
+static void texture_name(const struct sheen_bake *bake, size_t number, char *name, size_t size)
+{
+    if (bake->texel_count > 1)
+        snprintf(name, size, "%s_texture_%zu", bake->name, number);
+    else
+        snprintf(name, size, "%s_texture", bake->name);
+}
+
+static void put_texture(FILE *stream, const char *name, const struct sheen_texels *texels)
+{
+    const struct sheen_texture *texture = &texels->texture;
+    size_t count = (size_t)1 << (texture->width_log2 + texture->height_log2);
+
+    if (texels->indices) {
+        put_unsigned(stream, name, "texels", texels->indices, 1, (count * texture->bits + 7) / 8);
+        put_unsigned(stream, name, "palette", texels->palette, 2, texels->colors);
+    } else {
+        put_unsigned(stream, name, "texels", texels->values, 2, count);
+    }
+    fprintf(stream, "static const struct sheen_texture %s = {\n    .texels = %s_texels,\n", name, name);
+    if (texels->indices)
+        fprintf(stream, "    .palette = %s_palette,\n", name);
+    fprintf(stream, "    .bits = %u,\n    .width_log2 = %u,\n    .height_log2 = %u,\n", texture->bits,
+            texture->width_log2, texture->height_log2);
+    fprintf(stream, "    .clamp_u = %u,\n    .clamp_v = %u,\n    .bilinear = %u,\n", texture->clamp_u, texture->clamp_v,
+            texture->bilinear);
+    fprintf(stream, "    .keyed = %u,\n    .key = %u,\n};\n\n", texture->keyed, texture->key);
+}
+
+static void put_textures(FILE *stream, const struct sheen_bake *bake)
+{
+    char name[80];
+
+    for (size_t i = 0; i < bake->texel_count; i++) {
+        texture_name(bake, i, name, sizeof name);
+        put_texture(stream, name, &bake->texels[i]);
+    }
 }
 
 /* A name from a file, clean UTF-8, as a C string. "??" would be a trigraph. */
@@ -99,26 +147,53 @@ static void put_string(FILE *stream, const char *text)
     putc('"', stream);
 }
 
+#define TEXTURE_FIELD "    const struct sheen_texture *texture; /* NULL: none */\n"
+
+static void put_texture_field(FILE *stream, const struct sheen_bake *bake, size_t mesh)
+{
+    char name[80];
+
+    if (!bake->texel_count)
+        return;
+    texture_name(bake, bake->pictures[mesh] - 1u, name, sizeof name);
+    fprintf(stream, ", %s%s", bake->pictures[mesh] ? "&" : "NULL", bake->pictures[mesh] ? name : "");
+}
+
 static void put_groups(FILE *stream, const struct sheen_bake *bake)
 {
     fprintf(stream, "/* The parts, each with its material's base colour: one sheen_draw() for each. */\n");
     fprintf(stream,
             "static const struct {\n    const struct sheen_mesh *mesh;\n    const char *material;\n"
-            "    uint8_t base[3]; /* r, g, b */\n} %s_groups[%zu] = {\n",
-            bake->name, bake->count);
+            "    uint8_t base[3]; /* r, g, b */\n%s} %s_groups[%zu] = {\n",
+            bake->texel_count ? TEXTURE_FIELD : "", bake->name, bake->count);
     for (size_t i = 0; i < bake->count; i++) {
         const uint8_t *color = bake->groups[i].color;
         fprintf(stream, "    {&%s_%zu, ", bake->name, i);
         put_string(stream, bake->groups[i].name);
-        fprintf(stream, ", {%u, %u, %u}},\n", color[0], color[1], color[2]);
+        fprintf(stream, ", {%u, %u, %u}", color[0], color[1], color[2]);
+        put_texture_field(stream, bake, i);
+        fputs("},\n", stream);
     }
     fputs("};\n\n", stream);
 }
 
-/* A comment's text, of 500 bytes at most, must not end it. */
+static void put_parts(FILE *stream, const struct sheen_bake *bake)
+{
+    fprintf(stream, "/* The parts, each with its texture: one sheen_draw() for each. */\n");
+    fprintf(stream, "static const struct {\n    const struct sheen_mesh *mesh;\n" TEXTURE_FIELD "} %s_parts[%zu] = {\n",
+            bake->name, bake->count);
+    for (size_t i = 0; i < bake->count; i++) {
+        fprintf(stream, "    {&%s_%zu", bake->name, i);
+        put_texture_field(stream, bake, i);
+        fputs("},\n", stream);
+    }
+    fputs("};\n\n", stream);
+}
+
+/* A comment's text, of 700 bytes at most, must not end it. */
 static void put_comment(FILE *stream, const char *text)
 {
-    char clean[501];
+    char clean[701];
 
     sheen_utf8_copy(clean, sizeof clean, text);
     for (const char *c = clean; *c; c++)
@@ -142,14 +217,17 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
     put_head(stream, bake->name, bake->source);
     for (size_t i = 0; i < bake->count; i++) {
         char name[80];
-        if (bake->groups)
+        if (bake->groups || bake->count > 1)
             snprintf(name, sizeof name, "%s_%zu", bake->name, i);
         else
             snprintf(name, sizeof name, "%s", bake->name);
         put_mesh(stream, name, &bake->meshes[i], bake->flat);
     }
+    put_textures(stream, bake);
     if (bake->groups)
         put_groups(stream, bake);
+    else if (bake->count > 1)
+        put_parts(stream, bake);
     fputs("#endif\n", stream);
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }

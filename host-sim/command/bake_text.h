@@ -7,15 +7,22 @@
 #include <stdio.h>
 
 #include "quantise.h"
+#include "texels.h"
 
-/* A mesh, or one of several: with groups each has its material's name and colour. */
+/*
+ * A mesh, or one of several: with groups each has its material's name and colour; several without show different
+ * textures.
+ */
 struct sheen_bake {
     const struct sheen_quantised *meshes;
     const struct sheen_group *groups; /* of each mesh; NULL: one mesh without a group table */
     size_t count;
-    const char *name;   /* a C identifier: what the mesh is called */
-    const char *source; /* the command line that made it, for the header's comment */
-    int flat;           /* 1: with polygon normals, for flat shading */
+    const struct sheen_texels *texels; /* the textures */
+    size_t texel_count;
+    const uint32_t *pictures; /* of each mesh, 1 and the number of its texture, 0 for none; NULL: without textures */
+    const char *name;         /* a C identifier: what the mesh is called */
+    const char *source;       /* the command line that made it, for the header's comment */
+    int flat;                 /* 1: with polygon normals, for flat shading */
 };
 
 /* B of flash that a mesh takes on a 32-bit machine. */

@@ -8,6 +8,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,6 +18,7 @@
 #include "out_file.h"
 #include "progress.h"
 #include "scene.h"
+#include "textures_out.h"
 
 /* Everything between the mesh file and the header. */
 struct baking {
@@ -25,9 +27,11 @@ struct baking {
     struct sheen_quantised *meshes;
     struct sheen_group *groups;
     size_t count;
+    uint32_t *pictures; /* of each mesh, as its part's */
+    struct sheen_texels *texels;
     struct sheen_shine shine; /* of shine:N, where there is no mesh */
     char name[48];
-    char source[400]; /* a file's name has at most 255 bytes */
+    char source[640]; /* a file's name has at most 255 bytes, and there may be two */
 };
 
 #define SHINE "shine:"
@@ -70,21 +74,64 @@ static int check(const struct sheen_options *options, struct sheen_problem *prob
     return sheen_builtin_check(options->mesh, problem);
 }
 
+/* One more word of the source, or with a value two; what is too much is cut. */
+__attribute__((format(printf, 2, 3))) static void add_source(struct baking *baking, const char *format, ...)
+{
+    size_t used = strlen(baking->source);
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(baking->source + used, sizeof baking->source - used, format, arguments);
+    va_end(arguments);
+}
+
+static const char *without_folder(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+
+    return slash ? slash + 1 : path;
+}
+
+static void add_texture_source(struct baking *baking)
+{
+    static const char *const wraps[] = {"file", "repeat", "clamp"};
+    const struct sheen_options *options = baking->options;
+
+    if (strcmp(options->texture, "file") != 0)
+        add_source(baking, " --texture %s", without_folder(options->texture));
+    if (options->bilinear)
+        add_source(baking, " --filter bilinear");
+    if (options->wrap)
+        add_source(baking, " --wrap %s", wraps[options->wrap]);
+    if (options->texture_log2 != 8)
+        add_source(baking, " --texture-size %u", 1u << options->texture_log2);
+    if (options->palette)
+        add_source(baking, " --palette %d", options->palette);
+    if (options->alpha_cutoff >= 0)
+        add_source(baking, " --alpha-cutoff %g", options->alpha_cutoff);
+}
+
 /* The command line that makes the same header: without folders, which differ from machine to machine. */
 static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
-    const char *file = strrchr(options->mesh, '/');
-    const char *up = options->up < 0 ? "" : options->up ? " --up z" : " --up y";
-    char crease[24] = "", reduce[24] = "";
 
+    add_source(baking, "sheen bake %s", without_folder(options->mesh));
+    if (options->average)
+        add_source(baking, " --normals average");
+    if (options->equal)
+        add_source(baking, " --weights equal");
     if (options->crease != 60)
-        snprintf(crease, sizeof crease, " --crease %g", options->crease);
+        add_source(baking, " --crease %g", options->crease);
+    if (options->up >= 0)
+        add_source(baking, " --up %s", options->up ? "z" : "y");
     if (options->reduce)
-        snprintf(reduce, sizeof reduce, " --reduce %d", options->reduce);
-    snprintf(baking->source, sizeof baking->source, "sheen bake %s%s%s%s%s%s%s%s", file ? file + 1 : options->mesh,
-             options->average ? " --normals average" : "", options->equal ? " --weights equal" : "", crease, up, reduce,
-             options->groups ? " --groups" : "", options->no_flat ? " --no-flat" : "");
+        add_source(baking, " --reduce %d", options->reduce);
+    if (options->groups)
+        add_source(baking, " --groups");
+    if (options->no_flat)
+        add_source(baking, " --no-flat");
+    add_texture_source(baking);
 }
 
 static int quantise(struct baking *baking)
@@ -93,18 +140,20 @@ static int quantise(struct baking *baking)
 
     baking->meshes = calloc(parts, sizeof *baking->meshes);
     baking->groups = calloc(parts, sizeof *baking->groups);
-    if (!baking->meshes || !baking->groups)
+    baking->pictures = calloc(parts, sizeof *baking->pictures);
+    if (!baking->meshes || !baking->groups || !baking->pictures)
         return SHEEN_ERR_MEMORY;
     for (size_t i = 0; i < parts; i++) {
         int error = sheen_quantise(&baking->meshes[baking->count], &baking->host, (uint32_t)i);
         if (error)
             return error;
+        baking->pictures[baking->count] = baking->host.part[i].picture;
         struct sheen_group *group = &baking->groups[baking->count++];
         *group = baking->host.group[baking->host.part[i].group];
         if (!group->has_color)
             memcpy(group->color, baking->options->color.color, sizeof group->color);
     }
-    return SHEEN_OK;
+    return sheen_scene_texels(&baking->texels, &baking->host, baking->options);
 }
 
 /* ---- the report ---- */
@@ -155,7 +204,7 @@ static size_t frame_bytes(uint32_t vertices, uint32_t triangles, size_t draws)
 static void report(const struct baking *baking)
 {
     uint32_t vertices = 0, triangles = 0, polygons = 0;
-    size_t bytes = 0;
+    size_t bytes = 0, texture_bytes = 0;
     double position, normal;
 
     for (size_t i = 0; i < baking->count; i++) {
@@ -164,11 +213,15 @@ static void report(const struct baking *baking)
         polygons += baking->meshes[i].polygon_count;
         bytes += sheen_bake_bytes(&baking->meshes[i], !baking->options->no_flat);
     }
+    for (size_t i = 0; i < baking->host.picture_count; i++)
+        texture_bytes += sheen_texels_bytes(&baking->texels[i]);
     measure(&baking->host, &position, &normal);
     printf("%s: %u vertices, %u triangles, %u polygons", baking->name, vertices, triangles, polygons);
     printf(baking->options->groups ? ", %zu groups\n" : "\n", baking->count);
-    printf("flash: %zu B\n", bytes);
-    printf("RAM of a frame, 320x240 in bands of 16 rows: %zu B, and %zu B a material\n",
+    printf("flash: %zu B", bytes + texture_bytes);
+    if (baking->host.picture_count)
+        printf(", %zu B of them texture%s", texture_bytes, baking->host.picture_count > 1 ? "s" : "");
+    printf("\nRAM of a frame, 320x240 in bands of 16 rows: %zu B, and %zu B a material\n",
            frame_bytes(vertices, triangles, baking->count), sizeof(struct sheen_material));
     printf("rounding: positions by at most %.2g of the radius, normals by at most %.2g rad\n", position, normal);
     printf("one unit is %.9g of the file's, its origin at %.9g %.9g %.9g\n", baking->host.radius,
@@ -183,6 +236,9 @@ static int write_text(const struct baking *baking, FILE *stream)
     const struct sheen_bake bake = {.meshes = baking->meshes,
                                     .groups = baking->options->groups ? baking->groups : NULL,
                                     .count = baking->count,
+                                    .texels = baking->texels,
+                                    .texel_count = baking->host.picture_count,
+                                    .pictures = baking->pictures,
                                     .name = baking->name,
                                     .source = baking->source,
                                     .flat = !baking->options->no_flat};
@@ -234,7 +290,10 @@ static enum sheen_exit bake_shine(struct baking *baking)
 static int bake(struct baking *baking, struct sheen_problem *problem)
 {
     const struct sheen_options *options = baking->options;
+    const struct sheen_texture_options textures = sheen_scene_texture_options(options);
     struct sheen_host_options how = sheen_scene_host_options(options, options->groups);
+
+    how.textures = &textures;
     sheen_progress("reading the mesh", 0, 0);
     int error = sheen_host_mesh_load(&baking->host, options->mesh, &how, problem);
     sheen_progress_end();
@@ -247,7 +306,8 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
     error = quantise(baking);
     if (error)
         return sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error));
-    return write_header(baking, problem);
+    error = sheen_textures_out(options, baking->texels, baking->host.picture_count, problem);
+    return error ? error : write_header(baking, problem);
 }
 
 enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
@@ -266,6 +326,10 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
         sheen_quantised_free(&baking.meshes[i]);
     free(baking.meshes);
     free(baking.groups);
+    free(baking.pictures);
+    for (size_t i = 0; baking.texels && i < baking.host.picture_count; i++)
+        sheen_texels_free(&baking.texels[i]);
+    free(baking.texels);
     sheen_host_mesh_free(&baking.host);
     return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
 }

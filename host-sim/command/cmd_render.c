@@ -13,6 +13,7 @@
 #include "png_file.h"
 #include "progress.h"
 #include "stats_json.h"
+#include "textures_out.h"
 
 #define GIF_DELAY_CS 5 /* 20 frames a second */
 
@@ -100,8 +101,11 @@ enum sheen_exit sheen_cmd_render(struct sheen_options *options)
     if (check(options, &choice, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     int error = sheen_turntable_open(&table, options, &choice, &problem);
+    int is_usage = table.scene.is_usage;
+    if (!error)
+        error = sheen_textures_out(options, table.scene.texels, table.scene.texel_count, &problem);
     if (!error)
         error = render(&table, &problem);
     sheen_turntable_close(&table);
-    return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
+    return error ? sheen_fail(is_usage ? SHEEN_EXIT_USAGE : SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
 }

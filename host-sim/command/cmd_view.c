@@ -67,6 +67,7 @@ enum sheen_exit sheen_cmd_view(struct sheen_options *options)
     if (check(options, &choice, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     int error = sheen_viewer_open(&viewer, options, &choice, &problem);
+    enum sheen_exit failure = viewer.table.scene.is_usage ? SHEEN_EXIT_USAGE : SHEEN_EXIT_FAILURE;
     if (!error)
         error = find_room(options, viewer.room, &problem);
     if (!error) {
@@ -80,7 +81,5 @@ enum sheen_exit sheen_cmd_view(struct sheen_options *options)
         viewer.gif = NULL;
     }
     int closed = sheen_viewer_close(&viewer, &at_close);
-    return error    ? sheen_fail(SHEEN_EXIT_FAILURE, &problem)
-           : closed ? sheen_fail(SHEEN_EXIT_FAILURE, &at_close)
-                    : SHEEN_EXIT_OK;
+    return error ? sheen_fail(failure, &problem) : closed ? sheen_fail(SHEEN_EXIT_FAILURE, &at_close) : SHEEN_EXIT_OK;
 }

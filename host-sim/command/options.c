@@ -29,7 +29,9 @@ const struct sheen_option sheen_option_table[] = {
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
     {"shade", "flat|gouraud|phong|slerp", "phong",
-     "flat: a normal a polygon; gouraud: light at the corners; phong: normals at the pixels; slerp: along great arcs",
+     "flat: a normal a polygon; gouraud: light at the corners, and the default where a texture is shown; phong: "
+     "normals "
+     "at the pixels; slerp: along great arcs",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS, AT(shade), 0, 0, 0},
     {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(yaw), -ANY, ANY, 0},
     {"pitch", "DEG", "20", "then about x", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(pitch), -ANY, ANY, 0},
@@ -67,6 +69,21 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_DRAWS | SHEEN_BAKE, AT(up), 0, 0, 0},
     {"reduce", "N", NULL, "simplify the mesh to at most so many triangles, and tell how far off that is",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_BAKE, AT(reduce), 4, 65535, 0},
+    {"texture", "file|off|FILE", "file",
+     "of the mesh: its own, none, or the PNG or JPEG in FILE; shown where faces have texture coordinates",
+     SHEEN_OPTION_TEXT, SHEEN_DRAWS | SHEEN_BAKE, AT(texture), 0, 0, 0},
+    {"filter", "nearest|bilinear", "nearest", "a pixel's texel, or a mean of four", SHEEN_OPTION_CHOICE,
+     SHEEN_DRAWS | SHEEN_BAKE, AT(bilinear), 0, 0, 0},
+    {"wrap", "file|repeat|clamp", "file", "beyond a texture's edge: as the file says, else it repeats",
+     SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(wrap), 0, 0, 0},
+    {"texture-size", "1|2|4|8|16|32|64|128|256|512", "256", "texels a side at most, to which pictures are reduced",
+     SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(texture_log2), 0, 0, 0},
+    {"palette", "N", "0", "at most so many colours a texture, 2 to 256; 0: as many as 16 bits hold", SHEEN_OPTION_WHOLE,
+     SHEEN_DRAWS | SHEEN_BAKE, AT(palette), 0, 256, 0},
+    {"texture-out", "FILE.png", NULL, "write the texture as it is drawn; of several %d or %0Nd is the number",
+     SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_BAKE, AT(texture_out), 0, 0, 0},
+    {"alpha-cutoff", "A", NULL, "texels of less alpha are not drawn, 0 to 1 [what the file says, else 0.5]",
+     SHEEN_OPTION_REAL, SHEEN_DRAWS | SHEEN_BAKE, AT(alpha_cutoff), 0, 1, 0},
     {"dither", "on|off", NULL, "ordered 8x8 [on, but for panels of 256 greys]", SHEEN_OPTION_CHOICE, SHEEN_DRAWS,
      AT(undithered), 0, 0, 0},
     {"band", "ROWS", NULL, "rows drawn and sent at a time [16, or all of a lower picture]", SHEEN_OPTION_WHOLE,
@@ -155,6 +172,7 @@ static int set_defaults(struct sheen_options *options, struct sheen_problem *pro
     options->orientation = -1;
     options->undithered = -1;
     options->up = -1;
+    options->alpha_cutoff = -1;
     memcpy(options->color.color, default_color, sizeof default_color);
     options->gap = -1;
     for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
@@ -163,6 +181,14 @@ static int set_defaults(struct sheen_options *options, struct sheen_problem *pro
             return error;
     }
     options->lights.given = 0;
+    return SHEEN_OK;
+}
+
+/* What the range of one value cannot say. */
+static int check_values(const struct sheen_options *options, struct sheen_problem *problem)
+{
+    if (options->palette == 1)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--palette '1': not 0, nor 2..256");
     return SHEEN_OK;
 }
 
@@ -203,7 +229,11 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
         }
         if (answer == '?' || answer == ':')
             return refuse(answer, command->bit, argv, problem);
-        error = sheen_option_set(options, find_option(answer, command->bit), optarg, problem);
+        const struct sheen_option *option = find_option(answer, command->bit);
+        error = sheen_option_set(options, option, optarg, problem);
+        options->shade_given |= option->offset == AT(shade);
     }
+    if (!error)
+        error = check_values(options, problem);
     return error ? error : take_operand(options, command, argc, argv, problem);
 }

@@ -48,6 +48,7 @@ struct sheen_options {
     unsigned size[2];                  /* px; 0: not given */
     int orientation;                   /* -1: not given */
     int shade;                         /* enum sheen_shading */
+    int shade_given;                   /* 0: the default, which is gouraud where a texture is shown */
     double yaw, pitch, roll, yaw_step; /* degrees */
     double distance, fov;
     struct sheen_light_list lights;
@@ -65,7 +66,14 @@ struct sheen_options {
     int buffers;
     int frames;
     int stats;
-    const char *name; /* bake: of the mesh, a C identifier; NULL: from the output's name */
+    const char *texture;     /* "file", "off", or a picture's path */
+    int bilinear;            /* 0: nearest */
+    int wrap;                /* enum sheen_wrap_option */
+    int texture_log2;        /* of texels a side, 0..9 */
+    int palette;             /* 0, or 2..256 values */
+    const char *texture_out; /* NULL: not given */
+    double alpha_cutoff;     /* below 0: not given */
+    const char *name;        /* bake: of the mesh, a C identifier; NULL: from the output's name */
     int groups, no_flat;
     /* view: */
     int view_frames; /* 0: not given */

@@ -17,22 +17,34 @@ static int failed(png_image *image, const char *path, struct sheen_problem *prob
     return error;
 }
 
-int sheen_png_write(const char *path, const uint8_t *rgb, unsigned width, unsigned height,
-                    struct sheen_problem *problem)
+static int write(const char *path, const uint8_t *pixels, unsigned width, unsigned height, unsigned format,
+                 struct sheen_problem *problem)
 {
-    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = PNG_FORMAT_RGB};
+    png_image image = {.version = PNG_IMAGE_VERSION, .width = width, .height = height, .format = format};
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image); /* enough for any content */
     void *bytes = malloc(size);
     int error;
 
     if (!bytes)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
-    if (png_image_write_to_memory(&image, bytes, &size, 0, rgb, 0, NULL))
+    if (png_image_write_to_memory(&image, bytes, &size, 0, pixels, 0, NULL))
         error = sheen_out_file(path, bytes, size, problem);
     else
         error = failed(&image, path, problem);
     free(bytes);
     return error;
+}
+
+int sheen_png_write(const char *path, const uint8_t *rgb, unsigned width, unsigned height,
+                    struct sheen_problem *problem)
+{
+    return write(path, rgb, width, height, PNG_FORMAT_RGB, problem);
+}
+
+int sheen_png_write_rgba(const char *path, const uint8_t *rgba, unsigned width, unsigned height,
+                         struct sheen_problem *problem)
+{
+    return write(path, rgba, width, height, PNG_FORMAT_RGBA, problem);
 }
 
 int sheen_png_read(const char *path, uint8_t **rgb, unsigned *width, unsigned *height, struct sheen_problem *problem)

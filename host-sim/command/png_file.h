@@ -9,6 +9,10 @@
 #include "problem.h"
 
 /* rgb: width * height * 3 bytes, row by row from the top. 0, or a negative code and *problem; never half a file. */
+/* 4 bytes a pixel, with alpha; else as sheen_png_write. */
+int sheen_png_write_rgba(const char *path, const uint8_t *rgba, unsigned width, unsigned height,
+                         struct sheen_problem *problem);
+
 int sheen_png_write(const char *path, const uint8_t *rgb, unsigned width, unsigned height,
                     struct sheen_problem *problem);
 

@@ -56,11 +56,34 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
         error = sheen_quantise(&scene->meshes[scene->count], host, (uint32_t)i);
         if (error)
             return error;
-        set_material(&scene->materials[scene->count], &scene->shine, scene->options,
-                     use_group ? group->color : paint->color);
+        struct sheen_material *material = &scene->materials[scene->count];
+        set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
+        if (host->part[i].picture)
+            material->texture = &scene->texels[host->part[i].picture - 1].texture;
         scene->own_color[scene->count++] = (uint8_t)use_group;
     }
     return SHEEN_OK;
+}
+
+struct sheen_texture_options sheen_scene_texture_options(const struct sheen_options *options)
+{
+    int is_off = strcmp(options->texture, "off") == 0, is_own = strcmp(options->texture, "file") == 0;
+
+    return (struct sheen_texture_options){.file = is_off || is_own ? NULL : options->texture,
+                                          .wrap = options->wrap,
+                                          .most = is_off ? 0 : 1u << options->texture_log2,
+                                          .cutoff = options->alpha_cutoff};
+}
+
+int sheen_scene_texels(struct sheen_texels **texels, const struct sheen_host_mesh *host,
+                       const struct sheen_options *options)
+{
+    int error = SHEEN_OK;
+
+    *texels = calloc(host->picture_count + 1, sizeof **texels);
+    for (size_t i = 0; *texels && !error && i < host->picture_count; i++)
+        error = sheen_texels_make(&(*texels)[i], &host->picture[i], (unsigned)options->palette, options->bilinear);
+    return *texels ? error : SHEEN_ERR_MEMORY;
 }
 
 struct sheen_host_options sheen_scene_host_options(const struct sheen_options *options, int by_group)
@@ -79,15 +102,25 @@ struct sheen_host_options sheen_scene_host_options(const struct sheen_options *o
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
 {
     const struct sheen_options *options = scene->options;
+    const struct sheen_texture_options textures = sheen_scene_texture_options(options);
     struct sheen_host_options how = sheen_scene_host_options(options, options->color.from_file);
     struct sheen_host_mesh host;
-    int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
 
+    how.textures = &textures;
+    int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
     if (error)
         return error;
     sheen_notes_print(&host.notes, options->color.from_file);
-    error = make_meshes(scene, &host);
+    scene->texel_count = host.picture_count;
+    error = sheen_scene_texels(&scene->texels, &host, options);
+    if (!error)
+        error = make_meshes(scene, &host);
     sheen_host_mesh_free(&host);
+    scene->is_usage = !error && scene->texel_count && options->shade_given && options->shade > SHEEN_GOURAUD;
+    if (scene->is_usage)
+        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                             "--shade: %s shows a texture, which is lit flat or gouraud; --texture off shows none",
+                             options->mesh);
     return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
 }
 
@@ -118,13 +151,13 @@ static void paint(struct sheen_scene *scene)
 {
     static const uint8_t white[3] = {255, 255, 255};
     const struct sheen_paint *paint = &scene->options->color;
-    int is_grey = scene->target->pixel > SHEEN_RGB565_LE;
+    int is_white = scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_material *material = &scene->materials[i];
         if (scene->own_color[i])
             continue;
-        memcpy(material->base, is_grey && !paint->given ? white : paint->color, sizeof material->base);
+        memcpy(material->base, is_white && !paint->given ? white : paint->color, sizeof material->base);
     }
 }
 
@@ -185,6 +218,9 @@ void sheen_scene_close(struct sheen_scene *scene)
 {
     for (size_t i = 0; i < scene->count; i++)
         sheen_quantised_free(&scene->meshes[i]);
+    for (size_t i = 0; i < scene->texel_count && scene->texels; i++)
+        sheen_texels_free(&scene->texels[i]);
+    free(scene->texels);
     free(scene->meshes);
     free(scene->materials);
     free(scene->own_color);
@@ -194,12 +230,20 @@ void sheen_scene_close(struct sheen_scene *scene)
 
 /* ---- a frame ---- */
 
+enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
+{
+    enum sheen_shading asked = (enum sheen_shading)scene->options->shade;
+
+    return scene->texel_count && asked > SHEEN_GOURAUD ? SHEEN_GOURAUD : asked;
+}
+
 static int draw_all(struct sheen_scene *scene, int number)
 {
     const struct sheen_options *options = scene->options;
+    enum sheen_shading shading = sheen_scene_shading(scene);
+    const struct sheen_shader *textured = shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
     struct sheen_object draw = {.lights = scene->lights,
                                 .light_count = (uint8_t)options->lights.count,
-                                .shader = sheen_shader_of((unsigned)options->shade),
                                 .two_sided = (uint8_t)options->two_sided};
 
     sheen_pose_orbit(&draw.pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),
@@ -208,6 +252,7 @@ static int draw_all(struct sheen_scene *scene, int number)
     for (size_t i = 0; !error && i < scene->count; i++) {
         draw.mesh = &scene->meshes[i].mesh;
         draw.material = &scene->materials[i];
+        draw.shader = draw.material->texture ? textured : sheen_shader_of(shading);
         error = sheen_draw(scene->frame, &draw);
     }
     return error;

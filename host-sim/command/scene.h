@@ -9,15 +9,19 @@
 
 #include "options.h"
 #include "quantise.h"
+#include "texels.h"
 
 struct sheen_scene {
     const struct sheen_options *options;
-    /* What is drawn: one mesh, or with --color file one for each material. */
+    /* What is drawn: one mesh, or one for each texture, and with --color file for each material. */
     struct sheen_quantised *meshes;
     struct sheen_material *materials;
     uint8_t *own_color;       /* 1: the material's is of the file's */
     struct sheen_shine shine; /* of all of them */
     size_t count;
+    struct sheen_texels *texels; /* the textures that materials point to */
+    size_t texel_count;
+    int is_usage; /* 1: the command line is what is wrong, not the mesh */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
     /* Where, and the frame's memory. */
@@ -27,8 +31,18 @@ struct sheen_scene {
     struct sheen_frame *frame;
 };
 
-/* What of the options says how a mesh is made of its file. */
+/* What of the options says how a mesh is made of its file, its textures aside. */
 struct sheen_host_options sheen_scene_host_options(const struct sheen_options *options, int by_group);
+
+/* What of them says which textures are read. */
+struct sheen_texture_options sheen_scene_texture_options(const struct sheen_options *options);
+
+/* A mesh's textures as the core takes them, as many as it has pictures. 0, or SHEEN_ERR_MEMORY. */
+int sheen_scene_texels(struct sheen_texels **texels, const struct sheen_host_mesh *host,
+                       const struct sheen_options *options);
+
+/* How it is shaded: as the options say, or where a texture is shown by default gouraud. */
+enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene);
 
 /*
  * Loads and allocates; nothing is drawn. options and target are borrowed.

@@ -200,6 +200,9 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
         out->mesh.polygon_normals = out->polygon_normals;
         out->mesh.polygons = out->polygons;
         out->mesh.indices = out->indices;
+        out->mesh.uvs = out->uvs;
+        out->mesh.uv_bits = out->uv_bits;
+        memcpy(out->mesh.uv_offset, out->uv_offset, sizeof out->uv_offset);
         out->mesh.scale = SHEEN_Q24(32768 / ONE);
         sheen_mesh_warp(&out->mesh, out->polygon_count, out->warp);
         out->mesh.warp = out->warp;

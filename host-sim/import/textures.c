@@ -210,7 +210,7 @@ static int check_uvs(struct sheen_polygons *polygons, const char *name, struct s
 /* What is not shown shall not be in the way. */
 static void clear_others(struct sheen_polygons *polygons)
 {
-    for (size_t p = 0; p < polygons->polygon_count; p++) {
+    for (size_t p = 0; polygons->uvs && p < polygons->polygon_count; p++) {
         if (sheen_polygons_is_textured(polygons, p))
             continue;
         for (uint32_t c = polygons->first[p]; c < polygons->first[p + 1]; c++)
@@ -223,9 +223,7 @@ int sheen_textures_read(struct sheen_polygons *polygons, const struct sheen_text
 {
     int error = SHEEN_OK;
 
-    if (options && options->most && options->file && !polygons->uvs)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: has no texture coordinates for %s", name, options->file);
-    if (!options || options->most == 0 || !polygons->uvs) {
+    if (!options || options->most == 0) {
         drop_all(polygons);
         return SHEEN_OK;
     }
@@ -236,6 +234,8 @@ int sheen_textures_read(struct sheen_polygons *polygons, const struct sheen_text
         error = keep_shown(polygons);
     if (error)
         return no_memory(name, problem);
+    if (options->file && polygons->picture_count == 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: has no texture coordinates for %s", name, options->file);
     for (size_t i = 0; !error && i < polygons->picture_count; i++)
         error = read_picture(&polygons->picture[i], options, problem);
     if (!error)

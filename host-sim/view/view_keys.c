@@ -89,7 +89,8 @@ static int scene_key(struct sheen_viewer *viewer, int key)
 
     switch (key) {
     case 's':
-        options->shade = (options->shade + 1) % (SHEEN_SLERP + 1);
+        options->shade = (sheen_scene_shading(&viewer->table.scene) + 1) %
+                         (viewer->table.scene.texel_count ? SHEEN_GOURAUD + 1 : SHEEN_SLERP + 1);
         return 1;
     case 'l':
         turn_lights(&options->lights);

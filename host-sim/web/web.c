@@ -14,6 +14,7 @@
 #include "out_file.h"
 #include "progress.h"
 #include "stats_json.h"
+#include "textures_out.h"
 #include "view.h"
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
@@ -73,6 +74,7 @@ const char *EXPORT(web_problem)(void)
 static void copy_look(struct sheen_options *to, const struct sheen_options *from)
 {
     to->shade = from->shade;
+    to->shade_given = from->shade_given;
     to->yaw = from->yaw;
     to->pitch = from->pitch;
     to->roll = from->roll;
@@ -379,6 +381,15 @@ int sheen_out_file(const char *path, const void *bytes, size_t count, struct she
     memcpy(text, bytes, count);
     text[count] = '\0';
     return SHEEN_OK;
+}
+
+int sheen_textures_out(const struct sheen_options *options, const struct sheen_texels *texels, size_t count,
+                       struct sheen_problem *why)
+{
+    (void)texels, (void)count;
+    return options->texture_out
+               ? sheen_problem(why, SHEEN_ERR_UNSUPPORTED, "--texture-out is for the command sheen, a page is without it")
+               : SHEEN_OK;
 }
 
 void sheen_progress(const char *what, int done, int whole)

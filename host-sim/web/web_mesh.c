@@ -61,6 +61,9 @@ __attribute__((export_name("web_read"))) void web_read(void)
     if (status.st_size == 0)
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, "the file is empty");
     int error = sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
+    if (!error && polygons.uvs && polygons.picture_count)
+        sheen_note(&polygons.notes, SHEEN_NOTE_WARNING, "%s: its textures are for the command sheen, a page is without",
+                   sheen_web_path);
     if (!error)
         error = sheen_textures_read(&polygons, NULL, sheen_web_path, &problem);
     answer(error, &polygons, &problem);

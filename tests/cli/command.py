@@ -6,6 +6,20 @@ import tempfile
 import unicodedata
 
 
+def measured(program, *words):
+    """Exit status, what it said on standard error, seconds of the processor, and the most memory, B."""
+    with tempfile.TemporaryFile() as said, open(os.devnull, "wb") as nowhere:
+        child = os.fork()
+        if child == 0:
+            os.dup2(nowhere.fileno(), 1)
+            os.dup2(said.fileno(), 2)
+            os.execv(program, ["sheen", *words])
+        _, status, used = os.wait4(child, 0)  # of the command and of the reader that it waited for
+        said.seek(0)
+        return (os.waitstatus_to_exitcode(status), said.read().decode(errors="replace"), used.ru_utime + used.ru_stime,
+                used.ru_maxrss * 1024)
+
+
 class Command:
     def __init__(self, program):
         self.program = os.path.abspath(program)
