@@ -223,11 +223,8 @@ static void power_tables(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(power_tables),
-        cmocka_unit_test(headers_are_the_files),
-        cmocka_unit_test(groups),
-        cmocka_unit_test(textures),
-        cmocka_unit_test(the_same_pixels),
+        cmocka_unit_test(power_tables), cmocka_unit_test(headers_are_the_files), cmocka_unit_test(groups),
+        cmocka_unit_test(textures),     cmocka_unit_test(the_same_pixels),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

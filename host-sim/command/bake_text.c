@@ -22,7 +22,7 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
     if (mesh->uvs)
         bytes += mesh->vertices * 4u;
     if (flat)
-        bytes += quantised->polygon_count * 6u + (quantised->polygons ? mesh->triangles * 2u : 0);
+        bytes += quantised->polygon_count * 7u + (quantised->polygons ? mesh->triangles * 2u : 0);
     return bytes;
 }
 

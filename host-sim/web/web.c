@@ -388,7 +388,7 @@ int sheen_textures_out(const struct sheen_options *options, const struct sheen_t
 {
     (void)texels, (void)count;
     return options->texture_out
-               ? sheen_problem(why, SHEEN_ERR_UNSUPPORTED, "--texture-out is for the command sheen, a page is without it")
+               ? sheen_problem(why, SHEEN_ERR_UNSUPPORTED, "--texture-out is for the command sheen, not for a page")
                : SHEEN_OK;
 }
 
