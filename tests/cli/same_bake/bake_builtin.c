@@ -32,7 +32,7 @@ static int bake(const char *name, const struct sheen_host_options *options)
     }
     int error = sheen_quantise(&quantised, &host, SHEEN_ALL_PARTS);
     if (!error) {
-        struct sheen_bake made = {&quantised, NULL, 1, "mesh", name, 1};
+        struct sheen_bake made = {.meshes = &quantised, .count = 1, .name = "mesh", .source = name, .flat = 1};
         error = sheen_bake_text(stdout, &made);
         sheen_quantised_free(&quantised);
     }
