@@ -30,7 +30,7 @@ SPECIALISED uint32_t texel_value(const struct sheen_texture *t, int32_t i, int32
     if (t->bits == 8)
         return t->palette[((const uint8_t *)t->texels)[n]];
     if (t->bits == 4)
-        return t->palette[((const uint8_t *)t->texels)[n >> 1] >> (4 * (n & 1u)) & 15u];
+        return t->palette[(uint32_t)((const uint8_t *)t->texels)[n >> 1] >> (4 * (n & 1u)) & 15u];
     return ((const uint16_t *)t->texels)[n];
 }
 
