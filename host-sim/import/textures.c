@@ -238,6 +238,10 @@ int sheen_textures_read(struct sheen_polygons *polygons, const struct sheen_text
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: has no texture coordinates for %s", name, options->file);
     for (size_t i = 0; !error && i < polygons->picture_count; i++)
         error = read_picture(&polygons->picture[i], options, problem);
+    if (error == SHEEN_ERR_ARGUMENT && !options->file) {
+        const struct sheen_problem why = *problem;
+        return sheen_problem(problem, error, "%s; --texture off does without", why.text);
+    }
     if (!error)
         error = check_uvs(polygons, name, problem);
     clear_others(polygons);
