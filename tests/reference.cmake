@@ -15,6 +15,8 @@ sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_reference_mesh unit SOURCES test_reference_mesh.c LIBRARIES reference)
 sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
+sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accuracy_line.c
+  LIBRARIES core_picture sheen::core)
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000)

@@ -167,7 +167,7 @@ static void textured_as(struct setup *s, struct surface_corners *c, const struct
     s->fast = (uint8_t)pixels_of(d, at);
     textured_planes((struct textured_setup *)s, c, g, at,
                     texels_straight(c, &at[0]) && texels_straight(c, &at[1]) &&
-                        sheen_straight(c, diffuse[0], diffuse[1], colour->eighth) &&
+                        sheen_straight(c, diffuse[0], diffuse[1], colour->eighth / 2) &&
                         sheen_straight(c, specular[0], specular[1], 4u * colour->dim));
 }
 

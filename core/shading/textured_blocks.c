@@ -36,14 +36,14 @@ static uint32_t change_of(uint32_t from, uint32_t to, unsigned shift)
 
 /*
  * How far linear is off between two ends, 2^-21 texel / 4: what changes most times what 1/m changes by, over 4. Light
- * counts as 16 texels for 1.0, so that 1/32 texel is 1/512.
+ * counts as 256 texels for 1.0, so that 1/32 texel is 1/8192.
  */
 static uint32_t off_by(const struct texel_at *from, const struct texel_at *to, uint32_t weight, uint32_t next_weight,
                        struct inverse i, struct inverse next)
 {
     uint32_t most = change_of(from->u, to->u, 10), v = change_of(from->v, to->v, 10);
-    uint32_t light = change_of(from->light, to->light, LIGHT_PLANE_BITS - 10);
-    uint32_t specular = change_of(from->specular, to->specular, 20);
+    uint32_t light = change_of(from->light, to->light, LIGHT_PLANE_BITS - 14);
+    uint32_t specular = change_of(from->specular, to->specular, 16);
     uint32_t less = weight < next_weight ? weight : next_weight, change = (weight ^ next_weight ^ less) - less;
     struct inverse more = weight < next_weight ? i : next;
 

@@ -110,7 +110,21 @@ static int find_surfaces(const struct ref_picture *picture, const struct ref_sce
     return 0;
 }
 
-static bool comparable(const struct ref_picture *picture, const uint32_t *surface, int x, int y)
+/* What a neighbour's triangle would show here lies elsewhere in the texture: there is a seam between. */
+static bool is_seam(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_pixel *pixel,
+                    const struct ref_pixel *beside, double x, double y)
+{
+    double at[2], other[2];
+
+    if (!scene->texture || beside->piece == pixel->piece)
+        return false;
+    ref_texture_point(scene, &picture->pieces[pixel->piece], x, y, at);
+    ref_texture_point(scene, &picture->pieces[beside->piece], x, y, other);
+    return fabs(at[0] - other[0]) > 1 || fabs(at[1] - other[1]) > 1;
+}
+
+static bool comparable(const struct ref_scene *scene, const struct ref_picture *picture, const uint32_t *surface, int x,
+                       int y)
 {
     const struct ref_pixel *centre = &picture->pixels[y * picture->width + x];
     double low = centre->m, high = centre->m;
@@ -120,7 +134,8 @@ static bool comparable(const struct ref_picture *picture, const uint32_t *surfac
     for (int dy = -1; dy <= 1; dy++) {
         for (int dx = -1; dx <= 1; dx++) {
             const struct ref_pixel *p = centre + dy * picture->width + dx;
-            if (!p->covered || surface[p->triangle] != surface[centre->triangle])
+            if (!p->covered || surface[p->triangle] != surface[centre->triangle] ||
+                is_seam(scene, picture, centre, p, x + 0.5, y + 0.5))
                 return false;
             low = fmin(low, p->m);
             high = fmax(high, p->m);
@@ -165,7 +180,7 @@ static bool settled(const struct ref_scene *scene, const struct ref_picture *pic
            (!pixel->unsettled && ref_settled(scene, picture, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, bound));
 }
 
-/* Nothing but transparent texels, and no edge beside. */
+/* Nothing but transparent texels here and beside. */
 static bool seen_through(const struct ref_picture *picture, int x, int y)
 {
     const struct ref_pixel *centre = &picture->pixels[y * picture->width + x];
@@ -175,7 +190,7 @@ static bool seen_through(const struct ref_picture *picture, int x, int y)
         return false;
     for (int i = 0; i < 9; i++) {
         const struct ref_pixel *p = centre + (i / 3 - 1) * picture->width + i % 3 - 1;
-        if (!p->covered && !p->dropped)
+        if (p->covered || !p->dropped)
             return false;
     }
     return true;
@@ -199,7 +214,7 @@ int ref_compare(struct ref_score *score, const struct ref_scene *scene, const st
                 score->dropped++;
                 score->dropped_drawn += values[y * picture->width + x] != pixel->value;
             }
-            if (!pixel->covered || !comparable(picture, surface, x, y))
+            if (!pixel->covered || !comparable(scene, picture, surface, x, y))
                 continue;
             score->comparable++;
             if (settled(scene, picture, pixel, x, y, &bound))

@@ -1,0 +1,139 @@
+/*
+ * test_textured.c - textures against their definition in double precision (README, "How close the integers come").
+ *
+ *   test_textured [PREFIX]     a line a mesh, texture and light; PREFIX: pictures of what failed
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "accuracy_line.h"
+#include "textured_scene.h"
+
+static const char *const light_name[] = {"unlit", "flat", "gouraud", "glossy", "lights"};
+static const char *const picture_name[] = {"tiles", "noise", "marble", "sixteen"};
+static const char *prefix;
+
+/* Of the pictures of a line: the lowest shares. */
+struct textured_line {
+    double equal;
+    long covered, comparable, compared, beyond, dropped, dropped_drawn;
+    int pictures, worst;
+    uint64_t setups, quotients;
+};
+
+static double part_of(long part, long whole)
+{
+    return whole > 0 ? (double)part / (double)whole : 1;
+}
+
+static double lower(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static int score_line(struct textured_line *line, const struct accuracy_shot *shot, const struct ref_scene *scene)
+{
+    const struct ref_score *s = &shot->score;
+    const double equal = part_of(s->equal, s->compared);
+    const struct ref_texture *t = scene->texture;
+    const int least = t->bilinear ? 88 : 97;
+
+    line->covered += s->covered;
+    line->comparable += s->comparable;
+    line->compared += s->compared;
+    line->equal = lower(line->equal, equal);
+    line->beyond += s->beyond;
+    line->dropped += s->dropped;
+    line->dropped_drawn += s->dropped_drawn;
+    line->worst = s->worst > line->worst ? s->worst : line->worst;
+    line->pictures++;
+    line->setups += shot->stats.frame.setups;
+    line->quotients += shot->stats.by_way[SHEEN_WAY_TEXTURED_QUOTIENT];
+    if (100 * equal >= least && s->beyond == 0 && s->dropped_drawn == 0)
+        return 0;
+    printf("  FAILED %s%s%s%s%s%s%s %d bits, picture %d: %ld covered, %ld comparable, %ld compared, %ld equal, %ld "
+           "beyond, "
+           "worst %d at (%d, %d), %ld of %ld drawn\n",
+           t->bilinear ? "bilinear" : "nearest", scene->affine ? " affine" : "", scene->ortho ? " ortho" : "",
+           scene->dither ? " dither" : "", t->keyed ? " key" : "", t->clamp[0] ? " clamp u" : "",
+           t->clamp[1] ? " clamp v" : "", t->bits, line->pictures, s->covered, s->comparable, s->compared, s->equal,
+           s->beyond, s->worst, s->worst_x, s->worst_y, s->dropped_drawn, s->dropped);
+    return 1;
+}
+
+static int judge_picture(struct textured_line *line, const struct ref_scene *scene, const struct sheen_mesh *mesh)
+{
+    static struct accuracy_shot shot;
+    struct ref_picture picture;
+
+    if (ref_render(&picture, scene) != 0)
+        return 1;
+    int status = accuracy_shoot(&shot, scene, &picture, mesh, 0);
+    int failed = status < 0 || score_line(line, &shot, scene);
+    if (status < 0)
+        printf("  FAILED %s\n", sheen_strerror(status));
+    if (failed && prefix)
+        accuracy_write_difference(prefix, scene, &picture, &shot);
+    ref_picture_free(&picture);
+    return failed;
+}
+
+/* Every view, perspective and kind of texture once: what is left comes in turn. */
+static int judge_textured(const struct accuracy_mesh *mesh, int picture, enum textured_light light, bool bilinear,
+                          int turn)
+{
+    struct textured_line line = {.equal = 1};
+    int failed = 0;
+
+    for (int i = 0; i < TEXTURED_VIEWS + 2; i++, turn++) {
+        struct ref_texture texture = *textured_picture(picture);
+        struct ref_scene scene;
+        textured_view(&scene, &mesh->reference, i < TEXTURED_VIEWS ? i : 1, light);
+        scene.affine = i == TEXTURED_VIEWS;
+        scene.texture = &texture;
+        scene.dither = turn % 3 == 1;
+        texture.bilinear = bilinear;
+        texture.bits = picture == 3 ? 4 << turn % 3 : picture == 2 ? 16 : 8 << turn % 2;
+        texture.clamp[0] = turn % 5 == 2;
+        texture.clamp[1] = turn % 5 > 2;
+        texture.keyed = turn % 4 == 3 && picture != 2;
+        texture.key = texture.texels[turn % 7];
+        if (i == TEXTURED_VIEWS + 1)
+            accuracy_ortho(&scene);
+        failed += judge_picture(&line, &scene, mesh->mesh);
+    }
+    const double compared = part_of(line.compared, line.covered);
+    if (compared < ACCURACY_COMPARED) {
+        printf("  FAILED too little was compared\n");
+        failed++;
+    }
+    printf("%-10s %-8s %-8s %-8s %5.1f %% compared %5.1f %% settled %6.2f %% equal, %ld beyond, worst %d, %ld of %ld "
+           "drawn, %3.0f %% quotients\n",
+           mesh->name, picture_name[picture], light_name[light], bilinear ? "bilinear" : "nearest", 100 * compared,
+           100 * part_of(line.compared, line.comparable), 100 * line.equal, line.beyond, line.worst, line.dropped_drawn,
+           line.dropped, 100 * part_of((long)line.quotients, (long)line.setups));
+    return failed;
+}
+
+int main(int argc, char **argv)
+{
+    int failed = 0, turn = 0;
+
+    prefix = argc > 1 ? argv[1] : NULL;
+    for (int index = 0; index < TEXTURED_MESHES; index++) {
+        struct accuracy_mesh mesh;
+        if (textured_mesh_make(&mesh, index) != 0) {
+            fprintf(stderr, "test_textured: mesh %d could not be made\n", index);
+            return 1;
+        }
+        for (int light = 0; light <= TEXTURED_SCENE_LIGHTS; light++) {
+            if (light == TEXTURED_SCENE_FLAT && (index == 2 || index == 3))
+                continue; /* too fine for what is judged a polygon */
+            for (int picture = 0; picture < TEXTURED_PICTURES; picture++, turn++)
+                failed += judge_textured(&mesh, picture, (enum textured_light)light, picture == 2, turn);
+        }
+        accuracy_mesh_free(&mesh);
+    }
+    printf("%d pictures outside their limits\n", failed);
+    return failed != 0;
+}
