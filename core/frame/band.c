@@ -119,6 +119,7 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
         return 0;
     t->first_row = (int16_t)(s->row - (int32_t)t->rows);
     d->as.shader->setup(s, &c, c.flat ? NULL : &g);
+    SHEEN_TAP_SETUP(&c, &g);
     return 1;
 }
 
@@ -128,7 +129,7 @@ static void draw_rows(struct worker *w, const struct tile *t, const struct setup
     for (unsigned i = 0; SHEEN_STATS && i < t->rows; i++)
         if (w->spans[i].x1 > w->spans[i].x0)
             w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
-    s->rows(t, s);
+    SHEEN_TAP_ROWS(t, s);
 }
 
 /*

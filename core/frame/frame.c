@@ -154,6 +154,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
                    none = f->config.max_used;
     const uint16_t *place = f->place + d->first_vertex;
 
+    SHEEN_TAP(LOOKED_AT, 1);
     if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) && !use_corners(f, d, t, index))
         return;
     const struct vertex *const v[3] = {f->vertex + place[index[0]], f->vertex + place[index[1]],

@@ -34,6 +34,18 @@
 #define APART
 #endif
 
+/*
+ * Taps of a build that counts what its frames are made of: SHEEN_TAPS names the header that defines them
+ * (host-sim/plan/taps.h). SHEEN_TAP_ROWS draws a set-up's rows in a tile; the others cost nothing.
+ */
+#ifdef SHEEN_TAPS
+#include SHEEN_TAPS
+#else
+#define SHEEN_TAP(what, count) ((void)0)
+#define SHEEN_TAP_SETUP(corners, gradients) ((void)0)
+#define SHEEN_TAP_ROWS(tile, setup) (setup)->rows(tile, setup)
+#endif
+
 /* Intensities relative to the most that the draw's lights can give. */
 struct lit {
     uint32_t diffuse, specular; /* UQ1.15, 0..32768 */
@@ -79,6 +91,7 @@ static inline uint32_t power_at(struct power p, int32_t u)
 {
     uint32_t at = (uint32_t)max32(u, 0);
 
+    SHEEN_TAP(POWER, at < p.limit);
     return at < p.limit ? power_entry(p.table, (at << p.up) + POWER_GUARD) : 0;
 }
 

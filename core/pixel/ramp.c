@@ -28,6 +28,7 @@ int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t)
 
 void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const struct pixel_format *format)
 {
+    SHEEN_TAP(RAMP_MADE, 1);
     for (int i = 0; i < RAMP_PIXELS; i++) {
         int32_t middle = (i - RAMP_GUARD) * (1 << (15 - RAMP_BITS)) + (1 << (14 - RAMP_BITS));
         uint32_t diffuse = (uint32_t)min32(max32(middle, 0), 1 << 15);

@@ -60,6 +60,7 @@ static struct node node_at(const struct phong_normals_setup *p, int32_t x, int32
     struct node node = {0, MOST_NODE};
     int32_t n[3];
 
+    SHEEN_TAP(NODE, 1);
     for (int i = 0; i < 3; i++)
         n[i] = (int32_t)plane_at(&p->normal[i], x, y);
     uint32_t square = node_square(n);
@@ -144,6 +145,8 @@ static APART void cell_rows(const struct tile *t, struct cell *c)
         const struct span *span = c->span + (y - c->y);
         int32_t x = max32(span->x0, c->x), x1 = min32(span->x1, c->x + size);
         if (x < x1) {
+            SHEEN_TAP(CELL_DULL, c->second == SECOND_NONE ? x1 - x : 0);
+            SHEEN_TAP(CELL_POWER, c->second == SECOND_POWER ? x1 - x : 0);
             const uint32_t n = (uint32_t)(x - c->x), pair = pairs((int32_t)n);
             struct shaded_run run = {plane_at(&s->depth, x, y), s->depth.dx, c->f.v + n * c->f.s + pair * c->f.b,
                                      c->f.s + n * c->f.b,       c->f.b,      2 * (c->u.v + n * c->u.s + pair * c->u.b),
@@ -180,6 +183,7 @@ static APART void corner_row(const struct cell *c, struct corner *at, int32_t fr
     uint32_t vf = f->v + n * f->s + pair * f->b, df = 4 * (f->s + n * f->b) + 6 * f->b;
     uint32_t vu = 2 * (u->v + n * u->s + pair * u->b), du = 8 * (u->s + n * u->b) + 12 * u->b;
 
+    SHEEN_TAP(SQUARE_CORNER, (uint32_t)(to - from + 1));
     for (; from <= to; from++) {
         *at++ = corner_of(draw, vf, vu);
         vf += df;
@@ -256,6 +260,8 @@ static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
     const int32_t size = 1 << CELL_SHIFT(&c->p->s), top = c->y & -size;
     int32_t f[3][3], u[3][3];
 
+    SHEEN_TAP(CELL, 1);
+    SHEEN_TAP(CELL_ROW, (uint32_t)(c->end - c->y));
     c->x = x;
     node_column(c->p, x + size / 2, top, 1, f, u);
     node_column(c->p, x + size, top, 2, f, u);

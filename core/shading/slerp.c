@@ -242,6 +242,10 @@ static void slerp_rows(const struct tile *t, const struct setup *setup)
         while (x < x1) {
             struct arc_block block;
             unsigned length = begin_block(&row, s->s.draw->light.count, x, x1 - x, &block);
+            SHEEN_TAP(ARC_BLOCK, 1);
+            SHEEN_TAP(SKEWED_BLOCK, !row.even);
+            SHEEN_TAP(BLOCK_LIGHT, s->s.draw->light.count);
+            SHEEN_TAP(ARC_LIGHT, length * s->s.draw->light.count);
             sheen_slerp_block(t, s, &row, &block, x, y, length);
             x += (int32_t)length;
         }

@@ -121,6 +121,7 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
     struct plane plane[3];
     const uint32_t margin = s->draw->dither ? 1u << (terms->fraction - 5) : 0;
 
+    SHEEN_TAP(CHANNELS, 1);
     for (int i = 0; i < 3; i++) {
         const uint32_t *f = channel[i];
         plane[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);

@@ -16,6 +16,7 @@ SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u
         lit.specular = not_negative(u) >> 15;
     else if (second == SECOND_POWER && u < q->power_end)
         lit.specular = faded(power_entry(q->power, u), lit.diffuse);
+    SHEEN_TAP(HIGHLIGHT, second == SECOND_POWER && u < q->power_end);
     return lit;
 }
 

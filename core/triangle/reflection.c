@@ -23,6 +23,7 @@ void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t 
 {
     const int32_t *const v[2] = {d->light.to[0], d->light.view};
 
+    SHEEN_TAP(COSINES, 1);
     for (int i = 0; i < 2; i++) {
         int32_t dot = dot_q29(normal, v[i]); /* 1.0 is 32767 */
         dot = asr32(dot + asr32(dot, 15) + (1 << 13), 14);

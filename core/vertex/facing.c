@@ -103,6 +103,7 @@ uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen
     while (polygon != *faces) {
         const int16_t *n = mesh->polygon_normals + 3 * polygon, *p = mesh->positions + 3 * mesh_index(mesh, 3 * i);
         uint32_t away = polygon, warp = mesh->warp[polygon];
+        SHEEN_TAP(FACING, 1);
         uint32_t above = (uint32_t)asr32(facing_dot(n, p[0], p[1], p[2]), shift) - (uint32_t)facing_dot(n, x, y, z);
         if ((int32_t)above <= (int32_t)warp * a_warp + ROUNDED || warp == SHEEN_WARP_UNKNOWN) {
             *faces = polygon;

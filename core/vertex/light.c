@@ -82,6 +82,8 @@ void sheen_light_normal(const struct lighting *l, struct power power, const int1
     int32_t lacks = lacking(normal), nv = cosine(normal, lacks, l->view);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
+    SHEEN_TAP(LIT, 1);
+    SHEEN_TAP(LIGHT, l->count);
     for (unsigned i = 0; i < l->count; i++) {
         int32_t ln = cosine(normal, lacks, l->to[i]);
         uint32_t rounded = ((uint32_t)ln + (1u << 14)) >> 15; /* UQ1.15 */

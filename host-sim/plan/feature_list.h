@@ -1,0 +1,101 @@
+/*
+ * feature_list.h - what a frame's time is made of: what is counted exactly on the host and costs about the same each
+ * time.
+ *
+ * A feature is a line here and a count: a SHEEN_TAP in the core, or a sum in count.c. A kind of rows is a line in
+ * SHEEN_PLAN_KINDS and one in count.c's table. What each costs on which processor tests/bench/costs finds (costs.c).
+ */
+#ifndef SHEEN_PLAN_FEATURE_LIST_H
+#define SHEEN_PLAN_FEATURE_LIST_H
+
+/* The part of a frame's time that a feature belongs to. */
+enum sheen_plan_stage {
+    SHEEN_PLAN_TRANSFORM, /* polygons that face away, vertices, light at them, lists */
+    SHEEN_PLAN_TRIANGLES, /* set-ups, and their way through the bands */
+    SHEEN_PLAN_ROWS,
+    SHEEN_PLAN_PIXELS, /* of triangles; cleared, packed, handed to the panel's driver */
+    SHEEN_PLAN_STAGES
+};
+
+/* F(NAME, stage) */
+#define SHEEN_PLAN_FEATURES(F)                                                                                         \
+    F(FRAME, TRANSFORM)                                                                                                \
+    F(OBJECT, TRANSFORM)                                                                                               \
+    F(RAMP_MADE, TRANSFORM)                                                                                            \
+    F(MESH_VERTEX, TRANSFORM)  /* of the objects' meshes, used or not */                                               \
+    F(FACING, TRANSFORM)       /* polygons that were asked whether they face away */                                   \
+    F(SKIPPED, TRANSFORM)      /* triangles of those that do */                                                        \
+    F(LOOKED_AT, TRANSFORM)    /* triangles of the others */                                                           \
+    F(USED, TRANSFORM)         /* vertices transformed */                                                              \
+    F(LIT, TRANSFORM)          /* normals lit: of vertices, or of polygons */                                          \
+    F(LIGHT, TRANSFORM)        /* times their lights */                                                                \
+    F(COSINES, TRANSFORM)      /* vertices whose cosines are kept */                                                   \
+    F(LISTED, TRANSFORM)       /* triangles */                                                                         \
+    F(CLIPPED, TRANSFORM)      /* triangles cut */                                                                     \
+    F(BAND, TRIANGLES)         /* with or without triangles */                                                         \
+    F(PENDING_WORD, TRIANGLES) /* looked through for triangles that are not done, 32 a word and band */                \
+    F(CARRIED, TRIANGLES)      /* triangles that go on from the band above */                                          \
+    F(PARTIAL, TRIANGLES)      /* set-ups of triangles that go on below */                                             \
+    F(LONG_EDGE, TRIANGLES)    /* of 32 px and more */                                                                 \
+    F(WIDE, TRIANGLES)         /* set-ups of triangles of 256 px and more */                                           \
+    F(CHANNELS, TRIANGLES)     /* set-ups of three planes of channels */                                               \
+    F(EMPTY_ROW, ROWS)         /* without a pixel */                                                                   \
+    F(PUSH, PIXELS)            /* rectangles handed to the driver */                                                   \
+    F(CLEARED, PIXELS)         /* px of 565 */                                                                         \
+    F(CLEARED_GREY, PIXELS)    /* px */                                                                                \
+    F(PACKED_16, PIXELS)       /* px of 16 greys, by core and driver */                                                \
+    F(PACKED_2, PIXELS)        /* px of 2 greys */                                                                     \
+    F(PIXEL_18, PIXELS)        /* px that the driver makes 3 bytes of */                                               \
+    F(POWER, PIXELS)           /* looked up in a power table */                                                        \
+    F(HIGHLIGHT, PIXELS)       /* px of quadratic triangles in a highlight */                                          \
+    F(CELL, PIXELS)            /* of Phong's cells */                                                                  \
+    F(CELL_ROW, PIXELS)        /* their rows */                                                                        \
+    F(CELL_DULL, PIXELS)       /* px of those without highlight, not by squares */                                     \
+    F(CELL_POWER, PIXELS)      /* px of those with one, not by squares */                                              \
+    F(NODE, PIXELS)            /* of cells */                                                                          \
+    F(SQUARE_CORNER, PIXELS)   /* within cells */                                                                      \
+    F(PIXEL_LIGHT, PIXELS)     /* px shaded by several lights, times these */                                          \
+    F(ARC_BLOCK, PIXELS)       /* of slerp's rows */                                                                   \
+    F(SKEWED_BLOCK, PIXELS)    /* of them, in perspective */                                                           \
+    F(BLOCK_LIGHT, PIXELS)     /* blocks times lights */                                                               \
+    F(ARC_LIGHT, PIXELS)       /* px of blocks times lights */
+
+/* K(NAME): kinds of rows, each with its set-ups, rows, px covered and px shaded. */
+#define SHEEN_PLAN_KINDS(K)                                                                                            \
+    K(CONSTANT) /* one colour */                                                                                       \
+    K(CONSTANT_GREY)                                                                                                   \
+    K(CONSTANT_DITHERED)                                                                                               \
+    K(CONSTANT_GREY_DITHERED)                                                                                          \
+    K(RAMP)   /* one intensity, finished pixels from the ramp */                                                       \
+    K(PACKED) /* channels in two words */                                                                              \
+    K(PACKED_DITHERED)                                                                                                 \
+    K(COLUMNS) /* channels in two words, packed anew every 32 px */                                                    \
+    K(COLUMNS_DITHERED)                                                                                                \
+    K(CLAMPED) /* channels, clamped */                                                                                 \
+    K(CLAMPED_GREY)                                                                                                    \
+    K(CURVED_RAMP)     /* one quadratic intensity, the ramp */                                                         \
+    K(CURVED_DITHERED) /* one, dithered */                                                                             \
+    K(CURVED_POWER)    /* two, a power table */                                                                        \
+    K(CURVED_POWER_DITHERED)                                                                                           \
+    K(CURVED_SPECULAR)    /* two, both intensities */                                                                  \
+    K(CURVED_GENERAL)     /* one: greys, and what is clamped */                                                        \
+    K(CURVED_GENERAL_TWO) /* two */                                                                                    \
+    K(QUOTIENT)           /* Blinn's I/m over 1/m */                                                                   \
+    K(QUOTIENT_GREY)                                                                                                   \
+    K(CELLS)                                                                                                           \
+    K(CELLS_DITHERED)                                                                                                  \
+    K(CELLS_GENERAL) /* greys, and what is clamped */                                                                  \
+    K(ROOT)          /* one light, a root a pixel */                                                                   \
+    K(LIGHTS)        /* several */                                                                                     \
+    K(NEEDLE)        /* one light and the way of several: what the others do not take */                               \
+    K(SLERP)         /* great arcs; and what is not in count.c's table */
+
+#define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
+#define SHEEN_PLAN_KIND_NUMBERS(name)                                                                                  \
+    SHEEN_PLAN_##name##_SETUP, SHEEN_PLAN_##name##_ROW, SHEEN_PLAN_##name##_COVERED, SHEEN_PLAN_##name##_SHADED,
+
+enum sheen_plan_feature {
+    SHEEN_PLAN_FEATURES(SHEEN_PLAN_FEATURE_NUMBER) SHEEN_PLAN_KINDS(SHEEN_PLAN_KIND_NUMBERS) SHEEN_PLAN_COUNTS
+};
+
+#endif
