@@ -9,6 +9,8 @@ sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)
 sheen_script(cli_render cli COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/data/egg.obj)
+sheen_script(cli_plan cli COMMAND tests/cli/plan $<TARGET_FILE:sheen>)
+sheen_script(cli_plan_table cli COMMAND host-sim/pages/plan.py $<TARGET_FILE:sheen> --readme README.md)
 sheen_script(cli_hero cli COMMAND tests/cli/hero $<TARGET_FILE:sheen> .)
 sheen_script(cli_man cli COMMAND tests/cli/man $<TARGET_FILE:sheen>)
 sheen_test(test_import_confined unit SOURCES test_import_confined.c test_import_files.c LIBRARIES sheen::host sheen::core)

@@ -17,6 +17,7 @@
 #include "commands.h"
 #include "out_file.h"
 #include "progress.h"
+#include "report.h"
 #include "scene.h"
 #include "textures_out.h"
 
@@ -34,6 +35,7 @@ struct baking {
     char source[640]; /* a file's name has at most 255 bytes, and there may be two */
 };
 
+#define PLANNED_VIEWS 12 /* of a turn */
 #define SHINE "shine:"
 
 static int is_shine(const struct sheen_options *options)
@@ -62,7 +64,7 @@ static int is_identifier(const char *name)
     return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name);
 }
 
-static int check(const struct sheen_options *options, struct sheen_problem *problem)
+static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o mesh.h)");
@@ -71,6 +73,12 @@ static int check(const struct sheen_options *options, struct sheen_problem *prob
                              options->name);
     if (is_shine(options))
         return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    int error = sheen_turntable_choose(choice, options, problem);
+    if (error)
+        return error;
+    if (options->band > choice->height)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
+                             choice->height);
     return sheen_builtin_check(options->mesh, problem);
 }
 
@@ -181,26 +189,6 @@ static void measure(const struct sheen_host_mesh *host, double *position, double
     }
 }
 
-/* A target that is only measured for. */
-static int push_nothing(void *ctx, struct sheen_rect rect, const void *pixels)
-{
-    (void)ctx, (void)rect, (void)pixels;
-    return SHEEN_OK;
-}
-
-/* The usual case: 320x240 in 565, bands of 16 rows, one buffer, every triangle listed. */
-static size_t frame_bytes(uint32_t vertices, uint32_t triangles, size_t draws)
-{
-    static const struct sheen_target target = {
-        .push = push_nothing, .width = 320, .height = 240, .pixel = SHEEN_RGB565_BE};
-    struct sheen_config config = {.target = &target,
-                                  .max_vertices = (uint16_t)vertices,
-                                  .max_triangles = (uint16_t)triangles,
-                                  .max_draws = (uint16_t)draws};
-
-    return sheen_arena_size(&config);
-}
-
 static void report(const struct baking *baking)
 {
     uint32_t vertices = 0, triangles = 0, polygons = 0;
@@ -221,8 +209,7 @@ static void report(const struct baking *baking)
     printf("flash: %zu B", bytes + texture_bytes);
     if (baking->host.picture_count)
         printf(", %zu B of them texture%s", texture_bytes, baking->host.picture_count > 1 ? "s" : "");
-    printf("\nRAM of a frame, 320x240 in bands of 16 rows: %zu B, and %zu B a material\n",
-           frame_bytes(vertices, triangles, baking->count), sizeof(struct sheen_material));
+    putchar('\n');
     printf("rounding: positions by at most %.2g of the radius, normals by at most %.2g rad\n", position, normal);
     printf("one unit is %.9g of the file's, its origin at %.9g %.9g %.9g\n", baking->host.radius,
            baking->host.center[0], baking->host.center[1], baking->host.center[2]);
@@ -271,6 +258,27 @@ static void set_name(struct baking *baking)
         sheen_bake_name(baking->name, 40, baking->options->out);
 }
 
+/* What `sheen plan` says of it in short: of one height of bands, or of the usual ones. */
+static int plan_briefly(const struct baking *baking, const struct sheen_sim_choice *choice,
+                        struct sheen_problem *problem)
+{
+    struct sheen_options options = *baking->options;
+    struct sheen_plan *plan = malloc(sizeof *plan);
+    int error = plan ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options.mesh);
+
+    options.quiet = 1;
+    for (int rows = 4; rows <= 16 && !error; rows *= 2) {
+        options.band = baking->options->band ? baking->options->band : rows;
+        error = sheen_plan_make(plan, &options, choice, PLANNED_VIEWS, problem);
+        if (!error)
+            sheen_plan_brief(stdout, plan);
+        if (baking->options->band)
+            break;
+    }
+    free(plan);
+    return error;
+}
+
 static enum sheen_exit bake_shine(struct baking *baking)
 {
     struct sheen_problem problem;
@@ -313,15 +321,18 @@ static int bake(struct baking *baking, struct sheen_problem *problem)
 enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
 {
     struct baking baking = {.options = options};
+    struct sheen_sim_choice choice;
     struct sheen_problem problem;
 
-    if (check(options, &problem) != 0)
+    if (check(options, &choice, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     if (is_shine(options))
         return bake_shine(&baking);
     int error = bake(&baking, &problem);
-    if (!error)
+    if (!error) {
         report(&baking);
+        error = plan_briefly(&baking, &choice, &problem);
+    }
     for (size_t i = 0; i < baking.count; i++)
         sheen_quantised_free(&baking.meshes[i]);
     free(baking.meshes);

@@ -11,6 +11,7 @@ extern const struct sheen_command sheen_command_table[];
 
 enum sheen_exit sheen_cmd_render(struct sheen_options *options);
 enum sheen_exit sheen_cmd_view(struct sheen_options *options);
+enum sheen_exit sheen_cmd_plan(struct sheen_options *options);
 enum sheen_exit sheen_cmd_bake(struct sheen_options *options);
 enum sheen_exit sheen_cmd_first_light(struct sheen_options *options);
 enum sheen_exit sheen_cmd_panels(struct sheen_options *options);

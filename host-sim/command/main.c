@@ -23,6 +23,12 @@ const struct sheen_command sheen_command_table[] = {
      "reports what it takes. shine:N in place of a mesh makes the power table (struct sheen_shine) of "
      "shininess N, 1 to 128.",
      SHEEN_BAKE, sheen_cmd_bake},
+    {"plan", "MESH [options]",
+     "Tells before anything is flashed how many frames a second a board draws of a mesh that turns, where the time "
+     "goes, what RAM and flash it takes, what limits it and what to change first. Each line says how it came about: "
+     "measured, in cycles of the emulated processor; estimated, from instructions; counted, exact. Textures are left "
+     "out.",
+     SHEEN_PLAN, sheen_cmd_plan},
     {"first-light", "[options] -o OUT.png",
      "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the "
      "same way, and writes what the glass shows.",

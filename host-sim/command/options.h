@@ -81,6 +81,11 @@ struct sheen_options {
     int gap;         /* -1: not given */
     int theme;       /* enum sheen_theme */
     int terminal;
+    /* plan: */
+    const char *board; /* NULL: all */
+    double bus_clock;  /* MHz; 0: the panel's */
+    int json;
+    int quiet; /* 1: no notes on the mesh; no option sets it */
 };
 
 /* Bits of the commands that take an option. */
@@ -91,7 +96,8 @@ enum sheen_command_bit {
     SHEEN_BAKE = 8,
     SHEEN_LECTURE = 16,
     SHEEN_VIEW = 32,
-    SHEEN_DRAWS = SHEEN_RENDER | SHEEN_VIEW,
+    SHEEN_PLAN = 64,
+    SHEEN_DRAWS = SHEEN_RENDER | SHEEN_VIEW | SHEEN_PLAN,
     SHEEN_TAKES_MESH = SHEEN_DRAWS | SHEEN_BAKE
 };
 

@@ -110,7 +110,8 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     int error = sheen_host_mesh_load(&host, options->mesh, &how, problem);
     if (error)
         return error;
-    sheen_notes_print(&host.notes, options->color.from_file);
+    if (!options->quiet)
+        sheen_notes_print(&host.notes, options->color.from_file);
     scene->texel_count = host.picture_count;
     error = sheen_scene_texels(&scene->texels, &host, options);
     if (!error)
@@ -237,6 +238,14 @@ enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
     return scene->texel_count && asked > SHEEN_GOURAUD ? SHEEN_GOURAUD : asked;
 }
 
+void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose)
+{
+    const struct sheen_options *options = scene->options;
+
+    sheen_pose_orbit(pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),
+                     to_angle(options->roll), to_q24(options->distance));
+}
+
 static int draw_all(struct sheen_scene *scene, int number)
 {
     const struct sheen_options *options = scene->options;
@@ -246,8 +255,7 @@ static int draw_all(struct sheen_scene *scene, int number)
                                 .light_count = (uint8_t)options->lights.count,
                                 .two_sided = (uint8_t)options->two_sided};
 
-    sheen_pose_orbit(&draw.pose, to_angle(options->yaw + number * options->yaw_step), to_angle(options->pitch),
-                     to_angle(options->roll), to_q24(options->distance));
+    sheen_scene_pose(scene, number, &draw.pose);
     int error = sheen_begin(scene->frame, &scene->view);
     for (size_t i = 0; !error && i < scene->count; i++) {
         draw.mesh = &scene->meshes[i].mesh;

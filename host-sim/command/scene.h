@@ -58,6 +58,9 @@ int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *t
 /* Takes eye, lights and dithering over from the options, which may have changed since the last frame. */
 void sheen_scene_look(struct sheen_scene *scene);
 
+/* How the meshes stand in frame `number`. */
+void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose);
+
 /* Begins frame `number` and draws all meshes into it; sheen_end(scene->frame), or band by band, is left to do. */
 int sheen_scene_begin(struct sheen_scene *scene, int number);
 

@@ -214,6 +214,7 @@ function show() {
     if (warnings.length || !was_shown)
         say(warnings);
     $('line').textContent = commandLine();
+    plan();
     paint();
     if (is_first) {
         showNumbers();
@@ -301,6 +302,30 @@ async function take(list) {
     }
     is_busy = false;
     document.body.dataset.state = 'ready';
+}
+
+/* ---- boards ---- */
+
+let planTimer = 0;
+
+/* What `sheen plan` says of what is shown: where it is open, once nothing has changed for a moment. */
+function plan() {
+    clearTimeout(planTimer);
+    if (!$('plan').open || !shown)
+        return;
+    planTimer = setTimeout(() => {
+        const words = ['plan', ...optionWords(name => !LOOK.includes(name)), '--', mesh];
+        const error = sheen.x.web_plan(sheen.words(words), +$('board').value);
+        takeWarnings();
+        $('plan-text').textContent = sheen.text(error ? sheen.x.web_problem() : sheen.x.web_text());
+    }, 400);
+}
+
+function makePlan() {
+    $('board').append(make('option', { value: -1 }, 'all of them'));
+    for (let i = 0, name; (name = sheen.text(sheen.x.web_board(i))); i++)
+        $('board').append(make('option', { value: i }, name));
+    $('board').onchange = $('plan').ontoggle = plan;
 }
 
 /* ---- baking ---- */
@@ -739,6 +764,7 @@ async function begin() {
     learnOptions();
     followLink();
     makeControls();
+    makePlan();
     holdGlass();
     holdLights();
     holdPage();

@@ -1,5 +1,5 @@
 /*
- * web.c - the door of the WebAssembly module: `sheen view` and `sheen bake` for a page.
+ * web.c - the door of the WebAssembly module: `sheen view`, `sheen plan` and `sheen bake` for a page.
  *
  * The page hands over the words of a command line, as the command gets them, so options,
  * ranges and the lines on what is wrong are the command's own. What the command prints the
@@ -13,6 +13,7 @@
 #include "commands.h"
 #include "out_file.h"
 #include "progress.h"
+#include "report.h"
 #include "stats_json.h"
 #include "textures_out.h"
 #include "view.h"
@@ -27,6 +28,7 @@ static enum sheen_exit no_run(struct sheen_options *options)
 }
 
 static const struct sheen_command view_command = {"view", "MESH", "", SHEEN_VIEW, no_run};
+static const struct sheen_command plan_command = {"plan", "MESH", "", SHEEN_PLAN, no_run};
 static const struct sheen_command bake_command = {"bake", "MESH", "", SHEEN_BAKE, sheen_cmd_bake};
 
 static struct sheen_viewer viewer;
@@ -343,6 +345,44 @@ const char *EXPORT(web_option)(unsigned index, unsigned part)
 const char *EXPORT(web_version)(void)
 {
     return sheen_version;
+}
+
+/* ---- sheen plan ---- */
+
+const char *EXPORT(web_board)(unsigned index)
+{
+    const struct sheen_plan_board *board = sheen_plan_board_at(index);
+
+    return board ? board->name : NULL;
+}
+
+static int plan(const struct sheen_options *options, int board)
+{
+    struct sheen_plan *planned = malloc(sizeof *planned);
+    struct sheen_sim_choice choice;
+    FILE *stream = planned ? open_memstream(&text, &text_size) : NULL;
+    int error = stream ? sheen_turntable_choose(&choice, options, &problem)
+                       : sheen_problem(&problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
+
+    if (!error)
+        error = sheen_plan_make(planned, options, &choice, SHEEN_PLAN_VIEWS, &problem);
+    if (!error)
+        sheen_plan_text(stream, planned, board);
+    if (stream)
+        fclose(stream);
+    free(planned);
+    return error;
+}
+
+/* What `sheen plan` prints on the words of web_words(), of one board or, -1, of all: in web_text(). 0, or negative. */
+int EXPORT(web_plan)(int count, int board)
+{
+    static struct sheen_options options;
+    int go = parse(&options, &plan_command, count);
+
+    free(text);
+    text = NULL;
+    return go < 0 ? go : plan(&options, board);
 }
 
 /* ---- sheen bake ---- */

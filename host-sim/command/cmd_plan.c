@@ -1,0 +1,60 @@
+/*
+ * cmd_plan.c - `sheen plan`: frames a second, RAM and flash of a mesh on boards.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "builtin.h"
+#include "commands.h"
+#include "report.h"
+
+/* The board's number, -1: all; *choice is the panel. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+static int check(const struct sheen_options *options, int *board, struct sheen_sim_choice *choice,
+                 struct sheen_problem *problem)
+{
+    const struct sheen_plan_board *found = options->board ? sheen_plan_board_find(options->board, problem) : NULL;
+    int error = options->board && !found ? SHEEN_ERR_ARGUMENT : sheen_turntable_choose(choice, options, problem);
+
+    if (error)
+        return error;
+    if (options->band > choice->height)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
+                             choice->height);
+    for (*board = found ? 0 : -1; found && sheen_plan_board_at((unsigned)*board) != found;)
+        ++*board;
+    return sheen_builtin_check(options->mesh, problem);
+}
+
+/* The board that was asked for has to do. */
+static int judge(const struct sheen_plan *plan, int board, struct sheen_problem *problem)
+{
+    const struct sheen_plan_board *b = board >= 0 ? sheen_plan_board_at((unsigned)board) : NULL;
+    uint32_t ram = b ? sheen_plan_ram_short(plan, b) : 0, flash = b ? sheen_plan_flash_short(plan, (unsigned)board) : 0;
+
+    if (ram)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s takes %u B of RAM, %u more than there are",
+                             plan->options->mesh, b->name, plan->ram.all, ram);
+    if (flash)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s takes %u B of flash, %u more than there are",
+                             plan->options->mesh, b->name, plan->flash[board].all, flash);
+    return SHEEN_OK;
+}
+
+enum sheen_exit sheen_cmd_plan(struct sheen_options *options)
+{
+    struct sheen_sim_choice choice;
+    struct sheen_problem problem;
+    int board = -1;
+
+    if (check(options, &board, &choice, &problem) != 0)
+        return sheen_fail(SHEEN_EXIT_USAGE, &problem);
+    struct sheen_plan *plan = malloc(sizeof *plan);
+    int error = plan ? sheen_plan_make(plan, options, &choice, SHEEN_PLAN_VIEWS, &problem)
+                     : sheen_problem(&problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
+    if (!error) {
+        options->json ? sheen_plan_json(stdout, plan, board) : sheen_plan_text(stdout, plan, board);
+        error = judge(plan, board, &problem);
+    }
+    free(plan);
+    return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
+}

@@ -1,0 +1,104 @@
+/*
+ * changes.c - what to change first: each change is tried, over fewer views.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plan.h"
+
+#define VIEWS 12
+#define WORTH 1.03 /* times the rate */
+
+static double rate_of(const struct sheen_plan *plan, unsigned board)
+{
+    return 1 / plan->times[board][0].mean.period[plan->options->buffers > 1];
+}
+
+/* What comes of a command line; 0 where nothing does, as without a way to simplify meshes. */
+static double try_rate(struct sheen_plan *tried, const struct sheen_plan *plan, const struct sheen_options *options,
+                       unsigned board)
+{
+    const struct sheen_plan_board *b = sheen_plan_board_at(board);
+    struct sheen_problem ignored;
+
+    if (sheen_plan_make(tried, options, &plan->choice, VIEWS, &ignored) != 0)
+        return 0;
+    return sheen_plan_ram_short(tried, b) ? 0 : rate_of(tried, board);
+}
+
+/* Command lines that differ in one thing. */
+static unsigned variants(const struct sheen_plan *plan, unsigned board, struct sheen_options *changed,
+                         struct sheen_plan_change *changes)
+{
+    static const char *const cheaper[] = {NULL, "flat", "gouraud", "phong"};
+    const struct sheen_plan_board *b = sheen_plan_board_at(board);
+    const struct sheen_options *now = plan->options;
+    const double hz = sheen_plan_bus_hz(plan, b);
+    const int rows = plan->config.band_rows ? plan->config.band_rows : 16;
+    unsigned n = 0;
+
+    for (unsigned i = 0; i < SHEEN_PLAN_CHANGES; i++) {
+        changed[i] = *now;
+        changed[i].quiet = 1;
+    }
+    if (now->buffers < 2) {
+        changed[n].buffers = 2;
+        snprintf(changes[n++].what, sizeof changes->what, "--buffers 2");
+    }
+    if (2 * rows <= plan->target.height) {
+        changed[n].band = 2 * rows;
+        snprintf(changes[n++].what, sizeof changes->what, "--band %d", 2 * rows);
+    }
+    if (sheen_plan_ram_short(plan, b) && rows > 1) {
+        changed[n].band = rows / 2;
+        snprintf(changes[n++].what, sizeof changes->what, "--band %d", rows / 2);
+    }
+    if (hz < b->bus_hz) {
+        changed[n].bus_clock = (2 * hz < b->bus_hz ? 2 * hz : b->bus_hz) / 1e6;
+        snprintf(changes[n].what, sizeof changes->what, "--bus-clock %g, beyond what the panel is rated for",
+                 changed[n].bus_clock);
+        n++;
+    }
+    if (now->shade != SHEEN_FLAT) {
+        changed[n].shade = now->shade - 1;
+        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[now->shade]);
+    }
+    if (plan->target.pixel <= SHEEN_RGB565_LE && now->undithered <= 0) {
+        changed[n].undithered = 1;
+        snprintf(changes[n++].what, sizeof changes->what, "--dither off");
+    }
+    if (plan->triangles >= 64) {
+        changed[n].reduce = (int)plan->triangles / 2;
+        snprintf(changes[n].what, sizeof changes->what, "--reduce %d", changed[n].reduce);
+        n++;
+    }
+    return n;
+}
+
+static int by_rate(const void *a, const void *b)
+{
+    const struct sheen_plan_change *p = a, *q = b;
+
+    return (p->rate < q->rate) - (p->rate > q->rate);
+}
+
+unsigned sheen_plan_changes(const struct sheen_plan *plan, unsigned board, struct sheen_plan_change *changes,
+                            double *now)
+{
+    struct sheen_options changed[SHEEN_PLAN_CHANGES];
+    struct sheen_options quiet = *plan->options;
+    struct sheen_plan *tried = malloc(sizeof *tried);
+    unsigned n = variants(plan, board, changed, changes), kept = 0;
+
+    quiet.quiet = 1;
+    *now = tried ? try_rate(tried, plan, &quiet, board) : 0;
+    for (unsigned i = 0; i < n && tried; i++) {
+        changes[kept] = changes[i];
+        changes[kept].rate = try_rate(tried, plan, &changed[i], board);
+        kept += changes[kept].rate > WORTH * *now;
+    }
+    free(tried);
+    qsort(changes, kept, sizeof *changes, by_rate);
+    return kept;
+}

@@ -1,0 +1,42 @@
+/*
+ * costs.h - what tests/bench/costs found: cycles or instructions a feature, and bytes of flash. gcc.
+ */
+#ifndef SHEEN_PLAN_COSTS_H
+#define SHEEN_PLAN_COSTS_H
+
+#include <stdint.h>
+
+#include "feature_list.h"
+#include "shadings.h"
+
+/* Whose costs: of the RP2040 cycles (rp2040js), of the others instructions (QEMU). */
+enum sheen_plan_cpu {
+    SHEEN_CPU_RP2040,
+    SHEEN_CPU_M0PLUS,
+    SHEEN_CPU_M3,
+    SHEEN_CPU_M4,
+    SHEEN_CPU_M33,
+    SHEEN_CPU_RV32IMC,
+    SHEEN_CPU_LX106,
+    SHEEN_PLAN_CPUS
+};
+
+/* Kinds of drivers, in the order of sheen_plan_driver_kind's table. */
+enum sheen_plan_driver {
+    SHEEN_PLAN_DCS,
+    SHEEN_PLAN_SSD1351,
+    SHEEN_PLAN_GREY,
+    SHEEN_PLAN_SSD1322,
+    SHEEN_PLAN_SSD1306,
+    SHEEN_PLAN_SH1106,
+    SHEEN_PLAN_DRIVERS
+};
+
+extern const char sheen_plan_found[]; /* the day, and the compilers */
+extern const float sheen_plan_cost[SHEEN_PLAN_COUNTS][SHEEN_PLAN_CPUS];
+
+/* B of flash as a firmware links it, -O2 and -Os: the core with its tables and libgcc; a panel and its driver. */
+extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_SHADINGS];
+extern const uint32_t sheen_plan_panel_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_DRIVERS];
+
+#endif

@@ -1,0 +1,171 @@
+/*
+ * plan.c - times of a turn, from what its frames are made of.
+ */
+#include "plan.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+double sheen_plan_bus_hz(const struct sheen_plan *plan, const struct sheen_plan_board *board)
+{
+    const struct sheen_panel_record *record = plan->choice.record;
+    double most = plan->options->bus_clock > 0 ? plan->options->bus_clock * 1e6 : record ? record->clock_hz : 1e9;
+
+    return most < board->bus_hz ? most : board->bus_hz;
+}
+
+uint32_t sheen_plan_ram_short(const struct sheen_plan *plan, const struct sheen_plan_board *board)
+{
+    return plan->ram.all > board->ram ? plan->ram.all - board->ram : 0;
+}
+
+uint32_t sheen_plan_flash_short(const struct sheen_plan *plan, unsigned board)
+{
+    const uint32_t has = sheen_plan_board_at(board)->flash, needs = plan->flash[board].all;
+
+    return needs > has ? needs - has : 0;
+}
+
+double sheen_plan_drawing(const struct sheen_plan_time *time)
+{
+    double sum = 0;
+
+    for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
+        sum += time->stage[i];
+    return sum;
+}
+
+/* ---- a frame ---- */
+
+/* A band's seconds by stage, added to *time; their sum. */
+static double band_time(const struct sheen_plan_counts *counts, const struct sheen_plan_board *board,
+                        struct sheen_plan_time *time)
+{
+    const double cycle = board->cycles / board->clock_hz;
+    double sum = 0;
+
+    for (unsigned i = 0; i < SHEEN_PLAN_COUNTS; i++) {
+        if (counts->of[i] == 0)
+            continue;
+        double seconds = counts->of[i] * (double)sheen_plan_cost[i][board->cpu] * cycle;
+        time->stage[sheen_plan_feature_stage(i)] += seconds;
+        sum += seconds;
+    }
+    return sum;
+}
+
+/*
+ * With one buffer a band is drawn when the last one has left; with two it is drawn meanwhile, and sent once both are
+ * done. A frame begins when the last band of the one before has left.
+ */
+static void frame_time(const struct sheen_plan_run *run, const struct sheen_plan_board *board, double bus_hz,
+                       struct sheen_plan_time *time)
+{
+    double start = 0, sent = 0;
+
+    memset(time, 0, sizeof *time);
+    for (unsigned b = 0; b < run->bands; b++) {
+        double drawing = band_time(&run->band[b].counts, board, time), bus = 8 * run->band[b].bytes / bus_hz;
+        time->bus += bus;
+        time->period[0] += drawing + bus;
+        start = start + drawing > sent ? start + drawing : sent;
+        sent = start + bus;
+    }
+    time->period[1] = sent;
+}
+
+static void add_frame(struct sheen_plan_times *times, const struct sheen_plan_time *time, double share)
+{
+    for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
+        times->mean.stage[i] += share * time->stage[i];
+    times->mean.bus += share * time->bus;
+    for (unsigned i = 0; i < 2; i++) {
+        times->mean.period[i] += share * time->period[i];
+        times->worst[i] = time->period[i] > times->worst[i] ? time->period[i] : times->worst[i];
+    }
+}
+
+static void add_view(struct sheen_plan *plan, const struct sheen_plan_run *run, int whole, double share)
+{
+    const struct sheen_plan_board *board;
+    struct sheen_plan_time time;
+    uint32_t bytes = 0;
+
+    for (unsigned b = 0; b < run->bands; b++)
+        bytes += run->band[b].bytes;
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
+        frame_time(run, board, sheen_plan_bus_hz(plan, board), &time);
+        add_frame(&plan->times[i][whole], &time, share);
+        plan->times[i][whole].bytes += share * bytes;
+    }
+}
+
+static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
+{
+    struct sheen_stats stats;
+
+    sheen_frame_stats(run->table.scene.frame, &stats);
+    plan->used = stats.used > plan->used ? stats.used : plan->used;
+    plan->listed = stats.drawn > plan->listed ? stats.drawn : plan->listed;
+}
+
+/* ---- a turn ---- */
+
+/* The frame before the first one is drawn as well: of what follows only what changes is sent. */
+static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, struct sheen_problem *problem)
+{
+    int error = SHEEN_OK;
+
+    for (int whole = 0; whole < 2; whole++) {
+        for (int view = whole - 1; view < views && !error; view++) {
+            error = sheen_plan_draw(run, view, whole, problem);
+            if (!error && view >= 0) {
+                add_view(plan, run, whole, 1.0 / views);
+                note_most(plan, run);
+            }
+        }
+    }
+    return error;
+}
+
+static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run)
+{
+    const struct sheen_scene *scene = &run->table.scene;
+    const struct sheen_plan_board *board;
+
+    for (size_t i = 0; i < scene->count; i++) {
+        plan->vertices += scene->meshes[i].mesh.vertices;
+        plan->triangles += scene->meshes[i].mesh.triangles;
+    }
+    plan->config = scene->config;
+    plan->config.target = NULL;
+    plan->target = *run->panel;
+    plan->target.ctx = NULL;
+    sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
+        sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->choice.record);
+}
+
+int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options, const struct sheen_sim_choice *choice,
+                    int views, struct sheen_problem *problem)
+{
+    struct sheen_plan_run *run = calloc(1, sizeof *run);
+    struct sheen_options turned = *options;
+
+    memset(plan, 0, sizeof *plan);
+    plan->options = options;
+    plan->choice = *choice;
+    plan->panel = choice->record ? choice->record->name : "ideal";
+    if (!run)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
+    turned.yaw_step = 360.0 / views;
+    turned.texture = "off"; /* what texels cost has not been found */
+    int error = sheen_plan_open(run, &turned, choice, problem);
+    if (!error)
+        error = turn(plan, run, views, problem);
+    if (!error)
+        take_sizes(plan, run);
+    sheen_plan_close(run);
+    free(run);
+    return error;
+}

@@ -1,0 +1,232 @@
+/*
+ * report.c - a plan as text. Each line says how it came about: measured, cycles of an emulated processor; estimated,
+ * instructions times a factor; counted, exact on any machine.
+ */
+#include "report.h"
+
+#include <string.h>
+
+#define MS 1000
+
+static const char *const shadings[SHEEN_SHADINGS] = {"flat", "Gouraud", "Phong", "slerp"};
+static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
+
+static const char *how(const struct sheen_plan_board *board)
+{
+    return board->measured ? "measured " : "estimated";
+}
+
+const char *sheen_plan_limit(const struct sheen_plan *plan, unsigned board)
+{
+    const struct sheen_plan_time *t = &plan->times[board][0].mean;
+    unsigned most = 0;
+
+    if (sheen_plan_ram_short(plan, sheen_plan_board_at(board)))
+        return "RAM";
+    if (sheen_plan_flash_short(plan, board))
+        return "flash";
+    if (t->bus > sheen_plan_drawing(t))
+        return "bus";
+    for (unsigned i = 1; i < SHEEN_PLAN_STAGES; i++)
+        most = t->stage[i] > t->stage[most] ? i : most;
+    return stages[most];
+}
+
+static unsigned rows_of(const struct sheen_plan *plan)
+{
+    const unsigned align = plan->target.align_y ? plan->target.align_y : 1;
+    const unsigned asked = plan->config.band_rows ? plan->config.band_rows : 16;
+    const unsigned rows = (asked + align - 1) / align * align;
+
+    return rows < plan->target.height ? rows : plan->target.height;
+}
+
+static void put_head(FILE *out, const struct sheen_plan *plan)
+{
+    const struct sheen_options *o = plan->options;
+    const int dithered = o->undithered < 0 ? plan->target.pixel != SHEEN_GREY256 : !o->undithered;
+
+    fprintf(out, "%s, %s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[o->shade],
+            dithered ? ", dithered" : "", plan->panel, plan->target.width, plan->target.height, rows_of(plan),
+            SHEEN_PLAN_VIEWS);
+    fprintf(out, "counted    mesh: %u triangles, %u vertices; a frame: at most %u triangles, %u vertices\n",
+            plan->triangles, plan->vertices, plan->listed, plan->used);
+}
+
+/* ---- one board ---- */
+
+static void put_times(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board,
+                      const struct sheen_plan_times times[2])
+{
+    const struct sheen_plan_time *t = &times[0].mean;
+
+    fprintf(out, "%s  drawing: %.1f ms:", how(board), MS * sheen_plan_drawing(t));
+    for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
+        fprintf(out, "%s %s %.1f", i ? "," : "", stages[i], MS * t->stage[i]);
+    fprintf(out, "\ncounted    bus: %.1f ms for what changed, %.0f B, %.1f ms for a whole frame, %.0f B, at %g MHz\n",
+            MS * t->bus, times[0].bytes, MS * times[1].mean.bus, times[1].bytes, sheen_plan_bus_hz(plan, board) / 1e6);
+    for (int whole = 0; whole < 2; whole++)
+        for (int two = 0; two < 2; two++)
+            fprintf(out, "%s  %-12s %s  %5.1f frames/s in the mean, %5.1f at worst\n", how(board),
+                    whole ? "whole frames" : "what changed", two ? "two buffers" : "one buffer ",
+                    1 / times[whole].mean.period[two], 1 / times[whole].worst[two]);
+}
+
+static void put_ram(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board)
+{
+    const struct sheen_plan_ram *r = &plan->ram;
+    struct sheen_config config = plan->config;
+    struct sheen_plan_ram other;
+
+    fprintf(out, "counted    RAM: %u B of %u: vertices %u, lists %u, bands %u, the rest of the arena %u, stack %u\n",
+            r->all, board->ram, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK);
+    fprintf(out, "counted    RAM by rows of a band:");
+    for (unsigned rows = 4; rows <= 32 && rows <= plan->target.height; rows *= 2) {
+        config.band_rows = (uint16_t)rows;
+        sheen_plan_ram(&other, &config, &plan->target);
+        fprintf(out, "%s %u: %u B", rows > 4 ? "," : "", rows, other.all);
+    }
+    config = plan->config;
+    config.max_used = (uint16_t)plan->used;
+    config.max_triangles = (uint16_t)plan->listed;
+    sheen_plan_ram(&other, &config, &plan->target);
+    fprintf(out, "\ncounted    RAM with max_used %u and max_triangles %u, what this turn takes: %u B\n", plan->used,
+            plan->listed, other.all);
+}
+
+static void put_flash(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board, unsigned number)
+{
+    const struct sheen_plan_flash *f = &plan->flash[number];
+
+    fprintf(out,
+            "%s  flash: %u B of %u: core %u, panel %u, mesh %u, power table %u, at -O2; %u B in all at -Os, slower\n",
+            board->nearest ? "estimated" : "counted  ", f->all, board->flash, f->core, f->panel, f->mesh, f->tables,
+            f->small);
+}
+
+/*
+ * A mesh that RAM would do for: as many vertices a triangle as this one, smaller bands and fewer carried set-ups first.
+ */
+static void put_fitting(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board)
+{
+    static const struct {
+        uint16_t rows, carried;
+    } tries[] = {{16, 80}, {8, 80}, {4, 80}, {4, 16}};
+    struct sheen_config config = plan->config;
+    struct sheen_plan_ram ram;
+
+    for (unsigned i = 0; i < sizeof tries / sizeof tries[0]; i++) {
+        uint32_t most = 0;
+        config.band_rows = tries[i].rows;
+        config.max_carried = tries[i].carried;
+        for (uint32_t step = 1u << 15; step > 0; step /= 2) {
+            config.max_triangles = (uint16_t)(most + step);
+            config.max_vertices = (uint16_t)((uint64_t)(most + step) * plan->vertices / plan->triangles + 3);
+            sheen_plan_ram(&ram, &config, &plan->target);
+            most += ram.all <= board->ram && most + step <= plan->triangles ? step : 0;
+        }
+        if (most < 12)
+            continue;
+        fprintf(out, "counted    RAM would do for %u triangles in bands of %u rows", most, tries[i].rows);
+        fprintf(out, tries[i].carried < 80 ? ", with max_carried %u\n" : "\n", tries[i].carried);
+        return;
+    }
+}
+
+static void put_changes(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board, unsigned number)
+{
+    struct sheen_plan_change changes[SHEEN_PLAN_CHANGES];
+    const uint32_t ram = sheen_plan_ram_short(plan, board), flash = sheen_plan_flash_short(plan, number);
+    double now;
+    unsigned n = sheen_plan_changes(plan, number, changes, &now);
+
+    if (ram) {
+        fprintf(out, "counted    RAM does not do: %u B short\n", ram);
+        put_fitting(out, plan, board);
+    }
+    if (flash)
+        fprintf(out, "counted    flash does not do: %u B short\n", flash);
+    fprintf(out, "%s  limit: %s\n", how(board), sheen_plan_limit(plan, number));
+    for (unsigned i = 0; i < n; i++)
+        fprintf(out, "%s  %-10s %5.1f frames/s with %s\n", how(board), i ? "then try" : "first try", changes[i].rate,
+                changes[i].what);
+}
+
+static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
+{
+    const struct sheen_plan_board *board = sheen_plan_board_at(number);
+
+    fprintf(out, "%s, %s at %g MHz: %s\n", board->title, board->processor, board->clock_hz / 1e6, board->basis);
+    put_times(out, plan, board, plan->times[number]);
+    put_ram(out, plan, board);
+    put_flash(out, plan, board, number);
+    put_changes(out, plan, board, number);
+}
+
+/* ---- all boards ---- */
+
+static void put_line(FILE *out, const struct sheen_plan *plan, unsigned number)
+{
+    const struct sheen_plan_board *board = sheen_plan_board_at(number);
+    const struct sheen_plan_times *changed = &plan->times[number][0], *whole = &plan->times[number][1];
+    const uint32_t ram = sheen_plan_ram_short(plan, board), flash = sheen_plan_flash_short(plan, number);
+
+    fprintf(out, "%s  %-13s", how(board), board->name);
+    fprintf(out, " %7.1f %7.1f  %6.1f %6.1f  %6.1f %6.1f  %7u %7u", MS * sheen_plan_drawing(&changed->mean),
+            MS * changed->mean.bus, 1 / changed->mean.period[0], 1 / changed->mean.period[1], 1 / whole->mean.period[0],
+            1 / whole->mean.period[1], plan->ram.all, plan->flash[number].all);
+    if (ram)
+        fprintf(out, "  RAM: %u B short\n", ram);
+    else if (flash)
+        fprintf(out, "  flash: %u B short\n", flash);
+    else
+        fprintf(out, "  %s\n", sheen_plan_limit(plan, number));
+}
+
+static void put_all(FILE *out, const struct sheen_plan *plan)
+{
+    fprintf(out, "%-9s  %-13s %15s  %13s  %13s  %15s\n", "", "", "ms a frame", "changed", "whole frames", "bytes");
+    fprintf(out, "%-9s  %-13s %7s %7s  %6s %6s  %6s %6s  %7s %7s  %s\n", "", "board", "drawing", "bus", "1 buf",
+            "2 buf", "1 buf", "2 buf", "RAM", "flash", "limit");
+    for (unsigned i = 0; sheen_plan_board_at(i); i++)
+        put_line(out, plan, i);
+    fprintf(
+        out,
+        "buf: frames a second in the mean, with one buffer and with two. measured: cycles of the emulated\n"
+        "processor; estimated: instructions times a factor (--board NAME tells); RAM, flash and bus are counted.\n");
+}
+
+void sheen_plan_text(FILE *out, const struct sheen_plan *plan, int board)
+{
+    put_head(out, plan);
+    if (board >= 0)
+        put_board(out, plan, (unsigned)board);
+    else
+        put_all(out, plan);
+}
+
+static void put_rates(FILE *out, const struct sheen_plan *plan, int measured)
+{
+    const struct sheen_plan_board *board;
+    const char *before = measured ? "measured" : "; estimated";
+
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
+        if (board->measured != measured)
+            continue;
+        fprintf(out, "%s %s ", before, board->name);
+        if (sheen_plan_ram_short(plan, board) || sheen_plan_flash_short(plan, i))
+            fputs("-", out);
+        else
+            fprintf(out, "%.0f", 1 / plan->times[i][0].mean.period[plan->options->buffers > 1]);
+        before = ",";
+    }
+}
+
+void sheen_plan_brief(FILE *out, const struct sheen_plan *plan)
+{
+    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, rows_of(plan),
+            shadings[plan->options->shade], plan->ram.all);
+    put_rates(out, plan, 1);
+    put_rates(out, plan, 0);
+    putc('\n', out);
+}

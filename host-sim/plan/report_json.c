@@ -1,0 +1,81 @@
+/*
+ * report_json.c - a plan as one object of JSON. Seconds, bytes, frames a second.
+ */
+#include <string.h>
+
+#include "report.h"
+
+static void put_quoted(FILE *out, const char *text)
+{
+    putc('"', out);
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\')
+            putc('\\', out);
+        if ((unsigned char)*text < ' ')
+            fprintf(out, "\\u%04x", *text);
+        else
+            putc(*text, out);
+    }
+    putc('"', out);
+}
+
+static void put_times(FILE *out, const char *name, const struct sheen_plan_times *times)
+{
+    static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
+    const struct sheen_plan_time *t = &times->mean;
+
+    fprintf(out, "\"%s\": {", name);
+    for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
+        fprintf(out, "\"%s\": %.7f, ", stages[i], t->stage[i]);
+    fprintf(out, "\"bus\": %.7f, \"bytes\": %.0f, ", t->bus, times->bytes);
+    fprintf(out, "\"one_buffer\": {\"mean\": %.2f, \"worst\": %.2f}, ", 1 / t->period[0], 1 / times->worst[0]);
+    fprintf(out, "\"two_buffers\": {\"mean\": %.2f, \"worst\": %.2f}}", 1 / t->period[1], 1 / times->worst[1]);
+}
+
+static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
+{
+    const struct sheen_plan_board *b = sheen_plan_board_at(number);
+    const struct sheen_plan_flash *f = &plan->flash[number];
+
+    fputs("{\"board\": ", out);
+    put_quoted(out, b->name);
+    fprintf(out, ", \"processor\": \"%s\", \"hz\": %u, \"bus_hz\": %.0f, \"measured\": %s, \"basis\": ", b->processor,
+            b->clock_hz, sheen_plan_bus_hz(plan, b), b->measured ? "true" : "false");
+    put_quoted(out, b->basis);
+    fputs(", ", out);
+    put_times(out, "changed", &plan->times[number][0]);
+    fputs(", ", out);
+    put_times(out, "whole", &plan->times[number][1]);
+    fprintf(out,
+            ", \"flash\": {\"all\": %u, \"core\": %u, \"panel\": %u, \"mesh\": %u, \"tables\": %u, \"all_Os\": %u, "
+            "\"has\": %u, \"short\": %u}, \"ram\": {\"has\": %u, \"short\": %u}, \"limit\": \"%s\"}",
+            f->all, f->core, f->panel, f->mesh, f->tables, f->small, b->flash, sheen_plan_flash_short(plan, number),
+            b->ram, sheen_plan_ram_short(plan, b), sheen_plan_limit(plan, number));
+}
+
+void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
+{
+    static const char *const shadings[SHEEN_SHADINGS] = {"flat", "gouraud", "phong", "slerp"};
+    const struct sheen_plan_ram *r = &plan->ram;
+
+    fputs("{\"mesh\": ", out);
+    put_quoted(out, plan->options->mesh);
+    fprintf(out, ", \"shade\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, \"views\": %d",
+            shadings[plan->options->shade], plan->panel, plan->target.width, plan->target.height,
+            plan->config.band_rows ? plan->config.band_rows : 16, SHEEN_PLAN_VIEWS);
+    fprintf(out, ", \"vertices\": %u, \"triangles\": %u, \"used\": %u, \"listed\": %u, \"costs\": ", plan->vertices,
+            plan->triangles, plan->used, plan->listed);
+    put_quoted(out, sheen_plan_found);
+    fprintf(out,
+            ", \"ram\": {\"all\": %u, \"arena\": %u, \"vertices\": %u, \"lists\": %u, \"bands\": %u, \"rest\": %u, "
+            "\"stack\": %u}, \"boards\": [",
+            r->all, r->arena, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK);
+    for (unsigned i = 0; sheen_plan_board_at(i); i++) {
+        if (board >= 0 && i != (unsigned)board)
+            continue;
+        if (i > 0 && board < 0)
+            fputs(", ", out);
+        put_board(out, plan, i);
+    }
+    fputs("]}\n", out);
+}
