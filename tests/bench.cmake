@@ -12,3 +12,11 @@ target_link_libraries(bench_host PRIVATE bench_scenes)
 sheen_script(bench bench COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR})
 set_tests_properties(bench PROPERTIES FIXTURES_REQUIRED boards)
 sheen_script(bench_short freestanding COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR} M3 M0+)
+
+# What `sheen plan` counts with, against emulated processors: arenas and flash are the same, times nearly.
+add_executable(planned_export bench/planned_export.c)
+target_link_libraries(planned_export PRIVATE sheen::view)
+target_include_directories(planned_export PRIVATE bench)
+target_sources(planned_export PRIVATE bench/scenes.c ${bench_data})
+sheen_script(bench_costs bench COMMAND tests/bench/costs --build ${CMAKE_BINARY_DIR} TIMEOUT 3600)
+set_tests_properties(bench_costs PROPERTIES FIXTURES_REQUIRED boards)

@@ -1,41 +1,11 @@
 /*
  * guest.c - all scenes on a processor in qemu: instructions a frame, and the memory that it takes.
- *
- * A loop of known length comes first, so that the reader of the output can check the counter.
  */
 #include "guest.h"
 
 #include "scenes.h"
 
-#define LOOPS 100000u
-
 static uint64_t arena[46 * 1024];
-
-static void print_number(uint32_t n)
-{
-    char text[12];
-    char *at = text + sizeof text - 1;
-
-    *at = 0;
-    do {
-        *--at = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0);
-    guest_print(at);
-    guest_print(" ");
-}
-
-static void check_counter(void)
-{
-    guest_count();
-    guest_loop(LOOPS);
-    uint32_t count = guest_counted();
-    guest_print("loop ");
-    print_number(count);
-    guest_print("of ");
-    print_number(2 * LOOPS);
-    guest_print("\n");
-}
 
 static void print_memory(const struct bench *bench)
 {
@@ -43,11 +13,11 @@ static void print_memory(const struct bench *bench)
 
     sheen_frame_stats(bench->frame, &stats);
     guest_print("memory ");
-    print_number(stats.ram_arena);
-    print_number(stats.ram_vertices);
-    print_number(stats.ram_lists);
-    print_number(stats.ram_bands);
-    print_number((uint32_t)sizeof bench->material);
+    guest_print_number(stats.ram_arena);
+    guest_print_number(stats.ram_vertices);
+    guest_print_number(stats.ram_lists);
+    guest_print_number(stats.ram_bands);
+    guest_print_number((uint32_t)sizeof bench->material);
 }
 
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
@@ -69,9 +39,9 @@ static int measure(const struct bench_scene *scene, enum sheen_shading shading, 
     guest_print(" ");
     guest_print(name[shading]);
     guest_print(dither ? " dithered " : " ");
-    print_number((uint32_t)band_rows);
+    guest_print_number((uint32_t)band_rows);
     if (status == SHEEN_OK) {
-        print_number(count);
+        guest_print_number(count);
         print_memory(&bench);
     } else {
         guest_print(sheen_strerror(status));
@@ -82,7 +52,7 @@ static int measure(const struct bench_scene *scene, enum sheen_shading shading, 
 
 void guest_main(void)
 {
-    check_counter();
+    guest_check_counter();
     for (int scene = 0; scene < BENCH_SCENES; scene++) {
         for (int shading = SHEEN_FLAT; shading <= SHEEN_SLERP; shading++) {
             if (measure(&bench_scenes[scene], (enum sheen_shading)shading, 16, 0) < 0 ||

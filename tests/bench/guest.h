@@ -1,5 +1,5 @@
 /*
- * guest.h - a processor in qemu, as guest.c sees it: cortex.c, riscv.c.
+ * guest.h - a processor in an emulator, as guest.c and planned.c see it: cortex.c, riscv.c, lx106.c.
  */
 #ifndef BENCH_GUEST_H
 #define BENCH_GUEST_H
@@ -16,7 +16,37 @@ uint32_t guest_counted(void);
 /* 2 * rounds instructions. */
 void guest_loop(uint32_t rounds);
 
-/* guest.c: what a machine's start-up code calls once its memory is set up. */
+/* guest.c, planned.c: what a machine's start-up code calls once its memory is set up. */
 __attribute__((noreturn)) void guest_main(void);
+
+/* The number and a space. */
+static inline void guest_print_number(uint32_t n)
+{
+    char text[12];
+    char *at = text + sizeof text - 1;
+
+    *at = 0;
+    do {
+        *--at = (char)('0' + n % 10);
+        n /= 10;
+    } while (n > 0);
+    guest_print(at);
+    guest_print(" ");
+}
+
+#define GUEST_LOOPS 100000u
+
+/* A loop of known length comes first, so that the reader of the output can check the counter. */
+static inline void guest_check_counter(void)
+{
+    guest_count();
+    guest_loop(GUEST_LOOPS);
+    uint32_t count = guest_counted();
+    guest_print("loop ");
+    guest_print_number(count);
+    guest_print("of ");
+    guest_print_number(2 * GUEST_LOOPS);
+    guest_print("\n");
+}
 
 #endif

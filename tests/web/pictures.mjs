@@ -4,6 +4,7 @@
  *
  * --fault: the page is told another colour, so that all must differ.
  */
+import { execFileSync } from 'node:child_process';
 import { Browser, differing, glass, judge, render } from './browser.mjs';
 
 const [sheen, page_file, folder, fault] = process.argv.slice(2);
@@ -55,6 +56,15 @@ for (const panel of ['ili9341', 'ssd1306', 'gc9a01']) {
     }
     check(`canvas of ${panel}: ${off} pixels differ from the glass`, off === 0 && got.length === want.rgb.length);
     await other.close();
+}
+
+// `sheen plan`: the command's lines.
+for (const words of [['builtin:teapot'], ['builtin:torus', '--panel', 'ssd1306', '--shade', 'gouraud', '--band', '8'],
+    ['builtin:cube', '--panel', 'st7789-240x240', '--buffers', '2', '--shade', 'slerp', '--dither', 'off']]) {
+    const got = await page.evaluate(words => sheen.x.web_plan(sheen.words(['plan', ...words]), -1)
+        ? sheen.text(sheen.x.web_problem()) : sheen.text(sheen.x.web_text()), words);
+    const want = execFileSync(sheen, ['plan', ...words]).toString();
+    check(`plan ${words.join(' ')}: ${got} is not ${want}`, got === want);
 }
 
 // What a frame takes here, for who reads this.

@@ -1,0 +1,42 @@
+/*
+ * flash.c - the least of a firmware: one shading SHADER, and where they are given one panel PANEL, the mesh and the
+ * power table of the header MESH. What the linker keeps of it is what `sheen plan` says of flash.
+ */
+#include "sheen.h"
+#ifdef PANEL
+#include "sheen_panel.h"
+extern const struct sheen_bus bus;
+#endif
+#ifdef MESH
+#include MESH
+#define SHINE .shine = &sheen_shine_32
+#else
+extern const struct sheen_mesh mesh;
+#define SHINE .shine = NULL
+#endif
+
+extern const struct sheen_light light;
+extern uint64_t arena[];
+extern size_t arena_bytes;
+extern volatile unsigned yaw;
+
+int main(void)
+{
+    static const struct sheen_material material = {.base = {200, 160, 80}, .diffuse = 50000, .specular = 20000, SHINE};
+    const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05), .dither = 1};
+    struct sheen_frame *frame;
+    struct sheen_object object = {
+        .mesh = &mesh, .material = &material, .shader = &SHADER, .lights = &light, .light_count = 1};
+    int error = 0;
+
+    sheen_pose_orbit(&object.pose, sheen_degrees((int32_t)yaw), 0, 0, SHEEN_Q24(3));
+#ifdef PANEL
+    struct sheen_panel panel;
+    struct sheen_target target;
+    error = sheen_panel_open(&panel, &PANEL, &bus, 0) || sheen_panel_target(&panel, &target);
+#else
+    extern const struct sheen_target target;
+#endif
+    const struct sheen_config config = {.target = &target, .max_vertices = 530, .max_triangles = 512};
+    return error || sheen_init(&frame, arena, &arena_bytes, &config) || sheen_render(frame, &view, &object, 1);
+}
