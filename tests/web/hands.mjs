@@ -77,7 +77,17 @@ check('a second light', (await checkLine(page, 'a second light')).split('--light
 await clickText(page, '#less-light', '−');
 await page.$eval('#shininess', slider => { slider.value = 9; slider.dispatchEvent(new Event('input')); });
 check('a slider', (await checkLine(page, 'a slider')).includes('--shininess 9'));
-await page.$eval('details', element => { element.open = true; });
+await page.$eval('#plan', element => { element.open = true; });
+await page.select('#board', '0');
+const planned = () => page.$eval('#plan-text', element => element.textContent);
+await page.waitForFunction(() => document.querySelector('#plan-text').textContent.includes('Raspberry Pi Pico, '));
+const told = execFileSync(sheen, ['plan', '--board', 'pico', ...await page.evaluate(() =>
+    [...optionWords(name => !LOOK.includes(name)), '--', mesh])]).toString();
+const lasting = text => text.split('\n').filter(line => !/ try /.test(line)).join('\n'); // a page does not simplify
+check('the plan of what is shown', lasting(await planned()) === lasting(told) && / first try /.test(await planned()));
+await page.screenshot({ path: path.join(folder, 'plan.png') });
+await page.$eval('#plan', element => { element.open = false; });
+await page.$eval('#controls details', element => { element.open = true; });
 await page.select('#dither', 'off');
 check('dither off', (await checkLine(page, 'dither off')).includes('--dither off'));
 await page.type('#band', '8');
