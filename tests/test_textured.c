@@ -115,9 +115,113 @@ static int judge_textured(const struct accuracy_mesh *mesh, int picture, enum te
     return failed;
 }
 
+/* ---- the test of the test ---- */
+
+enum fault {
+    FLIPPED,
+    SHIFTED,
+    AFFINE,
+    FAULTS
+};
+
+static const char *const fault_name[FAULTS] = {"v upwards", "1/8 texel to the right", "affine"};
+
+/* The core's picture of a scene against the reference's of another one has to be refused. */
+static int judge_fault(enum fault fault)
+{
+    static struct accuracy_shot shot;
+    struct ref_texture texture = *textured_picture(0);
+    struct textured_line line = {.equal = 1};
+    struct accuracy_mesh mesh;
+    struct ref_scene scene;
+    struct ref_picture picture;
+    int kept = 1;
+
+    if (textured_mesh_make(&mesh, 1) != 0)
+        return 1;
+    textured_view(&scene, &mesh.reference, 1, TEXTURED_SCENE_GOURAUD);
+    scene.texture = &texture;
+    scene.affine = fault == AFFINE;
+    for (size_t c = 0; c < mesh.reference.corner_count; c++) {
+        double *uv = mesh.reference.uv[c];
+        uv[0] += fault == SHIFTED ? 0.125 / texture.width : 0;
+        uv[1] = fault == FLIPPED ? 1 - uv[1] : uv[1];
+    }
+    if (ref_render(&picture, &scene) == 0) {
+        scene.affine = false;
+        if (accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0) == SHEEN_OK)
+            kept = !score_line(&line, &shot, &scene);
+        ref_picture_free(&picture);
+    }
+    printf("fault, %s: %s\n", fault_name[fault], kept ? "NOT REFUSED" : "refused, as it has to be");
+    accuracy_mesh_free(&mesh);
+    return kept;
+}
+
+/* ---- what sheen_draw refuses ---- */
+
+static int draw_about(const struct sheen_object *object, const struct sheen_target *target)
+{
+    const struct sheen_config config = {.target = target, .max_vertices = 100, .max_triangles = 100};
+    const struct sheen_view view = {.fov = 0};
+    struct core_frame f;
+
+    if (core_frame_make(&f, &config) < 0)
+        return -1;
+    int status = sheen_render(f.frame, &view, object, 1);
+    int about = status == SHEEN_OK ? 0 : (int)sheen_frame_about(f.frame, NULL);
+    core_frame_free(&f);
+    return about;
+}
+
+static int judge_arguments(void)
+{
+    static const uint8_t numbers[1] = {0};
+    static const uint16_t white[1] = {0xffff};
+    const struct sheen_texture good = {.texels = white};
+    struct sheen_texture bad[6] = {good, good, good, good, good, good};
+    struct sheen_material material = {.base = {255, 255, 255}, .ambient = SHEEN_Q16(1), .texture = &good};
+    struct memory_target target;
+    struct accuracy_mesh mesh;
+    int wrong = 0;
+
+    if (textured_mesh_make(&mesh, 1) != 0 || memory_target_init(&target, 16, 16, SHEEN_RGB565_LE) != 0)
+        return 1;
+    struct sheen_object object = {.mesh = &mesh.own.mesh, .material = &material, .shader = &sheen_textured};
+    object.pose = (struct sheen_pose){.translation = {0, 0, -SHEEN_Q24(3)}};
+    bad[0].texels = NULL;
+    bad[1].width_log2 = 10;
+    bad[2].height_log2 = 10;
+    bad[3].bits = 2;
+    bad[4] = (struct sheen_texture){.texels = numbers, .bits = 8};
+    bad[5] = (struct sheen_texture){.texels = numbers, .bits = 4};
+    wrong += draw_about(&object, &target.target) != 0;
+    for (int i = 0; i < 6; i++) {
+        material.texture = &bad[i];
+        wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_TEXTURE;
+    }
+    material.texture = NULL;
+    wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_TEXTURE;
+    material.texture = &good;
+    mesh.own.mesh.uv_bits = 16;
+    wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_UVS;
+    mesh.own.mesh.uv_bits = 15;
+    mesh.own.mesh.uvs = NULL;
+    wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_UVS;
+    mesh.own.mesh.uvs = mesh.own.uvs;
+    mesh.own.mesh.normals = NULL;
+    wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_NORMALS;
+    object.shader = &sheen_textured_flat;
+    wrong += draw_about(&object, &target.target) != 0;
+    printf("arguments: %d answers that are wrong\n", wrong);
+    memory_target_free(&target);
+    accuracy_mesh_free(&mesh);
+    return wrong;
+}
+
 int main(int argc, char **argv)
 {
-    int failed = 0, turn = 0;
+    int failed = 0, faults = 0, turn = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
     for (int index = 0; index < TEXTURED_MESHES; index++) {
@@ -134,6 +238,9 @@ int main(int argc, char **argv)
         }
         accuracy_mesh_free(&mesh);
     }
+    for (int fault = 0; fault < FAULTS; fault++)
+        faults += judge_fault((enum fault)fault);
+    faults += judge_arguments();
     printf("%d pictures outside their limits\n", failed);
-    return failed != 0;
+    return failed + faults != 0;
 }
