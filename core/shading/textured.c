@@ -144,9 +144,9 @@ static enum textured_pixels pixels_of(const struct draw *d, const struct at_corn
         return TEXTURED_ANY;
     for (int k = 0; k < 3; k++)
         light = (uint32_t)at[2].f[k] > light ? (uint32_t)at[2].f[k] : light;
-    return terms->unlit                                                               ? TEXTURED_UNLIT
-           : light > (1u << LIGHT_PLANE_BITS) + LIGHT_BIAS || largest_of(&at[3]) != 0 ? TEXTURED_GLOSSY
-                                                                                      : TEXTURED_LIT;
+    if (terms->unlit)
+        return TEXTURED_UNLIT;
+    return light > (1u << LIGHT_PLANE_BITS) + LIGHT_BIAS || largest_of(&at[3]) != 0 ? TEXTURED_ANY : TEXTURED_LIT;
 }
 
 static void textured_as(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])

@@ -10,8 +10,7 @@
 enum textured_pixels {
     TEXTURED_ANY,
     TEXTURED_UNLIT, /* the others: nearest texels of 565 that repeat, without key; no light, */
-    TEXTURED_LIT,   /* light alike in all channels that is 1.0 at most, without a highlight, */
-    TEXTURED_GLOSSY /* any light and highlight */
+    TEXTURED_LIT    /* or one that is alike in all channels and 1.0 at most, without a highlight */
 };
 
 /*
@@ -35,6 +34,7 @@ struct texel_run {
     const struct draw *d;
     uint16_t *depth;
     int32_t x, y, count;
+    unsigned pixels; /* enum textured_pixels */
 };
 
 void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step);

@@ -140,7 +140,7 @@ void sheen_textured_blocks(const struct tile *t, const struct setup *s)
 
     for (unsigned row = 0; row < t->rows; row++) {
         const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
-        struct texel_run r = {t, s->draw, t->depth + tile_offset(t, x, y), x, y, t->spans[row].x1 - x};
+        struct texel_run r = {t, s->draw, t->depth + tile_offset(t, x, y), x, y, t->spans[row].x1 - x, s->fast};
         if (r.count <= 0)
             continue;
         if (s->way == SHEEN_WAY_TEXTURED_LINEAR)

@@ -116,7 +116,7 @@ SPECIALISED void any_pixel(const struct texel_run *r, uint32_t offset, uint32_t 
     put_texel(r, offset, channel, threshold);
 }
 
-void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step)
+static void any_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step)
 {
     const uint8_t *threshold = threshold_row(r->t->dither, r->y);
     uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, end = x + (uint32_t)r->count;
@@ -125,4 +125,60 @@ void sheen_textured_run(const struct texel_run *r, struct texel_at at, const str
         any_pixel(r, offset, threshold[x & 7u], &at);
         step_on(&at, step);
     }
+}
+
+/* ---- nearest texels of 565 that repeat ---- */
+
+/* Light of 1.0 at the most, so that no channel leaves its place in the texel; threshold in 1/128. */
+SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, uint32_t threshold)
+{
+    const unsigned up = LIGHT_BITS - 7;
+    uint32_t r = (texel & 0xf800u) * light + (threshold << (up + 11));
+    uint32_t g = (texel & 0x07e0u) * light + (threshold << (up + 5)), b = (texel & 31u) * light + (threshold << up);
+
+    return (r >> LIGHT_BITS & 0xf800u) | (g >> LIGHT_BITS & 0x07e0u) | b >> LIGHT_BITS;
+}
+
+/* u and v, times the width, are masked to the texel's bytes. */
+SPECIALISED void nearest_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step, unsigned lit,
+                             unsigned dither, unsigned swap)
+{
+    const struct sheen_texture *t = r->d->texel.texture;
+    const uint8_t *texels = t->texels, *threshold = threshold_row(dither, r->y);
+    const unsigned width = t->width_log2;
+    const uint32_t columns = ((1u << width) - 1) << 1, rows = ((1u << t->height_log2) - 1) << (width + 1);
+    const uint32_t dz = step->z, du = step->u, dv = step->v << width, dlight = step->light;
+    const intptr_t to_pixel = r->t->to_pixel;
+    uint16_t *depth = r->depth, *end = depth + r->count;
+    uint32_t z = at.z, u = at.u, v = at.v << width, light = at.light, x = (uint32_t)r->x;
+
+    do {
+        if (nearer(r->t, depth, z)) {
+            uint32_t texel = *(const uint16_t *)(const void *)(texels + ((u >> 15 & columns) | (v >> 15 & rows)));
+            if (lit)
+                texel = lit_texel(texel, light >> (LIGHT_PLANE_BITS - LIGHT_BITS), dither ? threshold[x & 7u] : 64);
+            *pixel_at(depth, to_pixel) = pixel_order(texel, swap);
+        }
+        z += dz;
+        u += du;
+        v += dv;
+        light += dlight;
+        x++;
+    } while (++depth != end);
+}
+
+SPECIALISED void nearest_as(const struct texel_run *r, struct texel_at at, const struct texel_at *step, unsigned lit,
+                            unsigned dither)
+{
+    r->t->format->swap ? nearest_run(r, at, step, lit, dither, 1) : nearest_run(r, at, step, lit, dither, 0);
+}
+
+void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step)
+{
+    if (!FAST_LOOPS || r->pixels == TEXTURED_ANY)
+        any_run(r, at, step);
+    else if (r->pixels == TEXTURED_UNLIT)
+        nearest_as(r, at, step, 0, 0);
+    else
+        r->t->dither ? nearest_as(r, at, step, 1, 1) : nearest_as(r, at, step, 1, 0);
 }
