@@ -267,6 +267,8 @@ static int plan_briefly(const struct baking *baking, const struct sheen_sim_choi
     int error = plan ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options.mesh);
 
     options.quiet = 1;
+    if (baking->host.picture_count)
+        puts("without its textures:");
     for (int rows = 4; rows <= 16 && !error; rows *= 2) {
         options.band = baking->options->band ? baking->options->band : rows;
         error = sheen_plan_make(plan, &options, choice, PLANNED_VIEWS, problem);
