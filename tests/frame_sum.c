@@ -18,7 +18,8 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[24 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture"};
+#define TEXTURED 4
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -85,9 +86,39 @@ static int set_material(struct sheen_material *material, struct sheen_shine *shi
     return sheen_shine_make(shine, shininess[view]);
 }
 
+/* x and y are u and v; a view has texels of 16, 8, 4 bits, bilinear, with a key, or held at the edges. */
+static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, int view)
+{
+    static const uint16_t palette[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0xf81f, 0x07ff,
+                                         0x8410, 0xc618, 0x8000, 0x0400, 0x0010, 0x8400, 0xfc00, 0x2945};
+    static int16_t uvs[2 * 1400];
+    static uint16_t wide[16 * 8];
+    static uint8_t byte[16 * 8];
+
+    for (uint32_t i = 0; i < mesh->vertices && i < 1400; i++) {
+        uvs[2 * i] = mesh->positions[3 * i];
+        uvs[2 * i + 1] = (int16_t)(mesh->positions[3 * i + 1] / 2 + mesh->positions[3 * i + 2] / 4);
+    }
+    for (uint32_t i = 0; i < 16 * 8; i++) {
+        byte[i] = (uint8_t)((i * i + 3 * (i >> 4)) & 15u);
+        wide[i] = palette[byte[i]];
+    }
+    mesh->uvs = uvs;
+    mesh->uv_bits = 14;
+    *texture = (struct sheen_texture){.texels = byte, .palette = palette, .width_log2 = 4, .height_log2 = 3};
+    texture->bits = view == 1 ? 4 : view == 2 ? 8 : 16;
+    if (texture->bits == 16)
+        texture->texels = wide;
+    texture->bilinear = view == 3;
+    texture->keyed = view == 2;
+    texture->key = 0xf800;
+    texture->clamp_u = view == 1;
+    texture->clamp_v = view == 4;
+}
+
 /* Two frames, the second turned on, so that what is sent is what changed. */
-static int draw_picture(const struct sheen_target *target, struct sheen_object *draw, int view_number, int rows,
-                        int dither)
+static int draw_picture(const struct sheen_target *target, struct sheen_object *draw,
+                        const struct sheen_texture *texture, int view_number, int rows, int dither)
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)rows,
@@ -103,6 +134,7 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
 
     if (status == SHEEN_OK)
         status = set_material(&material, &shine, view_number);
+    material.texture = texture;
     draw->material = &material;
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         set_view(view_number, &view, draw);
@@ -128,12 +160,17 @@ static int print_sums(int mesh, int shading, int view, int format)
                                   .align_x = format == SHEEN_GREY2    ? 8
                                              : format == SHEEN_GREY16 ? 2
                                                                       : 1};
-    struct sheen_object draw = {.mesh = sum_mesh((enum sum_mesh)mesh), .shader = sheen_shader_of(shading)};
+    struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
+    struct sheen_texture texture = {.bits = 0};
+    struct sheen_object draw = {.mesh = &own};
 
     target.ctx = &target;
+    draw.shader = shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)shading);
+    if (shading == TEXTURED)
+        hang_texture(&own, &texture, view);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
-        int status = draw_picture(&target, &draw, view, rows[i % 3], i / 3);
+        int status = draw_picture(&target, &draw, &texture, view, rows[i % 3], i / 3);
         if (status < 0) {
             fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[mesh], shading_name[shading],
                     view, format_name[format], rows[i % 3], sheen_strerror(status));
@@ -150,6 +187,10 @@ int main(void)
 {
     for (int i = 0; i < SUM_MESHES * 4 * VIEWS * 5; i++) {
         if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
+            return 1;
+    }
+    for (int i = 0; i < SUM_MESHES * VIEWS * 5; i++) {
+        if (print_sums(i / (5 * VIEWS), TEXTURED, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;
