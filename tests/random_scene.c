@@ -107,7 +107,7 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
     static const int size[3][2] = {{240, 240}, {320, 240}, {240, 320}};
     static const enum sheen_way first[4] = {SHEEN_WAY_FLAT, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_PHONG_QUADRATIC,
                                             SHEEN_WAY_SLERP};
-    static const unsigned ways[4] = {1, 3, 3, 1};
+    static const unsigned ways[4] = {1, 3, 3, 2};
     uint32_t state = (number + 1) * 2654435761u;
 
     *to = (struct random_scene){.kind = RANDOM_KNOWN};

@@ -32,7 +32,7 @@ enum variant {
 static const char *const variant_name[VARIANTS] = {"", "lights", "ortho", "behind", "strong", "cut", "dither"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
-#define FORCED 8
+#define FORCED 9
 static const struct forced {
     enum ref_shading shading;
     enum sheen_way way, exact;
@@ -44,8 +44,9 @@ static const struct forced {
     {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic"},
     {REF_PHONG, SHEEN_WAY_PHONG_CELLS, SHEEN_WAY_PHONG_ROOT, "phong cells"},
     {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root"},
-    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP, "slerp quadratic"},
-    {REF_SLERP, SHEEN_WAY_SLERP, SHEEN_WAY_SLERP, "slerp arcs"},
+    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP_NORMALS, "slerp quadratic"},
+    {REF_SLERP, SHEEN_WAY_SLERP, SHEEN_WAY_SLERP_NORMALS, "slerp arcs"},
+    {REF_SLERP, SHEEN_WAY_SLERP_NORMALS, SHEEN_WAY_SLERP_NORMALS, "slerp normals"},
 };
 
 /* Of one mesh and shading: what was chosen, and what was forced. */

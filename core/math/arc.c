@@ -1,68 +1,82 @@
 /*
- * arc.c - great arcs between unit vectors (lecture, "Spherical Linear Interpolation").
+ * arc.c - great arcs between unit vectors, in 32 bits but for the middle of wide ones.
  */
 #include "arc.h"
-#include "angle.h"
-#include "newton.h"
+#include "vector.h"
 
-/* sqrt of v in UQ4.60, at most 1.0: Q1.30. */
-static int32_t root60(uint64_t v)
+/* Ends whose sum is no longer than this, 1.0 = 32767, are opposite. */
+#define OPPOSITE 4
+#define ANGLE_ROUNDED (1u << 18) /* and right angles may be so much more, |a - b|^2 in UQ2.30: 90.007 degrees */
+
+/*
+ * Least squares over h and t, the largest error weighted most: 1 / sin p and its like have no short series of their own
+ * up to 90 degrees. Range: h * 115164 < 2^31.
+ */
+void sheen_arc_series(struct arc_series *s, int32_t h)
 {
-    if (v == 0)
-        return 0;
-    if (v >= (uint64_t)1 << 60)
-        return 1 << 30;
-    unsigned up = (clz64(v) - 4) & ~1u; /* to [2^58, 2^60): UQ4.60 in [1/4, 1) */
-    uint32_t x = (uint32_t)(v << up >> 28);
-    uint64_t root = (uint64_t)x * sheen_reciprocal_root(x); /* UQ1.63 in [1/2, 1) */
+    static const int32_t first[5] = {115164, -34433, 46635, 32890, 43797};
+    int32_t square = round15(h * h), sum = 0;
 
-    return (int32_t)((root >> 33) >> (up / 2));
+    for (int k = 0; k < 5; k++)
+        sum = first[k] + round15(h * sum);
+    s->c0 = (uint16_t)round15(h * sum);
+    s->c1 = (int16_t)round15(square * (-10284 + round15(h * (931 + round15(h * -38834)))));
+    s->c2 = (int16_t)round15(square * round15(h * 1978));
 }
 
-/* From half the chord h = |b - a| / 2 (or, beyond a right angle, |b + a| / 2) by the arc sine. a, b: Q1.30. */
-struct arc sheen_arc_between(const int32_t a[3], const int32_t b[3])
+/* Of a sum or difference of unit vectors, UQ2.30: below 2^32. */
+static uint32_t square_of(const int32_t v[3])
 {
-    uint64_t chord = 0, sum = 0; /* squares of half lengths, UQ4.60 */
+    const uint32_t x = (uint32_t)v[0], y = (uint32_t)v[1], z = (uint32_t)v[2];
+
+    return x * x + y * y + z * z;
+}
+
+void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3])
+{
+    int32_t apart[3], sum[3];
 
     for (int i = 0; i < 3; i++) {
-        int64_t d = ((int64_t)b[i] - a[i]) / 2, m = ((int64_t)b[i] + a[i]) / 2;
-        chord += (uint64_t)(d * d);
-        sum += (uint64_t)(m * m);
+        apart[i] = a[i] - b[i];
+        sum[i] = a[i] + b[i];
+        arc->end[0][i] = a[i];
+        arc->end[1][i] = b[i];
     }
-    const uint64_t one = (uint64_t)1 << 60;
-    int wide = chord > sum;
-    uint64_t smaller = wide ? sum : chord;
-    if (smaller > one / 2) /* rounding, or normals longer than 1 */
-        smaller = one / 2;
-    int32_t h = root60(smaller), g = root60(one - smaller);
-    uint32_t half = sheen_arc_sine(h);          /* half the angle, or a quarter turn less it; at most 1/8 turn */
-    int32_t versine = (int32_t)(smaller >> 30); /* 2 h^2 = 1 - cos, Q2.29 */
-    struct arc arc = {wide ? HALF_TURN - 2 * half : 2 * half, mul_round(h, g, 29),
-                      wide ? (1 << 30) - versine : versine};
-
-    return arc;
+    arc->parts = 1;
+    if (square_of(sum) + ANGLE_ROUNDED < square_of(apart)) { /* obtuse */
+        arc->parts = square_of(sum) <= OPPOSITE * OPPOSITE ? 0 : 2;
+        (void)sheen_normalize(sum, sum);
+        for (int i = 0; i < 3; i++) {
+            int32_t middle = min32(round15(sum[i]), 32767);
+            apart[i] = a[i] - middle;
+            arc->end[2][i] = b[i];
+            if (arc->parts == 2)
+                arc->end[1][i] = (int16_t)middle;
+        }
+    }
+    arc->h = (uint16_t)min32((int32_t)(square_of(apart) >> 17), RIGHT_ANGLE);
+    sheen_arc_series(&arc->series, arc->h);
 }
 
-/* slerp of the normals of corners a and b, t in space. Q1.30. */
-void sheen_arc_normal(const int16_t a[3], const int16_t b[3], uint32_t angle, uint32_t t, int32_t out[3])
+void sheen_arc_at(const struct arc *arc, int32_t t, int32_t n[3])
 {
-    int32_t ka, kb; /* Q11.20: 1/sine reaches 1300 before the ends count as opposite */
+    const int16_t(*end)[3] = arc->end;
+    int32_t a, b;
 
-    if (angle < TINY_ANGLE) {
-        kb = (int32_t)(t >> 12);
-        ka = (1 << 20) - kb;
-    } else if (angle > HALF_TURN - TINY_ANGLE) {
-        kb = t < HALF_TURN ? 0 : 1 << 20;
-        ka = (1 << 20) - kb;
+    if (arc->parts == 0) {
+        a = t < 1 << 14 ? 32768 : 0;
+        b = 32768 - a;
     } else {
-        uint32_t part = mul_high(angle, t), sine = (uint32_t)sheen_sin(angle);
-        unsigned zeros = clz32(sine);
-        int64_t scale = sheen_reciprocal(sine << zeros); /* 1/sine = scale * 2^(zeros - 33) */
-        ka = (int32_t)round_shift64(sheen_sin(angle - part) * scale, 43 - zeros);
-        kb = (int32_t)round_shift64(sheen_sin(part) * scale, 43 - zeros);
+        if (arc->parts == 2) {
+            t *= 2;
+            if (t > 32768) {
+                t -= 32768;
+                end++;
+            }
+        }
+        a = arc_share(&arc->series, 32768 - t);
+        b = arc_share(&arc->series, t);
     }
-    ka += (int32_t)asr64((int64_t)ka * lacking(a), 31);
-    kb += (int32_t)asr64((int64_t)kb * lacking(b), 31);
-    for (int i = 0; i < 3; i++) /* Q0.15 times Q11.20; 1.0 of the normals is 32767 */
-        out[i] = (int32_t)asr64(((int64_t)a[i] * ka + (int64_t)b[i] * kb) * 32769, 20);
+    for (int i = 0; i < 3; i++)
+        n[i] = a * end[0][i] + b * end[1][i];
 }

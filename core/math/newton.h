@@ -8,7 +8,7 @@
 #ifndef SHEEN_NEWTON_H
 #define SHEEN_NEWTON_H
 
-#include <stdint.h>
+#include "fixed.h"
 
 /* 1/x at x = (128 + i) / 256, UQ1.15, i = 0..128. */
 #define RECIPROCAL_ENTRIES 129
@@ -40,6 +40,14 @@ static inline uint32_t root_seed(uint32_t d)
     uint32_t drop = (uint32_t)(entry[0] - entry[1]);
 
     return entry[0] - ((drop * ((d >> 6) & 0xffffu) + 0x8000u) >> 16);
+}
+
+/* a / b for 0 <= a <= b < 2^31, b > 0: UQ0.15, within 2 raw steps. */
+static inline int32_t ratio15(uint32_t a, uint32_t b)
+{
+    unsigned zeros = clz32(b);
+
+    return (int32_t)(((a << zeros) >> 16) * reciprocal_seed(b << zeros) >> 16);
 }
 
 /* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */

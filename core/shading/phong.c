@@ -3,6 +3,7 @@
  * in D as mended: its second difference is constant), and the choice among Phong's ways.
  */
 #include "phong.h"
+#include "../triangle/normal.h"
 
 SETUP_FITS(struct phong_setup);
 SETUP_FITS(struct phong_normals_setup);
@@ -159,6 +160,21 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
     return shift | (squares ? CELLS_IN_SQUARES : 0);
 }
 
+static void phong_lights_rows(const struct tile *t, const struct setup *s)
+{
+    const struct plane *p = ((const struct phong_normals_setup *)s)->normal;
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        struct normal_run run = {plane_at(&s->depth, x, y),
+                                 s->depth.dx,
+                                 {plane_at(&p[0], x, y), plane_at(&p[1], x, y), plane_at(&p[2], x, y)},
+                                 {p[0].dx, p[1].dx, p[2].dx}};
+        if (x < x1)
+            sheen_normal_run(t, s->draw, x, x1, y, &run);
+    }
+}
+
 /* Planes of N. f: of one light, cells are wanted; NULL else. Returns 0 where there are none. */
 static APART int normal_planes(struct setup *s, struct surface_corners *c, const struct gradients *g,
                                const struct facing *f)
@@ -174,7 +190,7 @@ static APART int normal_planes(struct setup *s, struct surface_corners *c, const
         p->normal[i] = fine_plane(g, seen, x);
     }
     s->way = SHEEN_WAY_PHONG_LIGHTS;
-    s->rows = sheen_phong_lights_rows;
+    s->rows = phong_lights_rows;
     if (f == NULL)
         return 1;
     s->detail = cells_of(p, c, g, f, w) & 15u;

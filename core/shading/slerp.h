@@ -1,47 +1,45 @@
 /*
- * slerp.h - private to the room of slerp: its set-up, a row's arc, and its blocks.
+ * slerp.h - private to the room of slerp: its set-up, and what a row crosses.
  */
 #ifndef SHEEN_SLERP_H
 #define SHEEN_SLERP_H
 
+#include "../math/arc.h"
 #include "shading.h"
 
+/* Corners from the top down; edges 02, 01 and 12 of them. */
 struct slerp_setup {
-    struct setup s;
-    int16_t normal[3][3]; /* of the corners, as seen, Q0.15 */
-    uint16_t weight[3];   /* UQ0.16, proportional to 1/m */
+    struct setup s;       /* detail: SLERP_EVEN, SLERP_LONG_RIGHT */
     int16_t x[3], y[3];   /* as in struct vertex */
-    uint32_t angle[3];    /* between the normals of corners k and k + 1, turns */
+    int16_t normal[3][3]; /* as seen, 1.0 = 32767 */
+    uint16_t weight[3];   /* UQ0.16, proportional to 1/m, not 0 */
+    uint32_t inverse[3];  /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
 };
 
-/* A unit vector at each end of a row of the triangle, and the arc between. */
-struct slerp_row {
-    int32_t x0, width;      /* the left crossing and the distance to the right one, px, Q15.16 */
-    uint32_t weight[2];     /* at both, UQ0.32 */
-    uint32_t angle;         /* between the normals, turns, at most 1/2 */
-    uint8_t even;           /* t* is t: no perspective, or none that would be seen */
-    uint8_t block;          /* px over which the angle may grow evenly */
-    uint8_t opposite;       /* the ends are opposite: the left one holds while t < 1/2 */
-    struct arc_light {      /* a light along the arc, w the angle from the left end: */
-        int32_t a, b;       /* L.N = a cos w + b sin w, Q1.30 */
-        int32_t mean, p, q; /* R.V = mean + p cos 2w + q sin 2w, Q2.29 */
-    } light[SHEEN_MAX_LIGHTS];
+#define SLERP_EVEN 1u       /* no perspective: all weights are equal */
+#define SLERP_LONG_RIGHT 2u /* edge 02 bounds the right */
+
+extern const uint8_t sheen_slerp_end[3][2]; /* an edge's corners */
+
+/* Where a row crosses an edge. */
+struct crossing {
+    int32_t x;       /* px from the viewport's centre, Q15.16 */
+    int32_t t;       /* of the edge in space, from the upper corner: UQ0.15 */
+    uint32_t weight; /* UQ0.16 */
 };
 
-/* x + x's law x'' = -e x, one light's two sinusoids at a pixel and their next steps. */
-struct arc_state {
-    int32_t light, light_step;         /* L.N, Q1.30 */
-    int32_t reflected, reflected_step; /* R.V less its mean, Q2.29 */
-};
+/* centre: of the row, 1/64 px from the viewport's centre. */
+void sheen_slerp_cross(const struct slerp_setup *s, unsigned edge, int32_t centre, struct crossing *at);
 
-/* A run of pixels over which the angle grows evenly. */
-struct arc_block {
-    struct arc_state state[SHEEN_MAX_LIGHTS];
-    uint32_t light_law, reflected_law;             /* e = 4 sin^2(step / 2) and 4 sin^2(step): 15 bits, */
-    unsigned light_law_shift, reflected_law_shift; /* over 2^(15 + shift) */
-};
+/* t of the way from 1/m = a to b on the screen, UQ0.15, is so much in space; *weight: what is there. */
+static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weight)
+{
+    uint32_t part = (uint32_t)t * b, all = part + (uint32_t)(32768 - t) * a; /* below 2^31 */
 
-void sheen_slerp_block(const struct tile *t, const struct slerp_setup *s, const struct slerp_row *row,
-                       struct arc_block *block, int32_t x, int32_t y, unsigned length);
+    *weight = all >> 15;
+    return ratio15(part, all);
+}
+
+void sheen_slerp_rows(const struct tile *t, const struct setup *s);
 
 #endif

@@ -76,6 +76,6 @@ void sheen_quadric_rows(const struct tile *t, const struct setup *s);
 /* quadric_rows.c: 0 where the rows need other loops than those that are specialised; nothing is drawn then. */
 int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q);
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      const struct shaded_run *run, enum second second);
+                      struct shaded_run *run, enum second second);
 
 #endif

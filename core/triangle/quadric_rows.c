@@ -5,6 +5,7 @@
  * Where a highlight may fall, 1 - R.V is the second quadric and the power table follows a pixel. Gouraud's intensities
  * in perspective come the same way. Every loop gives the same pixels; which is taken is a matter of speed.
  */
+#include "normal.h"
 #include "quadric.h"
 
 /* Intensities at a pixel. */
@@ -89,22 +90,20 @@ SPECIALISED void cosine_ramp_run(const struct tile *t, const uint16_t *ramp, uin
 
 /* Any format, clamp and dither. */
 static APART void general_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                              const struct shaded_run *from, enum second second)
+                              struct shaded_run *run, enum second second)
 {
     struct rounding rounding = rounding_of(t, &d->colour, y);
-    struct shaded_run run = *from;
 
     for (; x < x1; x++, at++) {
-        if (nearer(t, t->depth + at, run.z)) {
-            struct lit lit = lit_of(&d->loop, run.f, run.u, second);
-            put_general(t, &d->colour, rounding, at, x, colour_channel(&d->colour, 0, &lit),
-                        colour_channel(&d->colour, 1, &lit), colour_channel(&d->colour, 2, &lit));
+        if (nearer(t, t->depth + at, run->z)) {
+            struct lit lit = lit_of(&d->loop, run->f, run->u, second);
+            put_any(t, d, rounding, at, x, &lit);
         }
-        run.z += run.dz;
-        run.f += run.df;
-        run.df += run.ddf;
-        run.u += run.du;
-        run.du += run.ddu;
+        run->z += run->dz;
+        run->f += run->df;
+        run->df += run->ddf;
+        run->u += run->du;
+        run->du += run->ddu;
     }
 }
 
@@ -115,7 +114,7 @@ static int ramp_will_do(const struct draw *d, enum second second)
 }
 
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      const struct shaded_run *run, enum second second)
+                      struct shaded_run *run, enum second second)
 {
     const uint32_t at = tile_offset(t, x, y);
 

@@ -14,7 +14,8 @@ enum sheen_way {
     SHEEN_WAY_PHONG_CELLS,       /* quadratic over cells of 8 to 32 px with exact nodes */
     SHEEN_WAY_PHONG_ROOT,        /* L.N, N.V linear, N.N by second differences, 1/sqrt a pixel */
     SHEEN_WAY_PHONG_LIGHTS,      /* several lights: N linear, 1/sqrt a pixel, a dot product a light */
-    SHEEN_WAY_SLERP,             /* L.N and R.V by recurrences along great arcs */
+    SHEEN_WAY_SLERP,             /* arcs by series, L.N and R.V quadratic over parts of a row */
+    SHEEN_WAY_SLERP_NORMALS,     /* several lights, arcs beyond a right angle: the normal, 1/sqrt a pixel */
     SHEEN_WAY_TEXTURED_LINEAR,   /* texel coordinates and light linear on the screen */
     SHEEN_WAY_TEXTURED_QUOTIENT, /* Blinn's quotient at the ends of blocks of 8 px or less */
     SHEEN_WAYS

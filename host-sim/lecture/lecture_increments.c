@@ -2,8 +2,8 @@
  * lecture_increments.c - slerp step by step against its closed form, along a row of 320 px and a right angle.
  *
  * The lecture expands the sines' and cosines' steps: four products a pixel, exact but for rounding. In 16-bit numbers
- * the step's own cosine is rounded, which grows. The core steps L.N itself, a sinusoid: x'' = -4 sin^2(step/2) x,
- * whose factor keeps its bits however small the step (slerp_rows.c).
+ * the step's own cosine is rounded, which grows. The core brings arcs to the screen by series, a quadratic over each
+ * part of a row (slerp_parts.c): nothing is carried from pixel to pixel for long.
  */
 #include <math.h>
 

@@ -1,0 +1,50 @@
+/*
+ * normal.h - private: pixels from their normals, of any length, and any number of lights: a root a pixel.
+ */
+#ifndef SHEEN_NORMAL_H
+#define SHEEN_NORMAL_H
+
+#include "triangle.h"
+
+/* N.N inside the root table: UQ1.31 from 1/4 to 1 + 1/512. */
+#define ROOT_LOWEST (1u << 29)
+#define ROOT_RANGE ((3u << 29) + (1u << 22))
+#define HALF (1u << 14) /* rounding: floors would darken highlights of n = 128 by a tenth of a level */
+
+/* Any format, clamp and dither; builds for size have it once. */
+#if FAST_LOOPS
+SPECIALISED void put_any(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
+                         const struct lit *lit)
+{
+    put_general(t, &d->colour, rounding, at, x, colour_channel(&d->colour, 0, lit), colour_channel(&d->colour, 1, lit),
+                colour_channel(&d->colour, 2, lit));
+}
+#else
+#define put_any sheen_put_any
+void sheen_put_any(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
+                   const struct lit *lit);
+#endif
+
+SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
+                         struct lit lit)
+{
+    if (FAST_LOOPS && d->loop.usable) {
+        uint32_t threshold = t->dither ? (uint32_t)rounding.threshold[x & 7] << rounding.shift : 0;
+        ((uint16_t *)t->pixels)[at] =
+            pixel_order(loop_pixel(t, t->depth + at, &d->loop, lit.diffuse, lit.specular, threshold), t->format->swap);
+    } else {
+        put_any(t, d, rounding, at, x, &lit);
+    }
+}
+
+/* Pixels along which the normal is linear, times any factor: at the first, and what the next one has more. */
+struct normal_run {
+    uint32_t z, dz;
+    uint32_t n[3], dn[3]; /* Q1.30, modulo 2^32 */
+};
+
+/* normal_rows.c: columns x to before x1, x < x1. */
+void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                      const struct normal_run *run);
+
+#endif
