@@ -160,7 +160,7 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
     return shift | (squares ? CELLS_IN_SQUARES : 0);
 }
 
-static void phong_lights_rows(const struct tile *t, const struct setup *s)
+void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
 {
     const struct plane *p = ((const struct phong_normals_setup *)s)->normal;
 
@@ -190,7 +190,7 @@ static APART int normal_planes(struct setup *s, struct surface_corners *c, const
         p->normal[i] = fine_plane(g, seen, x);
     }
     s->way = SHEEN_WAY_PHONG_LIGHTS;
-    s->rows = phong_lights_rows;
+    s->rows = sheen_phong_lights_rows;
     if (f == NULL)
         return 1;
     s->detail = cells_of(p, c, g, f, w) & 15u;

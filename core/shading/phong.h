@@ -43,5 +43,6 @@ struct square_line {
 void sheen_phong_squares(const struct tile *t, const struct square_line *l);
 void sheen_phong_cell_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_rows(const struct tile *t, const struct setup *s);
+void sheen_phong_lights_rows(const struct tile *t, const struct setup *s);
 
 #endif

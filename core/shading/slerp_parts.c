@@ -130,6 +130,9 @@ static void draw_lit(const struct tile *t, const struct arc_row *r, const struct
     if (p->length > 0)
         lit_place(r, p->at + p->length / 2, &m);
     const enum second second = is_shiny(s->draw, a, &m, b) ? SECOND_POWER : SECOND_NONE;
+    SHEEN_TAP(ARC_PART, 1);
+    SHEEN_TAP(SKEWED_PART, (s->detail & SLERP_EVEN) == 0);
+    SHEEN_TAP(ARC_DULL, second == SECOND_NONE ? p->x1 - p->x : 0);
     struct bent_run along = bent_through(p, r->inverse, a->part[0], m.part[0], b->part[0]);
     run.f = along.value + (1u << 14);
     run.df = along.step;
@@ -184,6 +187,8 @@ static void draw_normals(const struct tile *t, const struct arc_row *r, const st
     const int32_t w0 = (int32_t)(a->weight << up >> 1), w1 = (int32_t)(b->weight << up >> 1), n = p->x - p->first;
     struct normal_run run = {plane_at(&s->depth, p->x, r->y), s->depth.dx, {0, 0, 0}, {0, 0, 0}};
 
+    SHEEN_TAP(NORMAL_PART, 1);
+    SHEEN_TAP(SKEWED_PART, (s->detail & SLERP_EVEN) == 0);
     for (int i = 0; i < 3; i++) {
         const int32_t from = round15(a->part[i]) * w0, more = asr32(round15(b->part[i]) * w1 - from, 8);
         run.dn[i] = p->length == 0 ? 0 : (uint32_t)asr32(times8(more, (int32_t)r->inverse), 15 - p->up);

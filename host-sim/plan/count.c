@@ -7,6 +7,7 @@
 
 #include "shading/gouraud.h"
 #include "shading/phong.h"
+#include "shading/slerp.h"
 #include "taps.h"
 #include "triangle/quadric.h"
 
@@ -79,6 +80,12 @@ static unsigned lights_kind(const struct tile *t, const struct setup *s)
     return s->draw->light.count == 1 ? SHEEN_PLAN_NEEDLE_SETUP : SHEEN_PLAN_LIGHTS_SETUP;
 }
 
+static unsigned slerp_kind(const struct tile *t, const struct setup *s)
+{
+    (void)t;
+    return s->way == SHEEN_WAY_SLERP ? SHEEN_PLAN_SLERP_SETUP : SHEEN_PLAN_SLERP_NORMALS_SETUP;
+}
+
 /* By the function that draws them: `choose`, or the kind. */
 static const struct rows_kind {
     void (*rows)(const struct tile *t, const struct setup *s);
@@ -89,7 +96,7 @@ static const struct rows_kind {
     {sheen_packed_rows, packed_kind, 0},       {sheen_linear_rows, linear_kind, 0},
     {sheen_quadric_rows, quadric_kind, 0},     {sheen_quotient_rows, quotient_kind, 0},
     {sheen_phong_cell_rows, cells_kind, 0},    {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},
-    {sheen_phong_lights_rows, lights_kind, 0},
+    {sheen_phong_lights_rows, lights_kind, 0}, {sheen_slerp_rows, slerp_kind, 0},
 };
 
 static unsigned kind_of(const struct tile *t, const struct setup *s)
@@ -130,7 +137,7 @@ void sheen_plan_rows(const struct tile *tile, const struct setup *setup)
     }
     setup->rows(tile, setup);
     of[OF_SHADED] += *tile->shaded - before;
-    if (of == sheen_plan_counted + SHEEN_PLAN_LIGHTS_SETUP)
+    if (of == sheen_plan_counted + SHEEN_PLAN_LIGHTS_SETUP || of == sheen_plan_counted + SHEEN_PLAN_SLERP_NORMALS_SETUP)
         SHEEN_TAP(PIXEL_LIGHT, (*tile->shaded - before) * setup->draw->light.count);
 }
 

@@ -55,10 +55,10 @@ enum sheen_plan_stage {
     F(NODE, PIXELS)            /* of cells */                                                                          \
     F(SQUARE_CORNER, PIXELS)   /* within cells */                                                                      \
     F(PIXEL_LIGHT, PIXELS)     /* px shaded by several lights, times these */                                          \
-    F(ARC_BLOCK, PIXELS)       /* of slerp's rows */                                                                   \
-    F(SKEWED_BLOCK, PIXELS)    /* of them, in perspective */                                                           \
-    F(BLOCK_LIGHT, PIXELS)     /* blocks times lights */                                                               \
-    F(ARC_LIGHT, PIXELS)       /* px of blocks times lights */
+    F(ARC_PART, PIXELS)        /* of slerp's rows, quadratic */                                                        \
+    F(SKEWED_PART, PIXELS)     /* parts of slerp's rows in perspective, of both kinds */                               \
+    F(ARC_DULL, PIXELS)        /* px of quadratic parts without highlight */                                           \
+    F(NORMAL_PART, PIXELS)     /* of slerp's rows, whose normals are linear */
 
 /* K(NAME): kinds of rows, each with its set-ups, rows, px covered and px shaded. */
 #define SHEEN_PLAN_KINDS(K)                                                                                            \
@@ -88,7 +88,8 @@ enum sheen_plan_stage {
     K(ROOT)          /* one light, a root a pixel */                                                                   \
     K(LIGHTS)        /* several */                                                                                     \
     K(NEEDLE)        /* one light and the way of several: what the others do not take */                               \
-    K(SLERP)         /* great arcs; and what is not in count.c's table */
+    K(SLERP)         /* great arcs; and what is not in count.c's table */                                              \
+    K(SLERP_NORMALS) /* of several lights, or wider than a right angle */
 
 #define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
 #define SHEEN_PLAN_KIND_NUMBERS(name)                                                                                  \
