@@ -32,15 +32,42 @@ struct corner {
     uint32_t red_blue, green;
 };
 
-/* `count` squares from column x on, the rows y to before `end` of them. */
-struct square_line {
-    const struct plane *depth;
-    int32_t x, y, end, count;
-    const struct span *span; /* of row y */
-    const struct corner *top, *bottom;
+/* A quarter of what `to` has more. */
+SPECIALISED uint32_t quarter(uint32_t from, uint32_t to)
+{
+    return (uint32_t)asr32((int32_t)((to >> 1) - (from >> 1)), 1);
+}
+
+/* On the line between two corners, in row `i` of the 4. */
+SPECIALISED struct corner side_of_square(const struct corner *top, const struct corner *bottom, uint32_t i)
+{
+    struct corner at = {top->red_blue + i * quarter(top->red_blue, bottom->red_blue),
+                        top->green + i * quarter(top->green, bottom->green)};
+
+    return at;
+}
+
+/* What changes along a row of a square, and its steps. */
+struct square_at {
+    uint32_t z;
+    struct corner colour;
 };
 
-void sheen_phong_squares(const struct tile *t, const struct square_line *l);
+/* Where a row is: corners above and below the square's left end, and what stands in its next pixel. */
+struct square_row {
+    const struct corner *top, *bottom;
+    uint32_t i; /* of the 4 rows */
+    struct square_at at;
+    uint16_t *depth, *pixel;
+    const uint8_t *thresholds; /* of the row, NULL: no dither */
+    uint32_t dz;
+};
+
+/* phong_cell_rows.c: columns x to before x1, within a square. */
+void sheen_part_of_square(const struct tile *t, struct square_row *r, int32_t x, int32_t x1);
+/* In the order of a panel's bus: the squares from column x on that end by x1; returns the next column. */
+int32_t sheen_whole_squares(const struct tile *t, struct square_row *r, int32_t x, int32_t x1);
+
 void sheen_phong_cell_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_lights_rows(const struct tile *t, const struct setup *s);

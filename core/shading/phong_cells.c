@@ -193,6 +193,50 @@ static APART void corner_row(const struct cell *c, struct corner *at, int32_t fr
     }
 }
 
+/* `count` squares from column x on, the rows y to before `end` of them. */
+struct square_line {
+    const struct plane *depth;
+    int32_t x, y, end, count;
+    const struct span *span; /* of row y */
+    const struct corner *top, *bottom;
+};
+
+/* Columns x to before x1 of row y, which the squares have. */
+static void squares_row(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y)
+{
+    const int32_t first = (x - l->x) >> 2;
+    uint16_t *depth = t->depth + tile_offset(t, x, y);
+    struct square_row r = {.top = l->top + first,
+                           .bottom = l->bottom + first,
+                           .i = (uint32_t)y & 3u,
+                           .depth = depth,
+                           .pixel = pixel_at(depth, t->to_pixel),
+                           .thresholds = t->dither ? sheen_thresholds[y & 7] : NULL,
+                           .dz = l->depth->dx};
+
+    r.at = (struct square_at){plane_at(l->depth, x, y), side_of_square(r.top, r.bottom, r.i)};
+    while (x < x1) {
+        if (FAST_LOOPS && (x & 3) == 0 && x + 4 <= x1 && t->format->swap) {
+            x = sheen_whole_squares(t, &r, x, x1);
+        } else {
+            const int32_t end = min32((x | 3) + 1, x1);
+            sheen_part_of_square(t, &r, x, end);
+            x = end;
+        }
+    }
+}
+
+static APART void draw_squares(const struct tile *t, const struct square_line *l)
+{
+    const struct span *span = l->span;
+
+    for (int32_t y = l->y; y < l->end; y++, span++) {
+        const int32_t x = max32(span->x0, l->x), x1 = min32(span->x1, l->x + 4 * l->count);
+        if (x < x1)
+            squares_row(t, l, x, x1, y);
+    }
+}
+
 static APART void cell_by_squares(const struct tile *t, struct cell *c)
 {
     const int32_t size = 1 << CELL_SHIFT(&c->p->s);
@@ -211,7 +255,7 @@ static APART void cell_by_squares(const struct tile *t, struct cell *c)
         patch_down(&c->f, 4);
         patch_down(&c->u, 4);
         corner_row(c, corner[top ^ 1u], from, to);
-        sheen_phong_squares(t, &line);
+        draw_squares(t, &line);
     }
 }
 
