@@ -214,12 +214,14 @@ static void squares_row(const struct tile *t, const struct square_line *l, int32
                            .thresholds = t->dither ? sheen_thresholds[y & 7] : NULL,
                            .dz = l->depth->dx};
 
+    SHEEN_TAP(SQUARE_ROW, 1);
     r.at = (struct square_at){plane_at(l->depth, x, y), side_of_square(r.top, r.bottom, r.i)};
     while (x < x1) {
         if (FAST_LOOPS && (x & 3) == 0 && x + 4 <= x1 && t->format->swap) {
             x = sheen_whole_squares(t, &r, x, x1);
         } else {
             const int32_t end = min32((x | 3) + 1, x1);
+            SHEEN_TAP(SQUARE_PART, 1);
             sheen_part_of_square(t, &r, x, end);
             x = end;
         }

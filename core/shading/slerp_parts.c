@@ -132,7 +132,7 @@ static void draw_lit(const struct tile *t, const struct arc_row *r, const struct
     const enum second second = is_shiny(s->draw, a, &m, b) ? SECOND_POWER : SECOND_NONE;
     SHEEN_TAP(ARC_PART, 1);
     SHEEN_TAP(SKEWED_PART, (s->detail & SLERP_EVEN) == 0);
-    SHEEN_TAP(ARC_DULL, second == SECOND_NONE ? p->x1 - p->x : 0);
+    SHEEN_TAP(ARC_POWER, second == SECOND_POWER ? p->x1 - p->x : 0);
     struct bent_run along = bent_through(p, r->inverse, a->part[0], m.part[0], b->part[0]);
     run.f = along.value + (1u << 14);
     run.df = along.step;

@@ -82,8 +82,11 @@ static unsigned lights_kind(const struct tile *t, const struct setup *s)
 
 static unsigned slerp_kind(const struct tile *t, const struct setup *s)
 {
-    (void)t;
-    return s->way == SHEEN_WAY_SLERP ? SHEEN_PLAN_SLERP_SETUP : SHEEN_PLAN_SLERP_NORMALS_SETUP;
+    if (s->way != SHEEN_WAY_SLERP)
+        return SHEEN_PLAN_SLERP_NORMALS_SETUP;
+    if (!s->draw->loop.usable)
+        return SHEEN_PLAN_SLERP_GENERAL_SETUP;
+    return t->dither ? SHEEN_PLAN_SLERP_DITHERED_SETUP : SHEEN_PLAN_SLERP_SETUP;
 }
 
 /* By the function that draws them: `choose`, or the kind. */

@@ -54,10 +54,12 @@ enum sheen_plan_stage {
     F(CELL_POWER, PIXELS)      /* px of those with one, not by squares */                                              \
     F(NODE, PIXELS)            /* of cells */                                                                          \
     F(SQUARE_CORNER, PIXELS)   /* within cells */                                                                      \
+    F(SQUARE_ROW, PIXELS)      /* rows of cells by squares */                                                          \
+    F(SQUARE_PART, PIXELS)     /* their squares that are cut or taken one by one */                                    \
     F(PIXEL_LIGHT, PIXELS)     /* px shaded by several lights, times these */                                          \
     F(ARC_PART, PIXELS)        /* of slerp's rows, quadratic */                                                        \
     F(SKEWED_PART, PIXELS)     /* parts of slerp's rows in perspective, of both kinds */                               \
-    F(ARC_DULL, PIXELS)        /* px of quadratic parts without highlight */                                           \
+    F(ARC_POWER, PIXELS)       /* px of quadratic parts with a highlight */                                            \
     F(NORMAL_PART, PIXELS)     /* of slerp's rows, whose normals are linear */
 
 /* K(NAME): kinds of rows, each with its set-ups, rows, px covered and px shaded. */
@@ -89,6 +91,8 @@ enum sheen_plan_stage {
     K(LIGHTS)        /* several */                                                                                     \
     K(NEEDLE)        /* one light and the way of several: what the others do not take */                               \
     K(SLERP)         /* great arcs; and what is not in count.c's table */                                              \
+    K(SLERP_DITHERED)                                                                                                  \
+    K(SLERP_GENERAL) /* greys, and what is clamped */                                                                  \
     K(SLERP_NORMALS) /* of several lights, or wider than a right angle */
 
 #define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
