@@ -7,7 +7,7 @@
  */
 #include "triangle.h"
 
-/* 1 where a division is a call: steps of short edges then come from the reciprocal's table. Columns are the same. */
+/* 1 where a division is a call: courses of short edges then come from the reciprocal's table. Columns are the same. */
 #ifndef SHEEN_NO_DIVIDER
 #if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_div))
 #define SHEEN_NO_DIVIDER 1
@@ -16,7 +16,7 @@
 #endif
 #endif
 
-#define SHORT 2048 /* 1/64 px: width and height of what by_reciprocal takes */
+#define SHORT 2048 /* 1/64 px: width and height of a short edge */
 
 /* Along an edge from its upper end, Q31.32 px: from there to its first row, and a row. */
 struct course {
@@ -49,10 +49,25 @@ struct short_course {
 };
 
 /*
- * For |width|, height < SHORT with the seed of a reciprocal and one residual: 32 rows at most, off by less than
- * 2^-18 px in all. Below 1 px of height there is one row at most and a slope that wraps is not used.
+ * |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in Q.20,
+ * `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits.
  */
-static inline struct short_course by_reciprocal(int32_t width, int32_t height, int32_t rest)
+static inline struct short_course course_of(int32_t slope, int32_t more, int32_t rest)
+{
+    struct short_course c;
+
+    c.step = (int32_t)((uint32_t)slope * 32u + (uint32_t)more);
+    slope += asr32(more, 5);
+    c.start = asr32(rest * slope, SUBPIXEL_BITS) * 32 - 128;
+    return c;
+}
+
+#if SHEEN_NO_DIVIDER
+/*
+ * With the seed of a reciprocal and one residual. Below 1 px of height there is one row at most and a slope that wraps
+ * is not used.
+ */
+static inline struct short_course short_course(int32_t width, int32_t height, int32_t rest)
 {
     unsigned up = 21; /* to 31 */
     uint32_t normal = (uint32_t)height << up;
@@ -60,16 +75,19 @@ static inline struct short_course by_reciprocal(int32_t width, int32_t height, i
     for (; (normal & 0x80000000u) == 0; normal <<= 1) /* shorter than the call that clz32 is here */
         up++;
     int32_t seed = (int32_t)reciprocal_seed(normal), product = width * seed;
-    int32_t slope = up <= 27 ? asr32(product, 27 - up) : (int32_t)((uint32_t)product << (up - 27)); /* Q.20 */
+    int32_t slope = up <= 27 ? asr32(product, 27 - up) : (int32_t)((uint32_t)product << (up - 27));
     int32_t left = (int32_t)(((uint32_t)width << 20) - (uint32_t)slope * (uint32_t)height);
-    int32_t more = asr32(asr32(left, 2) * (seed >> 1), 39 - up); /* Q.25 */
-    int32_t step = (int32_t)((uint32_t)slope * 32u + (uint32_t)more);
 
-    slope += asr32(more, 5);
-    int32_t start = rest * asr32(slope, 6) + (rest * (slope & 63) >> 6); /* Q.20, below 32 px */
-    struct short_course c = {start * 32 - 128, step};
-    return c;
+    return course_of(slope, asr32(asr32(left, 2) * (seed >> 1), 39 - up), rest);
 }
+#else
+static inline struct short_course short_course(int32_t width, int32_t height, int32_t rest)
+{
+    int32_t slope = width * (1 << 20) / height, left = width * (1 << 20) - slope * height;
+
+    return course_of(slope, left * 32 / height, rest);
+}
+#endif
 
 /* The edge's next `rows` columns, one at least, every second int16_t from *column on; returns where it goes on. */
 static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *column)
@@ -122,7 +140,7 @@ static inline void long_edge(const struct edge_job *j, struct edge *e)
 
 static inline void short_edge(const struct edge_job *j, struct edge *e)
 {
-    struct short_course c = by_reciprocal(j->width, j->height, j->rest);
+    struct short_course c = short_course(j->width, j->height, j->rest);
     int32_t x = j->x + SUBPIXEL_HALF, whole = asr32(x, SUBPIXEL_BITS);
 
     c.start += (x & (SUBPIXEL_ONE - 1)) << 19;
@@ -159,7 +177,7 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
         return;
     j.rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y;
     j.column = column + 2 * (first + j.skipped - row);
-    if (SHEEN_NO_DIVIDER && j.height < SHORT && (uint32_t)(j.width + SHORT - 1) < 2 * SHORT - 1)
+    if (j.height < SHORT && (uint32_t)(j.width + SHORT - 1) < 2 * SHORT - 1)
         short_edge(&j, e);
     else
         long_edge(&j, e);
