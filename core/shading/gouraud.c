@@ -144,7 +144,7 @@ static APART void glossy(struct setup *s, struct surface_corners *c, const struc
 
     corner_channels(terms, lit, channel);
     most_differences(s->draw, channel, d);
-    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 1u << (terms->unit - 19)))
+    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << (terms->unit - 20)))
         sheen_setup_linear(s, g, channel);
     else
         curved(s, c, g, lit);
