@@ -268,7 +268,7 @@ static int plan_briefly(const struct baking *baking, const struct sheen_sim_choi
 
     options.quiet = 1;
     if (baking->host.picture_count)
-        puts("without its textures:");
+        puts("time without its textures:");
     for (int rows = 4; rows <= 16 && !error; rows *= 2) {
         options.band = baking->options->band ? baking->options->band : rows;
         error = sheen_plan_make(plan, &options, choice, PLANNED_VIEWS, problem);

@@ -55,6 +55,7 @@ enum sheen_exit sheen_cmd_plan(struct sheen_options *options)
         options->json ? sheen_plan_json(stdout, plan, board) : sheen_plan_text(stdout, plan, board);
         error = judge(plan, board, &problem);
     }
+    const int is_usage = plan && plan->is_usage;
     free(plan);
-    return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
+    return error ? sheen_fail(is_usage ? SHEEN_EXIT_USAGE : SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
 }

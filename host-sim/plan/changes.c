@@ -60,9 +60,9 @@ static unsigned variants(const struct sheen_plan *plan, unsigned board, struct s
                  changed[n].bus_clock);
         n++;
     }
-    if (now->shade != SHEEN_FLAT) {
-        changed[n].shade = now->shade - 1;
-        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[now->shade]);
+    if (plan->shade != SHEEN_FLAT) {
+        changed[n].shade = (int)plan->shade - 1;
+        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[plan->shade]);
     }
     if (plan->target.pixel <= SHEEN_RGB565_LE && now->undithered <= 0) {
         changed[n].undithered = 1;

@@ -53,15 +53,17 @@ static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *recor
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       const struct sheen_panel_record *record)
 {
-    const int shade = scene->options->shade;
+    const enum sheen_shading shade = sheen_scene_shading(scene);
 
     flash->core = sheen_plan_core_flash[cpu][0][shade];
     flash->panel = record ? sheen_plan_panel_flash[cpu][0][driver_kind(record)] : 0;
-    flash->mesh = 0;
+    flash->mesh = flash->textures = 0;
     for (size_t i = 0; i < scene->count; i++)
         flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1);
+    for (size_t i = 0; i < scene->texel_count; i++)
+        flash->textures += (uint32_t)sheen_texels_bytes(&scene->texels[i]);
     flash->tables = scene->options->specular > 0 ? (uint32_t)sizeof scene->shine : 0;
-    flash->all = flash->core + flash->panel + flash->mesh + flash->tables;
+    flash->all = flash->core + flash->panel + flash->mesh + flash->tables + flash->textures;
     flash->small = flash->all - flash->core - flash->panel + sheen_plan_core_flash[cpu][1][shade] +
                    (record ? sheen_plan_panel_flash[cpu][1][driver_kind(record)] : 0);
 }

@@ -19,12 +19,14 @@ struct sheen_plan_ram {
 
 struct sheen_plan_flash {
     uint32_t core, panel, mesh, tables; /* the shading's core; power tables */
-    uint32_t all, small;                /* -O2, as the costs; -Os */
+    uint32_t textures;
+    uint32_t all, small; /* -O2, as the costs; -Os */
 };
 
 /* Of a configuration, completed with sheen.h's defaults but the target; bits: of a pixel in the target's memory. */
 void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *config, const struct sheen_target *target);
 
+/* Textures count, and what their meshes have more; the core is that of Gouraud then, which is larger than theirs. */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       const struct sheen_panel_record *record);
 

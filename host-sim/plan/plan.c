@@ -128,10 +128,24 @@ static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, 
     return error;
 }
 
+/* Flash, and how it is shaded: of the mesh with its textures. */
+static int take_flash(struct sheen_plan *plan, const struct sheen_target *target, struct sheen_problem *problem)
+{
+    const struct sheen_plan_board *board;
+    struct sheen_scene shown;
+    int error = sheen_scene_open(&shown, plan->options, target, problem);
+
+    for (unsigned i = 0; !error && (board = sheen_plan_board_at(i)) != NULL; i++)
+        sheen_plan_flash(&plan->flash[i], board->cpu, &shown, plan->choice.record);
+    plan->is_usage = shown.is_usage;
+    plan->shade = sheen_scene_shading(&shown);
+    sheen_scene_close(&shown);
+    return error;
+}
+
 static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run)
 {
     const struct sheen_scene *scene = &run->table.scene;
-    const struct sheen_plan_board *board;
 
     for (size_t i = 0; i < scene->count; i++) {
         plan->vertices += scene->meshes[i].mesh.vertices;
@@ -142,8 +156,6 @@ static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run
     plan->target = *run->panel;
     plan->target.ctx = NULL;
     sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
-    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
-        sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->choice.record);
 }
 
 int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options, const struct sheen_sim_choice *choice,
@@ -161,6 +173,9 @@ int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options
     turned.yaw_step = 360.0 / views;
     turned.texture = "off"; /* what texels cost has not been found */
     int error = sheen_plan_open(run, &turned, choice, problem);
+    if (!error)
+        error = take_flash(plan, run->panel, problem);
+    turned.shade = plan->shade; /* which the scene looks up at each draw */
     if (!error)
         error = turn(plan, run, views, problem);
     if (!error)

@@ -26,6 +26,8 @@ struct sheen_plan_times {
 
 struct sheen_plan {
     const struct sheen_options *options;
+    enum sheen_shading shade; /* where a texture is shown gouraud, or flat */
+    int is_usage;             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_sim_choice choice;
     const char *panel;
     uint32_t vertices, triangles;                        /* of the meshes */

@@ -46,9 +46,9 @@ static void put_head(FILE *out, const struct sheen_plan *plan)
     const struct sheen_options *o = plan->options;
     const int dithered = o->undithered < 0 ? plan->target.pixel != SHEEN_GREY256 : !o->undithered;
 
-    fprintf(out, "%s, %s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[o->shade],
-            dithered ? ", dithered" : "", plan->panel, plan->target.width, plan->target.height, rows_of(plan),
-            SHEEN_PLAN_VIEWS);
+    fprintf(out, "%s, %s%s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[plan->shade],
+            dithered ? ", dithered" : "", plan->flash[0].textures ? ", time without its textures" : "", plan->panel,
+            plan->target.width, plan->target.height, rows_of(plan), SHEEN_PLAN_VIEWS);
     fprintf(out, "counted    mesh: %u triangles, %u vertices; a frame: at most %u triangles, %u vertices\n",
             plan->triangles, plan->vertices, plan->listed, plan->used);
 }
@@ -99,9 +99,10 @@ static void put_flash(FILE *out, const struct sheen_plan *plan, const struct she
     const struct sheen_plan_flash *f = &plan->flash[number];
 
     fprintf(out,
-            "%s  flash: %u B of %u: core %u, panel %u, mesh %u, power table %u, at -O2; %u B in all at -Os, slower\n",
+            "%s  flash: %u B of %u: core %u, panel %u, mesh %u, power table %u, textures %u, at -O2; %u B in all at "
+            "-Os, slower\n",
             board->nearest ? "estimated" : "counted  ", f->all, board->flash, f->core, f->panel, f->mesh, f->tables,
-            f->small);
+            f->textures, f->small);
 }
 
 /*
@@ -224,8 +225,8 @@ static void put_rates(FILE *out, const struct sheen_plan *plan, int measured)
 
 void sheen_plan_brief(FILE *out, const struct sheen_plan *plan)
 {
-    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, rows_of(plan),
-            shadings[plan->options->shade], plan->ram.all);
+    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, rows_of(plan), shadings[plan->shade],
+            plan->ram.all);
     put_rates(out, plan, 1);
     put_rates(out, plan, 0);
     putc('\n', out);

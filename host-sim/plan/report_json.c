@@ -47,10 +47,12 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
     fputs(", ", out);
     put_times(out, "whole", &plan->times[number][1]);
     fprintf(out,
-            ", \"flash\": {\"all\": %u, \"core\": %u, \"panel\": %u, \"mesh\": %u, \"tables\": %u, \"all_Os\": %u, "
+            ", \"flash\": {\"all\": %u, \"core\": %u, \"panel\": %u, \"mesh\": %u, \"tables\": %u, \"textures\": %u, "
+            "\"all_Os\": %u, "
             "\"has\": %u, \"short\": %u}, \"ram\": {\"has\": %u, \"short\": %u}, \"limit\": \"%s\"}",
-            f->all, f->core, f->panel, f->mesh, f->tables, f->small, b->flash, sheen_plan_flash_short(plan, number),
-            b->ram, sheen_plan_ram_short(plan, b), sheen_plan_limit(plan, number));
+            f->all, f->core, f->panel, f->mesh, f->tables, f->textures, f->small, b->flash,
+            sheen_plan_flash_short(plan, number), b->ram, sheen_plan_ram_short(plan, b),
+            sheen_plan_limit(plan, number));
 }
 
 void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
@@ -61,7 +63,7 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
     fputs("{\"mesh\": ", out);
     put_quoted(out, plan->options->mesh);
     fprintf(out, ", \"shade\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, \"views\": %d",
-            shadings[plan->options->shade], plan->panel, plan->target.width, plan->target.height,
+            shadings[plan->shade], plan->panel, plan->target.width, plan->target.height,
             plan->config.band_rows ? plan->config.band_rows : 16, SHEEN_PLAN_VIEWS);
     fprintf(out, ", \"vertices\": %u, \"triangles\": %u, \"used\": %u, \"listed\": %u, \"costs\": ", plan->vertices,
             plan->triangles, plan->used, plan->listed);
