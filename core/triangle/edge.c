@@ -49,8 +49,8 @@ struct short_course {
 };
 
 /*
- * |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in Q.20,
- * `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits.
+ * |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in
+ * Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits.
  */
 static inline struct short_course course_of(int32_t slope, int32_t more, int32_t rest)
 {
