@@ -1,10 +1,10 @@
 /*
- * textured.h - private to the room of textures: its set-up and how its rows are drawn.
+ * textured.h - private: triangles that show texels, from their coordinates and light at the corners.
  */
 #ifndef SHEEN_TEXTURED_H
 #define SHEEN_TEXTURED_H
 
-#include "shading.h"
+#include "triangle.h"
 
 /* What a pixel takes: all give what the first, which takes everything, would. */
 enum textured_pixels {
@@ -36,6 +36,25 @@ struct texel_run {
     int32_t x, y, count;
     unsigned pixels; /* enum textured_pixels */
 };
+
+/*
+ * What rounding takes off a coordinate that lies on a border must not show the texel on its other side, and light is
+ * cut at a pixel, so half of what is cut is there before.
+ */
+#define BORDER_BIAS 64 /* 1/1024 texel */
+#define LIGHT_BIAS (1 << (LIGHT_PLANE_BITS - LIGHT_BITS - 1))
+
+/* Of an attribute, in the order of the gradients. */
+struct at_corners {
+    int32_t f[3];
+};
+
+/*
+ * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
+ * may be linear on the screen.
+ */
+void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                          const struct at_corners at[4], int straight);
 
 void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step);
 void sheen_textured_blocks(const struct tile *t, const struct setup *s);
