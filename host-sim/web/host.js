@@ -109,15 +109,15 @@ function SheenEnd(status) {
 }
 
 /*
- * Reads a mesh file in an instance of its own, which may do what it likes. The answer is for the instance that draws,
- * under the mesh's name. Throws where there is none.
+ * Reads a mesh file, and the pictures that it shows, as the words of a command line ask, in an instance of its own, which
+ * may do what it likes. The answer is for the instance that draws, under the mesh's name. Throws where there is none.
  */
-async function sheenRead(code, files, name) {
+async function sheenRead(code, files, name, words) {
     const host = await sheenHost(code, files);
     const path = new TextEncoder().encode(name);
     new Uint8Array(host.x.memory.buffer, host.x.web_path(path.length), path.length).set(path);
     try {
-        host.x.web_read();
+        host.x.web_read(host.words(words));
     } catch (end) {
         if (!(end instanceof SheenEnd))
             throw end;

@@ -10,7 +10,8 @@ const SLIDERS = { // name: least, most, step, unit
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
     fov: [5, 120, 1, '°'],
 };
-const MORE = ['dither', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers'];
+const MORE = ['dither', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture',
+    'filter', 'wrap', 'texture-size', 'palette'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
     gold: ['d8a048', .18, .62, .9, 48], clay: ['c8694a', .25, .85, .05, 8], porcelain: ['f2efe8', .28, .72, .5, 96],
@@ -25,6 +26,7 @@ const defaults = {}, choices = {}, helps = {}; // of the options of `sheen view`
 let settings = {}; // those that are not the default; lights: a list
 let lights = [];
 let mesh = 'builtin:teapot';
+let own = null; // the mesh of a file: { files: all that came with it, name, read: the words that it was read with }
 let chosen = 0; // of the lights, the one that moves
 let shown = false, spinning = false, moves_light = false, is_stale = true, is_busy = false;
 let times = [], timed = '', last = 0; // ms of the latest frames, of this mesh; when the last one was
@@ -56,7 +58,8 @@ function setLights(list) {
 }
 
 const LOOK = ['theme', 'gap', 'scale'];
-const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce'];
+const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
+const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', ...READS];
 
 function optionWords(keep) {
     const words = [];
@@ -235,21 +238,23 @@ function tick(now) {
         set('yaw', +turned(+setting('yaw') + SPIN_DEGREES * seconds).toFixed(1));
         showSlider('yaw');
     }
-    if (is_stale && !is_busy)
+    if (is_stale && !is_busy && !readAgain())
         show();
     requestAnimationFrame(tick);
 }
 
 /* ---- files ---- */
 
-const READABLE = /\.(obj|stlb?|stla|ply|c?n?off|glb|gltf|vrm)$/i;
+const READABLE = /\.(obj|stlb?|stla|ply|c?n?off|glb|gltf|vrm)$/i, PICTURE = /\.(png|jpe?g)$/i;
+
+const readWords = name => ['view', ...optionWords(option => READS.includes(option)), '--', name];
 
 /* The module's answer to a file, from a worker that is given up after a while. */
-function answerFrom(given, name) {
+function answerFrom(given, name, words) {
     const source = $('host').textContent + `
         onmessage = async ({ data }) => {
             try {
-                postMessage({ answer: await sheenRead(data.code, new Map(data.files), data.name) });
+                postMessage({ answer: await sheenRead(data.code, new Map(data.files), data.name, data.words) });
             } catch (error) {
                 postMessage({ broken: String(error.message || error) });
             }
@@ -268,40 +273,72 @@ function answerFrom(given, name) {
         worker.onmessage = ({ data }) => data.answer ? end(resolve, data.answer)
             : end(reject, `${name}: its importer broke down over it (${data.broken})`);
         worker.onerror = event => end(reject, `${name}: its importer broke down over it (${event.message})`);
-        worker.postMessage({ code, files: [...given], name });
+        worker.postMessage({ code, files: [...given], name, words });
     });
 }
 
-/* Files that were dropped or chosen: a mesh, and what it names. On a bad one the line, and what was shown stays. */
-async function take(list) {
-    const given = new Map();
+/* Reads a file's mesh and pictures and shows it. Throws the line on what is wrong; what was shown stays then. */
+async function showFile(files, name) {
+    const words = readWords(name), answer = await answerFrom(files, name, words), was = { mesh, own, files: sheen.files };
+    sheen.files = new Map([[name, answer]]);
+    own = { files, name, read: words.join('\0') };
+    mesh = name;
+    sheen.x.web_forget();
+    shown = false;
+    if (!show()) {
+        const lines = [...$('messages').children].map(item => item.textContent);
+        ({ mesh, own, files: sheen.files } = was);
+        sheen.x.web_forget();
+        show();
+        throw lines;
+    }
+}
+
+/* Does it while the page waits, and says what is wrong. */
+async function busily(act) {
     is_busy = true;
     document.body.dataset.state = 'busy';
     try {
-        for (const file of list)
-            given.set(file.name, new Uint8Array(await file.arrayBuffer()));
-        const names = [...given.keys()], name = names.find(n => READABLE.test(n)) ?? names[0];
-        if (!name)
-            throw 'that was no file';
-        say([`${name}: reading it …`]);
-        const answer = await answerFrom(given, name), was = mesh, kept = sheen.files;
-        sheen.files = new Map([[name, answer]]);
-        mesh = name;
-        sheen.x.web_forget();
-        shown = false;
-        if (!show()) {
-            const lines = [...$('messages').children].map(item => item.textContent);
-            mesh = was;
-            sheen.files = kept;
-            show();
-            say(lines, 'bad');
-        }
-        showControls();
+        await act();
     } catch (why) {
-        say([`sheen: ${why.message ?? why}`], 'bad');
+        say(Array.isArray(why) ? why : [`sheen: ${why.message ?? why}`], 'bad');
     }
+    showControls();
     is_busy = false;
     document.body.dataset.state = 'ready';
+}
+
+/* Files that were dropped or chosen: a mesh, and what it names, or a picture for the mesh of a file. */
+const take = list => busily(async () => {
+    const given = new Map();
+    for (const file of list)
+        given.set(file.name, new Uint8Array(await file.arrayBuffer()));
+    const names = [...given.keys()], name = names.find(n => READABLE.test(n)) ?? names[0];
+    if (!name)
+        throw 'that was no file';
+    say([`${name}: reading it …`]);
+    if (!PICTURE.test(name) || mesh !== own?.name) {
+        await showFile(given, name);
+        return;
+    }
+    const was = settings.texture;
+    set('texture', name);
+    try {
+        await showFile(new Map([...own.files, ...given]), own.name);
+    } catch (why) {
+        set('texture', was ?? '');
+        show();
+        throw why;
+    }
+});
+
+/* A file is read once more where its pictures are asked for in another way. Whether it had to be. */
+function readAgain() {
+    if (!own || mesh !== own.name || own.read === readWords(mesh).join('\0'))
+        return false;
+    own.read = readWords(mesh).join('\0'); // once, whatever comes of it
+    busily(() => showFile(own.files, own.name));
+    return true;
 }
 
 /* ---- boards ---- */
@@ -374,7 +411,7 @@ function chooser(name) {
     const words = choices[name];
     const isWords = words && words.includes('|');
     const input = isWords ? make('select', {}, make('option', { value: '' }, defaults[name] ?? 'as it comes'),
-        ...words.split('|').filter(word => word !== defaults[name]).map(word => make('option', {}, word)))
+        ...words.split('|').filter(word => word !== defaults[name] && word !== 'FILE').map(word => make('option', {}, word)))
         : make('input', { type: 'number', placeholder: defaults[name] ?? '–', min: 0 });
     Object.assign(input, { id: name, title: helps[name] });
     input.onchange = () => set(name, input.value);
@@ -463,6 +500,8 @@ function showControls() {
         .every((part, i) => setting(part) === (String(PRESETS[name][i]) || (defaults[part] ?? '')));
     $('preset').value = Object.keys(PRESETS).find(is) ?? 'own';
     Object.keys(SLIDERS).forEach(showSlider);
+    if (settings.texture && ![...$('texture').options].some(option => option.value === settings.texture))
+        $('texture').append(make('option', {}, settings.texture));
     MORE.forEach(name => { $(name).value = settings[name] ?? ''; });
     $('ortho').checked = 'ortho' in settings;
     $('file-color').checked = settings.color === 'file';

@@ -17,6 +17,7 @@
 #include "stats_json.h"
 #include "textures_out.h"
 #include "view.h"
+#include "web_mesh.h"
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 #define WORDS 128
@@ -51,18 +52,24 @@ char *EXPORT(web_words)(size_t size)
     return words[1];
 }
 
-static int parse(struct sheen_options *options, const struct sheen_command *command, int count)
+static int parse(struct sheen_options *options, const struct sheen_command *command, int count,
+                 struct sheen_problem *why)
 {
     static char *list[WORDS + 1]; /* options point to the words, not into it */
     char *at = words[1];
 
     if (count > WORDS)
-        return sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "more than %d words", WORDS);
+        return sheen_problem(why, SHEEN_ERR_ARGUMENT, "more than %d words", WORDS);
     for (int i = 0; i < count; i++, at += strlen(at) + 1)
         list[i] = at;
     list[count] = NULL;
-    int go = sheen_options_parse(options, command, count, list, &problem);
-    return go == 0 ? sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "no help in a page") : go;
+    int go = sheen_options_parse(options, command, count, list, why);
+    return go == 0 ? sheen_problem(why, SHEEN_ERR_ARGUMENT, "no help in a page") : go;
+}
+
+int sheen_web_options(struct sheen_options *options, int count, struct sheen_problem *why)
+{
+    return parse(options, &view_command, count, why);
 }
 
 /* The line on what was wrong last. */
@@ -106,10 +113,11 @@ static void copy_panel(struct sheen_options *to, const struct sheen_options *fro
 /* Whether they are the same, the names by their letters. Parsed into zeroed memory, so that gaps are equal. */
 static int are_equal(struct sheen_options a, const struct sheen_options *b)
 {
-    if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0)
+    if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0 || strcmp(a.texture, b->texture) != 0)
         return 0;
     a.mesh = b->mesh;
     a.panel = b->panel;
+    a.texture = b->texture;
     return memcmp(&a, b, sizeof a) == 0;
 }
 
@@ -159,7 +167,7 @@ static int change(const struct sheen_options *options)
 int EXPORT(web_show)(int count)
 {
     static struct sheen_options options;
-    int go = parse(&options, &view_command, count);
+    int go = parse(&options, &view_command, count, &problem);
     viewer.number = 0;
     int error = go < 0 ? go : change(&options);
 
@@ -378,7 +386,7 @@ static int plan(const struct sheen_options *options, int board)
 int EXPORT(web_plan)(int count, int board)
 {
     static struct sheen_options options;
-    int go = parse(&options, &plan_command, count);
+    int go = parse(&options, &plan_command, count, &problem);
 
     free(text);
     text = NULL;
@@ -391,7 +399,7 @@ int EXPORT(web_plan)(int count, int board)
 int EXPORT(web_bake)(int count)
 {
     static struct sheen_options options;
-    int go = parse(&options, &bake_command, count);
+    int go = parse(&options, &bake_command, count, &problem);
 
     int status = go < 0 ? (int)sheen_fail(SHEEN_EXIT_USAGE, &problem) : (int)sheen_cmd_bake(&options);
 

@@ -19,6 +19,7 @@
 #include "mesh_file.h"
 #include "mesh_format.h"
 #include "mesh_wire.h"
+#include "scene.h"
 #include "simplify.h"
 
 const char *sheen_web_path;
@@ -49,9 +50,10 @@ __attribute__((export_name("web_path"))) char *web_path(size_t size)
     return path;
 }
 
-/* Reads the file of that name, answers, and ends this instance: never returns. */
-__attribute__((export_name("web_read"))) void web_read(void)
+/* Reads the file of that name as the words of web_words() ask, answers, and ends this instance: never returns. */
+__attribute__((export_name("web_read"))) void web_read(int count)
 {
+    static struct sheen_options options;
     struct sheen_polygons polygons = {0};
     struct sheen_problem problem = {""};
     struct stat status;
@@ -60,12 +62,12 @@ __attribute__((export_name("web_read"))) void web_read(void)
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, strerror(errno));
     if (status.st_size == 0)
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, "the file is empty");
-    int error = sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
-    if (!error && polygons.uvs && polygons.picture_count)
-        sheen_note(&polygons.notes, SHEEN_NOTE_WARNING, "%s: its textures are for the command sheen, a page is without",
-                   sheen_web_path);
-    if (!error)
-        error = sheen_textures_read(&polygons, NULL, sheen_web_path, &problem);
+    int go = sheen_web_options(&options, count, &problem);
+    int error = go < 0 ? go : sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
+    if (!error) {
+        const struct sheen_texture_options textures = sheen_scene_texture_options(&options);
+        error = sheen_textures_read(&polygons, &textures, sheen_web_path, &problem);
+    }
     answer(error, &polygons, &problem);
 }
 

@@ -1,5 +1,5 @@
 /*
- * web_mesh.h - mesh files in the page. Private to web_mesh.c and web_without.cpp.
+ * web_mesh.h - mesh files in the page. Private to web*.c and web_without.cpp.
  */
 #ifndef SHEEN_WEB_MESH_H
 #define SHEEN_WEB_MESH_H
@@ -9,6 +9,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+struct sheen_options;
+
+/* The command line of the words of web_words(). 1, or a negative code and *problem. In web.c. */
+int sheen_web_options(struct sheen_options *options, int count, struct sheen_problem *problem);
 
 /* The file that is being read. */
 extern const char *sheen_web_path;

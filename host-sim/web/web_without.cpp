@@ -1,5 +1,5 @@
 /*
- * web_without.cpp - what the page does without: Assimp, Draco, meshoptimizer, libpng, libjpeg, and C++'s exceptions.
+ * web_without.cpp - what the page does without: Assimp, Draco, meshoptimizer, and C++'s exceptions.
  *
  * WebAssembly as Debian's clang makes it has none of the last: what throws is compiled and what
  * catches is left out. All that the readers throw ends the reading of a file, so here it ends the instance of
@@ -16,7 +16,6 @@
 
 extern "C" {
 #include "mesh_assimp.h"
-#include "picture.h"
 }
 
 namespace
@@ -63,18 +62,6 @@ int sheen_mesh_assimp_knows(const char *)
 int sheen_mesh_assimp_read(struct sheen_polygons *, const char *, struct sheen_problem *)
 {
     without("not OBJ, STL, PLY, OFF or glTF");
-}
-
-int sheen_png_reduce(struct sheen_reducing *, const unsigned char *, size_t, const unsigned *, const char *,
-                     struct sheen_problem *)
-{
-    without("with a PNG");
-}
-
-int sheen_jpeg_reduce(struct sheen_reducing *, const unsigned char *, size_t, const unsigned *, const char *,
-                      struct sheen_problem *)
-{
-    without("with a JPEG");
 }
 
 /* As meshoptimizer's C interface has it. */
