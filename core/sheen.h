@@ -40,7 +40,8 @@
  *   I_ad = ambient + sum over lights of diffuse * max(0, L.N)
  *   I_s  = sum over lights of specular * max(0, R.V)^n * min(1, 8 max(0, L.N));
  * colour = base * I_ad + highlight colour * I_s, clamped and rounded once a pixel.
- * The last factor lets the highlight end at L.N = 0 without a jump.
+ * The last factor lets the highlight end at L.N = 0 without a jump. In I_ad a material's ramp may take the place of
+ * max(0, L.N).
  */
 #ifndef SHEEN_H
 #define SHEEN_H
@@ -137,6 +138,36 @@ extern const struct sheen_shine sheen_shine_4, sheen_shine_8, sheen_shine_16, sh
 /* SHEEN_ERR_ARGUMENT where n is not 1..128; *shine is untouched then. */
 int sheen_shine_make(struct sheen_shine *shine, unsigned shininess);
 
+#define SHEEN_RAMP_STEPS 256 /* from L.N = -1 to 1 */
+
+/*
+ * D, what takes the place of max(0, L.N) in a material's diffuse light; a highlight's fade stays on L.N itself. D is
+ * low + span * value, over L.N linear between the entries. Const data, shared by materials: those below are linked
+ * where they are named, and with them what reads a ramp.
+ */
+struct sheen_ramp {
+    uint16_t value[SHEEN_RAMP_STEPS + 1];   /* at L.N = i / 128 - 1; UQ1.15, at most 1.0 */
+    sheen_q16_t low, span;                  /* span 0: D is low; what diffuse makes of either is held at 16 */
+    uint8_t steep;                          /* D changes by 2^steep a unit of L.N at most, jumps not counted; 0..15 */
+    const struct sheen_ramp_reader *reader; /* &sheen_ramp_reader */
+};
+
+/* What reads ramps. */
+extern const struct sheen_ramp_reader sheen_ramp_reader;
+
+/*
+ * half: ((1 + L.N) / 2)^2, half-Lambert: the dark side keeps its shape. toon: 0, and a third more at each of 0, 1/4 and
+ * 0.7 of L.N, from the next entry on.
+ */
+extern const struct sheen_ramp sheen_ramp_half, sheen_ramp_toon;
+
+/*
+ * Made in RAM: light on the panel's own curve, for one light of intensity 1.0 and a material of that ambient and
+ * diffuse: ((ambient + diffuse max(0, L.N))^(1 / 2.2) - ambient) / diffuse. SHEEN_ERR_ARGUMENT where ambient is not
+ * 0..4 or diffuse not 1/1024..4; *ramp is untouched then.
+ */
+int sheen_ramp_make_gamma(struct sheen_ramp *ramp, sheen_q16_t ambient, sheen_q16_t diffuse);
+
 /*
  * A picture in flash or RAM, of 2^width_log2 by 2^height_log2 texels in rows from the top, without gaps. A texel is a
  * colour of 565, red in the high bits, in the machine's own byte order whatever the target's: red / 31, green / 63,
@@ -165,6 +196,7 @@ struct sheen_material {
     sheen_q16_t specular;                /* Ip ks, 0..4 */
     const struct sheen_shine *shine;     /* MUST be there where specular is not 0 */
     const struct sheen_texture *texture; /* of textured: MUST be there; others do not read it */
+    const struct sheen_ramp *ramp;       /* in place of max(0, L.N); NULL: that itself */
 };
 
 /* A light at infinity. `to` points to it, any length but zero. */
@@ -334,6 +366,7 @@ enum sheen_subject {
     SHEEN_ABOUT_NORMALS,
     SHEEN_ABOUT_MATERIAL,
     SHEEN_ABOUT_SHINE,
+    SHEEN_ABOUT_RAMP,
     SHEEN_ABOUT_SHADER,
     SHEEN_ABOUT_LIGHTS,
     SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */

@@ -17,12 +17,12 @@
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
 #define SHEEN_BYTES_FRAME 512
-#define SHEEN_BYTES_DRAW 264
+#define SHEEN_BYTES_DRAW 280
 #define SHEEN_BYTES_WORKER 168
 #define SHEEN_BYTES_SETUP 184
 #else
 #define SHEEN_BYTES_FRAME 412
-#define SHEEN_BYTES_DRAW 240
+#define SHEEN_BYTES_DRAW 244
 #define SHEEN_BYTES_WORKER 140
 #define SHEEN_BYTES_SETUP 168
 #endif

@@ -189,17 +189,23 @@ void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_s
     }
 }
 
-int core_material(struct sheen_material *material, struct sheen_shine *shine, const struct ref_scene *scene)
+int core_material(struct sheen_material *material, struct core_tables *tables, const struct ref_scene *scene)
 {
+    const struct sheen_ramp *const ramp[] = {NULL, &sheen_ramp_half, &tables->gamma, &sheen_ramp_toon};
+
     *material = (struct sheen_material){.ambient = (sheen_q16_t)lround(scene->ambient * 65536),
                                         .diffuse = (sheen_q16_t)lround(scene->diffuse * 65536),
                                         .specular = (sheen_q16_t)lround(scene->specular * 65536),
-                                        .shine = shine};
+                                        .shine = &tables->shine,
+                                        .ramp = ramp[scene->ramp]};
     for (int k = 0; k < 3; k++) {
         material->base[k] = (uint8_t)lround(255 * scene->base[k]);
         material->highlight[k] = (uint8_t)lround(255 * scene->highlight[k]);
     }
-    return sheen_shine_make(shine, (unsigned)lround(scene->shininess));
+    int status = sheen_shine_make(&tables->shine, (unsigned)lround(scene->shininess));
+    if (status == SHEEN_OK && scene->ramp == REF_GAMMA)
+        status = sheen_ramp_make_gamma(&tables->gamma, material->ambient, material->diffuse);
+    return status;
 }
 
 int core_frame_make(struct core_frame *f, const struct sheen_config *config)
@@ -299,7 +305,7 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                   .max_clipped = CLIPPED};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
-    struct sheen_shine shine;
+    struct core_tables tables;
     struct sheen_view view;
     struct sheen_object draw = {.mesh = mesh,
                                 .material = &material,
@@ -317,7 +323,7 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
     core_view(&view, scene);
     core_pose(&draw.pose, scene);
     core_lights(lights, scene);
-    if ((status = core_material(&material, &shine, scene)) == SHEEN_OK && scene->texture) {
+    if ((status = core_material(&material, &tables, scene)) == SHEEN_OK && scene->texture) {
         status = core_texture_make(&texture, scene->texture) == 0 ? SHEEN_OK : SHEEN_ERR_MEMORY;
         material.texture = &texture.texture;
     }

@@ -25,7 +25,12 @@ void core_mesh_free(struct core_mesh *mesh);
 void core_view(struct sheen_view *view, const struct ref_scene *scene);
 void core_pose(struct sheen_pose *pose, const struct ref_scene *scene);
 void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene);
-int core_material(struct sheen_material *material, struct sheen_shine *shine, const struct ref_scene *scene);
+/* What a material points to. */
+struct core_tables {
+    struct sheen_shine shine;
+    struct sheen_ramp gamma;
+};
+int core_material(struct sheen_material *material, struct core_tables *tables, const struct ref_scene *scene);
 
 /* A frame with an arena of its own, room for one draw of `mesh` a frame. */
 struct core_frame {

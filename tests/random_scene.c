@@ -75,14 +75,28 @@ static void random_lights(struct ref_scene *scene, enum random_kind kind, uint32
     }
 }
 
-/* What no light reaches is one colour; a channel of it that lies on the edge between two levels is a matter of luck. */
-static bool is_clear(const struct ref_scene *scene)
+static bool is_clear_color(const struct ref_scene *scene, double intensity)
 {
     for (int k = 0; k < 3; k++) {
-        double level = (k == 1 ? 63 : 31) * scene->ambient * scene->base[k] + 0.5;
+        double level = (k == 1 ? 63 : 31) * intensity * scene->base[k] + 0.5;
         if (fabs(level - floor(level + 0.5)) < 0.01)
             return false;
     }
+    return true;
+}
+
+/*
+ * What no light reaches is one colour, and so is what lies on the treads of a toon ramp; a channel of it that lies on
+ * the edge between two levels is a matter of luck.
+ */
+static bool is_clear(const struct ref_scene *scene)
+{
+    int thirds = scene->ramp == REF_TOON ? 3 * scene->light_count : 0;
+    double dark = scene->ambient + scene->light_count * scene->diffuse * ref_ramp(scene, -1);
+
+    for (int i = 0; i <= thirds; i++)
+        if (!is_clear_color(scene, dark + scene->diffuse * i / 3))
+            return false;
     return true;
 }
 
@@ -97,9 +111,16 @@ static void random_material(struct ref_scene *scene, enum random_kind kind, uint
     scene->shininess = floor(pow(2, stage_uniform(state, low, high)) + 0.5);
     for (int k = 0; k < 3; k++)
         scene->base[k] = (stage_random(state) >> 24) / 255.0;
+    scene->dither = stage_random(state) % 2;
+}
+
+static void random_ramp(struct ref_scene *scene, uint32_t *state)
+{
+    scene->ramp = stage_random(state) % 4 == 0 ? (enum ref_ramp)(REF_HALF + stage_random(state) % 3) : REF_LAMBERT;
+    if (scene->ramp == REF_GAMMA)
+        scene->diffuse = fmax(scene->diffuse, 0.01);
     while (!is_clear(scene))
         scene->ambient += 0.001;
-    scene->dither = stage_random(state) % 2;
 }
 
 void random_scene(struct random_scene *to, const struct random_meshes *meshes, uint32_t number)
@@ -129,18 +150,21 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
     random_lights(&to->scene, to->kind, &state);
     random_material(&to->scene, to->kind, &state);
     to->way = stage_random(&state) % 2 ? 0 : 1 + first[shading] + stage_random(&state) % ways[shading];
+    random_ramp(&to->scene, &state);
 }
 
 void random_scene_print(const struct random_scene *from)
 {
     static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
+    static const char *const ramp_name[] = {"", " half", " gamma", " toon"};
     const struct ref_scene *scene = &from->scene;
 
-    printf("    %s %dx%d %s%s%s%s%s distance %.4f fov %.4f shininess %.0f ambient %.3f diffuse %.3f specular %.3f "
+    printf("    %s %dx%d %s%s%s%s%s%s distance %.4f fov %.4f shininess %.0f ambient %.3f diffuse %.3f specular %.3f "
            "way %u lights",
            from->mesh->name, scene->width, scene->height, shading_name[scene->shading], scene->affine ? " affine" : "",
            scene->ortho ? " ortho" : "", scene->dither ? " dither" : "", scene->two_sided ? " two-sided" : "",
-           scene->distance, scene->fov, scene->shininess, scene->ambient, scene->diffuse, scene->specular, from->way);
+           ramp_name[scene->ramp], scene->distance, scene->fov, scene->shininess, scene->ambient, scene->diffuse,
+           scene->specular, from->way);
     for (int i = 0; i < scene->light_count; i++)
         printf(" %.3f,%.3f,%.3f", scene->light[i][0], scene->light[i][1], scene->light[i][2]);
     printf("\n");

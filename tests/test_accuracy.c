@@ -2,7 +2,7 @@
  * test_accuracy.c - how close the integers come to the picture in double precision.
  *
  * Every picture is judged by itself; a line sums up one mesh, view and shading: both sizes, perspective and
- * affine, shininess 8, 32 and 128; the light behind, strong highlights, cuts and dither besides. There the core
+ * affine, shininess 8, 32 and 128; the light behind, strong highlights, cuts, dither and ramps besides. There the core
  * chooses how each triangle is shaded. Then each of the ways it chooses among is forced on all of the mesh's pictures
  * but the last four's, on every triangle that admits it (struct sheen_object's `way`), and has to keep the same
  * limits. With an argument each picture that fails is written as PPM files with that prefix.
@@ -27,9 +27,13 @@ enum variant {
     STRONG, /* full highlights of shininess 1, 4, 24, 128 */
     CUT,    /* by the near plane and the far one; every other picture magnified, by the guard band */
     DITHER,
+    HALF, /* ramps: one light, several, the light behind, dithered, in turns */
+    GAMMA,
+    TOON,
     VARIANTS
 };
-static const char *const variant_name[VARIANTS] = {"", "lights", "ortho", "behind", "strong", "cut", "dither"};
+static const char *const variant_name[VARIANTS] = {"",    "lights", "ortho", "behind", "strong",
+                                                   "cut", "dither", "half",  "gamma",  "toon"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
 #define FORCED 9
@@ -126,9 +130,22 @@ static int judge(struct accuracy_line *line, struct mesh_lines *lines, const str
     return failed;
 }
 
+static const double behind[3] = {-0.6, 0.3, -0.7};
+
+static void vary_ramp(struct ref_scene *scene, enum ref_ramp ramp, int i)
+{
+    scene->ramp = ramp;
+    scene->ambient += 0.0065; /* a tread's colour would lie on the edge between two levels, a matter of luck */
+    if (i % 4 == 1)
+        accuracy_more_lights(scene);
+    if (i % 4 == 2)
+        memcpy(scene->light[0], behind, sizeof behind);
+    scene->dither = i % 4 == 3;
+}
+
 static void vary(struct ref_scene *scene, enum variant variant, int i)
 {
-    static const double behind[3] = {-0.6, 0.3, -0.7}, shininess[4] = {1, 4, 24, 128};
+    static const double shininess[4] = {1, 4, 24, 128};
 
     switch (variant) {
     case LIGHTS:
@@ -154,6 +171,15 @@ static void vary(struct ref_scene *scene, enum variant variant, int i)
     case DITHER:
         scene->dither = true;
         break;
+    case HALF:
+        vary_ramp(scene, REF_HALF, i);
+        break;
+    case GAMMA:
+        vary_ramp(scene, REF_GAMMA, i);
+        break;
+    case TOON:
+        vary_ramp(scene, REF_TOON, i);
+        break;
     default:
         break;
     }
@@ -171,6 +197,8 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
     accuracy_line_begin(&line);
     if (variant == CUT)
         line.least_compared = 0.1; /* much of what is left lies at the cut */
+    if (variant == TOON)
+        line.least_compared = 0.2; /* around its jumps, which are edges; four lights have twelve */
     for (int i = 0; i < 12; i++) {
         struct ref_scene scene;
         accuracy_view(&scene, &mesh->reference, view);
@@ -224,6 +252,9 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
     failed += judge_line(&lines, mesh, 0, shading, ORTHO);
     failed += judge_line(&lines, mesh, 0, shading, BEHIND);
     failed += judge_line(&lines, mesh, 2, shading, DITHER);
+    failed += judge_line(&lines, mesh, 0, shading, HALF);
+    failed += judge_line(&lines, mesh, 1, shading, GAMMA);
+    failed += judge_line(&lines, mesh, 2, shading, TOON);
     if (shading != REF_SLERP) /* which the definition exempts where triangles were cut */
         failed += judge_line(&lines, mesh, 1, shading, CUT);
     if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)

@@ -43,6 +43,7 @@ WRONG(no_indices, mesh->indices = NULL)
 WRONG(no_normals, mesh->normals = NULL)
 WRONG(no_shader, draw->shader = NULL)
 WRONG(no_shine, material->shine = NULL)
+WRONG(unread_ramp, static const struct sheen_ramp ramp = {.span = 1}; material->ramp = &ramp)
 WRONG(dim, material->ambient = -1)
 WRONG(glaring, material->specular = (4 << 16) + 1)
 WRONG(garbage, memset(material, 0xff, sizeof *material))
@@ -67,6 +68,7 @@ static const struct wrong wrongs[] = {
     {"no normals", no_normals, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_NORMALS},
     {"no shader", no_shader, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHADER},
     {"a highlight without a table", no_shine, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHINE},
+    {"a ramp that nothing reads", unread_ramp, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_RAMP},
     {"ambient light below 0", dim, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
     {"a highlight above 4", glaring, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
     {"a material of ones", garbage, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},

@@ -118,7 +118,7 @@ static long triangles_of(const struct accuracy_mesh *mesh, int view, long *diffe
     struct memory_target target;
     struct core_frame f;
     struct sheen_material material;
-    struct sheen_shine shine;
+    struct core_tables tables;
     size_t piece = 0;
 
     plain_scene(&scene, &mesh->reference, view);
@@ -126,7 +126,7 @@ static long triangles_of(const struct accuracy_mesh *mesh, int view, long *diffe
     scene.height = picture.height;
     assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
     assert_int_equal(ref_project(&picture, &scene), 0);
-    assert_int_equal(core_material(&material, &shine, &scene), SHEEN_OK);
+    assert_int_equal(core_material(&material, &tables, &scene), SHEEN_OK);
     struct sheen_config config = {
         .target = &target.target, .max_vertices = mesh->mesh->vertices, .max_triangles = 8, .max_clipped = 8};
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);

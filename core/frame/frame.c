@@ -183,6 +183,8 @@ static enum sheen_subject material_problem(const struct sheen_material *m)
         return SHEEN_ABOUT_MATERIAL;
     if (m->shine == NULL ? m->specular > 0 : m->shine->shininess == 0 || m->shine->shift > 3)
         return SHEEN_ABOUT_SHINE;
+    if (m->ramp != NULL && m->ramp->reader == NULL)
+        return SHEEN_ABOUT_RAMP;
     return SHEEN_ABOUT_NOTHING;
 }
 
@@ -315,10 +317,14 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.swap = f->format.swap;
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
+    d->as.light.ramp = object->material->ramp;
+    d->as.at_pixels = object->material->ramp != NULL && object->shader->at_pixels;
     d->first_vertex = f->vertices;
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
-    d->as.ramp = ramp_of(f, object->shader, &d->as.colour);
+    /* where a ramp over L.N makes areas of one colour, 1024 entries are not enough for it */
+    d->as.ramp = object->material->ramp != NULL ? NULL : ramp_of(f, object->shader, &d->as.colour);
     sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
+    d->as.loop.usable &= (uint8_t)!d->as.at_pixels;
     if (object->shader->begin != NULL)
         object->shader->begin(&d->as, object->material, &f->format);
     error = draw_triangles(f, d, &t, &viewpoint);

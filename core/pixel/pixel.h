@@ -111,6 +111,35 @@ static inline uint32_t highlight_at(struct power p, int32_t u, uint32_t ln)
     return faded(power_at(p, u), ln);
 }
 
+/* ---- a material's ramp ---- */
+
+struct lighting;
+struct tile;
+struct draw;
+struct shaded_run;
+
+/* Where light depends on L.N: a ramp points to it, so what is lit without one does not link it. */
+struct sheen_ramp_reader {
+    /* Ambient and diffuse light with it, Q15.16: at most 2^18 and 2^20, afterwards 2^18 + 2^20 and 2^20. */
+    void (*intensities)(const struct sheen_ramp *ramp, uint64_t *ambient, uint64_t *diffuse);
+    /* In place of sheen_light_normal, and of sheen_shaded_run where L.N is what is stepped. */
+    void (*light)(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
+    void (*run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y, struct shaded_run *run,
+                int has_highlight);
+};
+
+/* The response to light at L.N, Q0.15 and held at +-1.0: UQ1.15 of the ramp's span. Range: 2^16 * 2^8. */
+static inline uint32_t response_at(const struct sheen_ramp *ramp, int32_t ln)
+{
+    const uint32_t at = (uint32_t)(min32(max32(ln, -32768), 32767) + 32768);
+    const uint16_t *value = ramp->value + (at >> 8);
+
+    return (uint32_t)(value[0] * 256 + (value[1] - value[0]) * (int32_t)(at & 255u) + 128) >> 8;
+}
+
+/* s^n by repeated squaring, UQ0.32, 1.0 held as 0xffffffff; off by less than n * 2^-32. */
+uint32_t sheen_raised(uint32_t s, unsigned n);
+
 /* ---- colour: intensities -> channels of the target ---- */
 
 /*

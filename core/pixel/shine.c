@@ -9,8 +9,7 @@ static uint32_t multiply(uint32_t a, uint32_t b)
     return (uint32_t)(((uint64_t)a * b + a + b) >> 32);
 }
 
-/* s^n by repeated squaring, UQ0.32; error below n * 2^-32. */
-static uint32_t raised(uint32_t s, unsigned n)
+uint32_t sheen_raised(uint32_t s, unsigned n)
 {
     uint32_t result = UINT32_MAX;
 
@@ -27,7 +26,7 @@ static uint32_t power_exact(unsigned i, unsigned shift, unsigned n)
 {
     uint64_t u = (uint64_t)i << (24 - shift);
 
-    return u < UINT32_MAX ? raised(UINT32_MAX - (uint32_t)u, n) : 0;
+    return u < UINT32_MAX ? sheen_raised(UINT32_MAX - (uint32_t)u, n) : 0;
 }
 
 /*
@@ -44,7 +43,7 @@ int sheen_shine_make(struct sheen_shine *shine, unsigned shininess)
 
     if (shininess < 1 || shininess > 128)
         return SHEEN_ERR_ARGUMENT;
-    while (shift < 3 && raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), shininess) < 1u << 16)
+    while (shift < 3 && sheen_raised(UINT32_MAX - (UINT32_MAX >> (shift + 1)), shininess) < 1u << 16)
         shift++;
     shine->shininess = (uint8_t)shininess;
     shine->shift = (uint8_t)shift;

@@ -214,10 +214,11 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
+            (!piece && !s->draw->at_pixels && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);
 }
 
-const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines, .setup = phong_setup, .needs_normals = 1};
+const struct sheen_shader sheen_phong = {
+    .light = sheen_keep_cosines, .setup = phong_setup, .needs_normals = 1, .at_pixels = 1};

@@ -25,6 +25,7 @@ struct sheen_shader {
     uint8_t unit_normals;  /* 1: corners of pieces need unit normals */
     uint8_t needs_texture; /* 1: the material has to have a texture; there is no ramp then */
     uint8_t needs_uvs;     /* 1: the mesh has to have uvs; corners and pieces have them in place of normals */
+    uint8_t at_pixels;     /* 1: light is not linear between corners: a ramp is read at pixels */
 };
 
 #endif

@@ -85,7 +85,8 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         sheen_face(&f, c);
     if (f.apart <= CLOSE_ARCS && sheen_setup_reflection(setup, c, g, &f))
         return;
-    int one = f.apart <= (d->power.shininess > 32 ? WIDEST_SHARP : WIDEST_ARC) && way_wanted(d, SHEEN_WAY_SLERP);
+    int one = f.apart <= (d->power.shininess > 32 ? WIDEST_SHARP : WIDEST_ARC) && way_wanted(d, SHEEN_WAY_SLERP) &&
+              (d->light.ramp == NULL || d->light.ramp->steep == 0);
     arcs_setup((struct slerp_setup *)setup, c);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
     setup->fast = 0;
@@ -93,4 +94,4 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
 }
 
 const struct sheen_shader sheen_slerp = {
-    .light = sheen_keep_cosines, .setup = slerp_setup, .needs_normals = 1, .unit_normals = 1};
+    .light = sheen_keep_cosines, .setup = slerp_setup, .needs_normals = 1, .unit_normals = 1, .at_pixels = 1};

@@ -69,21 +69,23 @@ SPECIALISED int32_t unit_dot_at(const struct pixel_normal *p, const int32_t v[3]
 }
 
 /* Sum over the lights, each with its weight. */
-static void light_normal(const struct draw *d, const struct pixel_normal *p, struct lit *lit)
+static void light_pixel(const struct draw *d, const struct pixel_normal *p, struct lit *lit)
 {
     const struct lighting *l = &d->light;
     const int32_t facing = unit_dot_at(p, l->view);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
 
     for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = unit_dot_at(p, l->to[i]), high = asr32(ln, 14);
-        uint32_t rounded = (uint32_t)asr32(ln + (1 << 13), 14); /* UQ1.15 */
+        int32_t ln = unit_dot_at(p, l->to[i]), high = asr32(ln, 14), rounded = asr32(ln + (1 << 13), 14); /* Q0.15 */
+        if (l->ramp != NULL)
+            diffuse += l->diffuse_weight[i] * response_at(l->ramp, rounded);
         if (ln <= 0)
             continue;
+        if (l->ramp == NULL)
+            diffuse += l->diffuse_weight[i] * (uint32_t)rounded;
         int32_t product = mul_16_32(high, facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
         int32_t u = (int32_t)((uint32_t)l->lv1[i] - 4u * (uint32_t)product);
-        diffuse += l->diffuse_weight[i] * rounded;
-        specular += l->specular_weight[i] * highlight_at(d->power, u, rounded);
+        specular += l->specular_weight[i] * highlight_at(d->power, u, (uint32_t)rounded);
     }
     lit->diffuse = (diffuse + HALF) >> 15;
     lit->specular = (specular + HALF) >> 15;
@@ -101,7 +103,7 @@ void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int
             struct lit lit = {0, 0};
             struct pixel_normal p;
             if (pixel_normal(normal, &p))
-                light_normal(d, &p, &lit);
+                light_pixel(d, &p, &lit);
             put_lit(t, d, rounding, at, x, lit);
         }
         n0 += run->dn[0];

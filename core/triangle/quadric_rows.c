@@ -122,6 +122,8 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
         cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + at, x1 - x, run);
     else if (FAST_LOOPS && d->loop.usable)
         quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(1, y) : NULL, run, second, 0);
+    else if (d->at_pixels)
+        d->light.ramp->reader->run(t, d, x, x1, y, run, second == SECOND_POWER);
     else
         general_run(t, d, at, x, x1, y, run, second);
 }

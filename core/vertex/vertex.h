@@ -148,13 +148,16 @@ struct lighting {
     uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
     uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
     sheen_q16_t diffuse_sum, specular_sum;      /* of the lights' intensities */
+    const struct sheen_ramp *ramp;              /* of the material; NULL: none */
     uint8_t count;
 };
 
-/* rotation: model to eye; view: world to eye, NULL where they are one. */
+/* rotation: model to eye; view: world to eye, NULL where they are one. There is no ramp then. */
 int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
                       const sheen_q30_t rotation[9], const sheen_q30_t *view);
 void sheen_light_normal(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
+/* The same by the ramp: of a struct sheen_ramp_reader. A normal of length zero has ambient light only. */
+void sheen_light_by_ramp(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
 
 /* ---- clipping ---- */
 

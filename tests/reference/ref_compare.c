@@ -4,7 +4,8 @@
  * Snapping moves edges by a fraction of a pixel. Inside a smooth surface that
  * changes nothing that can be seen; at a crease, a silhouette or where surfaces
  * meet it does. So a pixel counts only where its 3x3 neighbourhood lies on one
- * smooth surface.
+ * smooth surface; and as a jump of light is an edge too, on one tread of a toon
+ * ramp's stairs.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -134,8 +135,8 @@ static bool comparable(const struct ref_scene *scene, const struct ref_picture *
     for (int dy = -1; dy <= 1; dy++) {
         for (int dx = -1; dx <= 1; dx++) {
             const struct ref_pixel *p = centre + dy * picture->width + dx;
-            if (!p->covered || surface[p->triangle] != surface[centre->triangle] ||
-                is_seam(scene, picture, centre, p, x + 0.5, y + 0.5))
+            if (!p->covered || surface[p->triangle] != surface[centre->triangle] || p->tread < 0 ||
+                p->tread != centre->tread || is_seam(scene, picture, centre, p, x + 0.5, y + 0.5))
                 return false;
             low = fmin(low, p->m);
             high = fmax(high, p->m);

@@ -145,6 +145,7 @@ static void color(const struct ref_scene *scene, const struct ref_picture *pictu
         (void)ref_texture_color(scene->texture, at, texel);
     }
     ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &diffuse, &pixel->specular);
+    pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
     for (int k = 0; k < 3; k++)
         pixel->color[k] = fmin(fmax(base[k] * texel[k] * diffuse + scene->highlight[k] * pixel->specular, 0), 1);
 }

@@ -86,32 +86,61 @@ static void slerp_normal(const struct ref_scene *scene, const struct ref_piece *
     ref_slerp(left->normal, right->normal, in_space(scene, t, left->w, right->w), normal);
 }
 
-void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double *diffuse,
-               double *specular)
+/* At the pixel, of unit length, or zero: phong and slerp. */
+static void normal_at(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double normal[3])
 {
-    double b[3], normal[3] = {0, 0, 0};
+    double b[3];
 
-    if (scene->shading == REF_FLAT) {
-        *diffuse = p->diffuse[0];
-        *specular = p->specular[0];
-        return;
-    }
+    normal[0] = normal[1] = normal[2] = 0;
     if (scene->shading == REF_SLERP) {
         slerp_normal(scene, p, x, y, normal);
-        ref_light(scene, normal, diffuse, specular);
         return;
     }
     ref_weights(scene, p, x, y, b);
-    if (scene->shading == REF_GOURAUD) {
-        *diffuse = ref_dot(b, p->diffuse);
-        *specular = ref_dot(b, p->specular);
-        return;
-    }
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++)
             normal[k] += b[i] * p->normal[i][k];
     }
     if (ref_normalize(normal) < 1e-12)
         normal[0] = normal[1] = normal[2] = 0;
-    ref_light(scene, normal, diffuse, specular);
+}
+
+void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double *diffuse,
+               double *specular)
+{
+    double b[3], normal[3];
+
+    switch (scene->shading) {
+    case REF_FLAT:
+        *diffuse = p->diffuse[0];
+        *specular = p->specular[0];
+        return;
+    case REF_GOURAUD:
+        ref_weights(scene, p, x, y, b);
+        *diffuse = ref_dot(b, p->diffuse);
+        *specular = ref_dot(b, p->specular);
+        return;
+    default:
+        normal_at(scene, p, x, y, normal);
+        ref_light(scene, normal, diffuse, specular);
+    }
+}
+
+int ref_tread(const struct ref_scene *scene, const struct ref_piece *p, double x, double y)
+{
+    double normal[3];
+    int tread = 0;
+
+    if (scene->ramp != REF_TOON || scene->shading == REF_FLAT || scene->shading == REF_GOURAUD)
+        return 0;
+    normal_at(scene, p, x, y, normal);
+    for (int i = 0; i < scene->light_count; i++) {
+        double to[3] = {scene->light[i][0], scene->light[i][1], scene->light[i][2]};
+        ref_normalize(to);
+        double thirds = 3 * ref_ramp(scene, ref_dot(to, normal));
+        if (fabs(thirds - floor(thirds + 0.5)) > 1e-9)
+            return -1;
+        tread = 4 * tread + (int)floor(thirds + 0.5);
+    }
+    return tread;
 }

@@ -86,6 +86,15 @@ struct ref_texture {
     int bits; /* what the core is to keep a texel in: 16, 8, 4 */
 };
 
+/* What takes the place of max(0, L.N) in the diffuse light. */
+enum ref_ramp {
+    REF_LAMBERT = 0,
+    REF_HALF,
+    REF_GAMMA,
+    REF_TOON
+};
+#define REF_RAMP_STEPS 256 /* of the table from L.N = -1 to 1, linear in between */
+
 #define REF_MAX_LIGHTS 4
 #define REF_GUARD_PX 511.0 /* the guard band: pixels from the picture's centre */
 
@@ -103,6 +112,7 @@ struct ref_scene {
     int light_count;
     double light[REF_MAX_LIGHTS][3]; /* to the light, eye space, any length but zero */
     double ambient, diffuse, specular, shininess;
+    enum ref_ramp ramp;
     double base[3], highlight[3], background[3];
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
@@ -125,6 +135,7 @@ struct ref_pixel {
     uint32_t piece;  /* of ref_picture.pieces */
     double m;        /* depth in front of the eye */
     double color[3]; /* 0..1, unrounded */
+    int tread;       /* ref_tread at its centre */
     double specular; /* I_specular */
     uint16_t value;  /* 565 value or grey level */
     bool dropped;    /* a transparent texel lies here, */
@@ -159,6 +170,8 @@ void ref_picture_free(struct ref_picture *picture);
 int ref_project(struct ref_picture *picture, const struct ref_scene *scene);
 void ref_raster(struct ref_picture *picture, const struct ref_scene *scene);
 void ref_light(const struct ref_scene *scene, const double normal[3], double *diffuse, double *specular);
+/* The ramp at L.N = x, -1..1. */
+double ref_ramp(const struct ref_scene *scene, double x);
 /* Intensities of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double *diffuse,
                double *specular);
@@ -176,6 +189,12 @@ bool ref_texture_color(const struct ref_texture *texture, const double texels[2]
  */
 bool ref_settled(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_piece *piece,
                  double x, double y, double *bound);
+/*
+ * A toon ramp's steps are jumps; where light is computed at the pixel (phong, slerp), these lie on the picture as edges
+ * do. Which tread of the stairs each light falls on there, as one number >= 0; -1: one falls on a riser. 0 where there
+ * are no jumps.
+ */
+int ref_tread(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y);
 /* Great arc between unit vectors; equal ends: a; opposite ends: a while t < 1/2, else b. */
 void ref_slerp(const double a[3], const double b[3], double t, double out[3]);
 bool ref_inside(const struct ref_piece *piece, double x, double y);
@@ -201,8 +220,8 @@ struct ref_score {
 /*
  * Compare 565 values (width * height, row by row) at the pixels whose 3x3
  * neighbourhood belongs to triangles joined through shared edges with equal
- * corner normals and uv (flat: one polygon), without a jump in depth above 2 %,
- * and whose texels, if any, are settled.
+ * corner normals and uv (flat: one polygon), without a jump in depth above 2 %
+ * and without one of a toon ramp (ref_tread), and whose texels, if any, are settled.
  * Adds to *score. 0, or -1 where memory is short.
  */
 int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,
