@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "sheen.h"
+#include "scenes.h"
 
 #define PI 3.14159265358979323846
 #define MAX_VERTICES 2112
@@ -12,6 +12,7 @@
 
 static double position[MAX_VERTICES][3], normal[MAX_VERTICES][3];
 static double polygon_normal[MAX_TRIANGLES][3];
+static double uv[MAX_VERTICES][2]; /* of scenes that are shown with a texture */
 static int triangle[MAX_TRIANGLES][3], polygon[MAX_TRIANGLES];
 static int vertices, triangles, polygons;
 
@@ -52,6 +53,8 @@ static void sphere(void)
             double p[3] = {r * cos(turn), cos(PI * i / 32), -r * sin(turn)};
             for (int k = 0; k < 3; k++)
                 position[vertices][k] = normal[vertices][k] = p[k];
+            uv[vertices][0] = 2 * fabs(j - 32.0) / 32; /* there and back: no seam */
+            uv[vertices][1] = i / 32.0;
         }
     }
     for (int i = 0; i < 32; i++) {
@@ -100,6 +103,8 @@ static void screen(void)
             position[vertices][k] = p[k];
             normal[vertices][k] = n[k];
         }
+        uv[vertices][0] = x + 1;
+        uv[vertices][1] = (1 - y) / 2;
     }
     add_triangle(0, 1, 2); /* the diagonal runs from (-,+) to (+,-) */
     add_triangle(2, 1, 3);
@@ -202,6 +207,26 @@ static void print_vectors(const char *name, int scene, double (*v)[3], int count
     printf("\n};\n");
 }
 
+static void print_uvs(int scene)
+{
+    printf("static const int16_t uvs_%d[] = {", scene);
+    for (int i = 0; i < 2 * vertices; i++)
+        printf("%s%ld,", i % 12 ? " " : "\n    ", lround(uv[i / 2][i % 2] * 4096));
+    printf("\n};\n");
+}
+
+static void print_texels(void)
+{
+    uint32_t noise = 1;
+
+    printf("\nconst uint16_t bench_texels[] = {");
+    for (int i = 0; i < 1 << 2 * BENCH_TEXELS_LOG2; i++) {
+        noise = noise * 1664525u + 1013904223u;
+        printf("%s%u,", i % 12 ? " " : "\n    ", (unsigned)(noise >> 16));
+    }
+    printf("\n};\n");
+}
+
 static void print_numbers(const char *name, int scene, const int *number, int count)
 {
     printf("static const uint16_t %s_%d[] = {", name, scene);
@@ -267,9 +292,9 @@ static void print_scene(const struct scene *s)
     printf("    {\"S%d\",\n"
            "     {.positions = positions_%d, .normals = normals_%d, .polygon_normals = polygon_normals_%d,\n"
            "      .polygons = polygons_%d, .indices = indices_%d, .warp = warp_%d, .index_bytes = 2,\n"
-           "      .vertices = %d, .triangles = %d, .scale = %ld},\n     {",
+           "      .vertices = %d, .triangles = %d, .scale = %ld, .uvs = uvs_%d, .uv_bits = 12},\n     {",
            number, number, number, number, number, number, number, s->vertices, s->triangles,
-           lround(s->unit * 32768 / 32767 * 16777216));
+           lround(s->unit * 32768 / 32767 * 16777216), number);
     print_pose(s->degrees - 1, s->depth);
     printf(",\n      ");
     print_pose(s->degrees, s->depth);
@@ -291,7 +316,9 @@ int main(void)
         print_numbers("polygons", s->number, polygon, triangles);
         print_numbers("indices", s->number, triangle[0], 3 * triangles);
         print_warp(s);
+        print_uvs(s->number);
     }
+    print_texels();
     printf("\nconst struct bench_scene bench_scenes[BENCH_SCENES] = {\n");
     for (int i = 0; i < SCENES; i++)
         print_scene(&scenes[i]);

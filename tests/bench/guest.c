@@ -20,14 +20,21 @@ static void print_memory(const struct bench *bench)
     guest_print_number((uint32_t)sizeof bench->material);
 }
 
+/* A frame's scene and shading, or what is shown of the texture, as a word. */
+struct frame {
+    const struct bench_scene *scene;
+    const char *name;
+    uint8_t shading, texture;
+};
+
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
-static int measure(const struct bench_scene *scene, enum sheen_shading shading, int band_rows, int dither)
+static int measure(const struct frame *frame, int band_rows, int dither)
 {
-    static const char *const name[] = {"flat", "gouraud", "phong", "slerp"};
     static struct bench bench;
 
-    bench_config(&bench, scene, shading, band_rows);
+    bench_config(&bench, frame->scene, (enum sheen_shading)frame->shading, band_rows);
     bench.dither = (uint8_t)dither;
+    bench.texture = frame->texture;
     int status = bench_begin(&bench, arena, sizeof arena);
     if (status == SHEEN_OK)
         status = bench_first(&bench);
@@ -35,9 +42,9 @@ static int measure(const struct bench_scene *scene, enum sheen_shading shading, 
     if (status == SHEEN_OK)
         status = bench_measured(&bench);
     uint32_t count = guest_counted();
-    guest_print(scene->name);
+    guest_print(frame->scene->name);
     guest_print(" ");
-    guest_print(name[shading]);
+    guest_print(frame->name);
     guest_print(dither ? " dithered " : " ");
     guest_print_number((uint32_t)band_rows);
     if (status == SHEEN_OK) {
@@ -50,15 +57,32 @@ static int measure(const struct bench_scene *scene, enum sheen_shading shading, 
     return status;
 }
 
+/* Without and with dither, which unlit texels are without, and in one band. */
+static void measure_all(const struct frame *frame)
+{
+    const int lit = frame->texture != BENCH_UNLIT && frame->texture != BENCH_BILINEAR;
+
+    if (measure(frame, 16, 0) < 0 || (lit && measure(frame, 16, 1) < 0) || measure(frame, BENCH_HEIGHT, 0) < 0)
+        guest_leave(1);
+}
+
 void guest_main(void)
 {
+    static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
+    static const char *const texture_name[] = {"", "textured_unlit", "textured_lit", "textured_glossy",
+                                               "textured_bilinear"};
+
     guest_check_counter();
-    for (int scene = 0; scene < BENCH_SCENES; scene++) {
-        for (int shading = SHEEN_FLAT; shading <= SHEEN_SLERP; shading++) {
-            if (measure(&bench_scenes[scene], (enum sheen_shading)shading, 16, 0) < 0 ||
-                measure(&bench_scenes[scene], (enum sheen_shading)shading, 16, 1) < 0 ||
-                measure(&bench_scenes[scene], (enum sheen_shading)shading, BENCH_HEIGHT, 0) < 0)
-                guest_leave(1);
+    for (int i = 0; i < BENCH_SCENES; i++) {
+        struct frame frame = {.scene = &bench_scenes[i]};
+        for (; frame.shading <= SHEEN_SLERP; frame.shading++) {
+            frame.name = shading_name[frame.shading];
+            measure_all(&frame);
+        }
+        frame.shading = SHEEN_GOURAUD;
+        for (frame.texture = BENCH_UNLIT; frame.texture <= BENCH_BILINEAR && i % 2 == 0; frame.texture++) {
+            frame.name = texture_name[frame.texture];
+            measure_all(&frame);
         }
     }
     guest_leave(0);

@@ -88,5 +88,5 @@ def memory_rows(lines):
 def measure(machine, data, work):
     """The rows of a processor; M3, on which pointers are as on all of them, gives the memory as well."""
     lines = list(LINE.finditer(output(GUESTS[machine], data, work)))
-    counts = {(m[1], m[2], m[3] is not None, int(m[4])): int(m[5]) for m in lines}
+    counts = {(m[1], m[2].replace("_", " "), m[3] is not None, int(m[4])): int(m[5]) for m in lines}
     return [*rows_of(machine, counts), *(memory_rows(lines) if machine == "M3" else ())]

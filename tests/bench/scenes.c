@@ -19,6 +19,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
     bench->dither = 0;
+    bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
     bench->config = (struct sheen_config){.target = &bench->target,
@@ -30,6 +31,23 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
                                           .max_draws = 1};
 }
 
+static const struct sheen_texture nearest = {
+    .texels = bench_texels, .width_log2 = BENCH_TEXELS_LOG2, .height_log2 = BENCH_TEXELS_LOG2};
+static const struct sheen_texture bilinear = {
+    .texels = bench_texels, .width_log2 = BENCH_TEXELS_LOG2, .height_log2 = BENCH_TEXELS_LOG2, .bilinear = 1};
+
+static void show_texture(struct sheen_material *material, enum bench_texture texture)
+{
+    material->texture = texture == BENCH_BILINEAR ? &bilinear : &nearest;
+    material->base[0] = material->base[1] = material->base[2] = 255;
+    if (texture != BENCH_GLOSSY)
+        material->specular = 0;
+    if (texture == BENCH_UNLIT || texture == BENCH_BILINEAR) {
+        material->ambient = SHEEN_Q16(1);
+        material->diffuse = 0;
+    }
+}
+
 int bench_begin(struct bench *bench, void *arena, size_t size)
 {
     bench->material = (struct sheen_material){.base = {255, 153, 77}, /* 1, .6, .3 */
@@ -38,6 +56,8 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
                                               .diffuse = SHEEN_Q16(0.7),
                                               .specular = SHEEN_Q16(0.5),
                                               .shine = &sheen_shine_16};
+    if (bench->texture != BENCH_PLAIN)
+        show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
 
@@ -50,7 +70,7 @@ static int run(struct bench *bench, int frame)
                                 .material = &bench->material,
                                 .lights = &light,
                                 .light_count = 1,
-                                .shader = sheen_shader_of(bench->shading),
+                                .shader = bench->texture ? &sheen_textured : sheen_shader_of(bench->shading),
                                 .pose = bench->scene->pose[frame]};
     int status = sheen_begin(bench->frame, &view);
 

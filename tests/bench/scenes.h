@@ -6,6 +6,8 @@
  *   S3  two triangles that fill the picture, corner normals spread over 71 degrees
  *   S5  an icosahedron subdivided once, 80 triangles on the unit sphere, as S1: normals up to 36 degrees apart
  *
+ * S1 and S3 have uvs, 2 by 1 pictures of 64 x 64 texels of 565, nearest or bilinear: their frames with textures.
+ *
  * 320x240, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
  * the second frame of two, the first one degree before it; material tables are built before both.
  */
@@ -18,6 +20,7 @@
 #define BENCH_WIDTH 320
 #define BENCH_HEIGHT 240
 #define BENCH_SCENES 4
+#define BENCH_TEXELS_LOG2 6
 
 struct bench_scene {
     const char *name;
@@ -30,6 +33,17 @@ struct bench_scene {
 /* Made by export.c at build time: boards have no libm to make them with. */
 extern const struct bench_scene bench_scenes[BENCH_SCENES];
 
+extern const uint16_t bench_texels[1 << 2 * BENCH_TEXELS_LOG2];
+
+/* What is shown of them: nearest unless said otherwise; a highlight as the scenes have. */
+enum bench_texture {
+    BENCH_PLAIN,
+    BENCH_UNLIT,
+    BENCH_LIT,
+    BENCH_GLOSSY,
+    BENCH_BILINEAR /* unlit */
+};
+
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */
 struct bench {
     const struct bench_scene *scene;
@@ -38,7 +52,8 @@ struct bench {
     struct sheen_material material;
     struct sheen_frame *frame;
     uint8_t shading;
-    uint8_t dither; /* 0 after bench_config */
+    uint8_t dither;  /* 0 after bench_config */
+    uint8_t texture; /* enum bench_texture, likewise */
 };
 
 /* The configuration alone, for the size of its arena. */
