@@ -293,7 +293,7 @@ struct sheen_config {
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
-    uint8_t max_ramps;    /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
+    uint8_t max_shades;   /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
     /*
      * For workers on several threads: one at a time is let through between lock and

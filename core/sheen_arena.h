@@ -5,7 +5,7 @@
  *
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
  * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take
- * SHEEN_WORKER_BYTES each, and on 565 further ramps SHEEN_STORE(ramps - 1, SHEEN_BYTES_RAMP).
+ * SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES).
  * The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H
@@ -31,7 +31,7 @@
 #define SHEEN_BYTES_PIECE 56
 #define SHEEN_BYTES_BAND 20
 #define SHEEN_BYTES_SPAN 4
-#define SHEEN_BYTES_RAMP 2100
+#define SHEEN_BYTES_SHADES 2100
 #define SHEEN_BYTES_CLIPPING 648
 
 #define SHEEN_STORE(count, bytes) (((size_t)(count) * (bytes) + 7) / 8 * 8)
@@ -56,7 +56,7 @@
      SHEEN_BIT_STORE(SHEEN_BANDS(height, band_rows)) + SHEEN_STORE(draws, SHEEN_BYTES_DRAW) +                          \
      SHEEN_STORE(vertices, 2) + SHEEN_STORE(used, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +    \
      SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
-     ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_RAMP) : 0) + SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +               \
+     ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_SHADES) : 0) + SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +             \
      SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
 #endif

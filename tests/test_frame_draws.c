@@ -17,7 +17,7 @@ static void draw_actors(struct memory_target *target, const struct actor *actors
     struct sheen_view view;
 
     stage_config(&config, target, 3);
-    config.max_ramps = 2; /* else the second draw's colours are rounded without */
+    config.max_shades = 2; /* else the second draw's colours are rounded without */
     stage_view(&view);
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     assert_int_equal(stage_frame(f.frame, &view, &stage, actors, count), SHEEN_OK);

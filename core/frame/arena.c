@@ -29,7 +29,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
     c->workers = (uint8_t)or_default(c->workers, 1);
     c->max_used = (uint16_t)min32((int32_t)or_default(c->max_used, c->max_vertices), c->max_vertices);
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
-    c->max_ramps = (uint8_t)or_default(c->max_ramps, 1);
+    c->max_shades = (uint8_t)or_default(c->max_shades, 1);
     c->max_carried = (uint16_t)or_default(c->max_carried, 80);
     return c->buffers > 2                             ? SHEEN_ABOUT_BUFFERS
            : c->workers > MAX_WORKERS                 ? SHEEN_ABOUT_WORKERS
@@ -52,7 +52,7 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    sizeof(struct worker) == SHEEN_BYTES_WORKER && SETUP_BYTES == SHEEN_BYTES_SETUP &&
                    sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
                    sizeof(struct piece) == SHEEN_BYTES_PIECE && sizeof(struct band) == SHEEN_BYTES_BAND &&
-                   sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct ramp) == SHEEN_BYTES_RAMP &&
+                   sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct shades) == SHEEN_BYTES_SHADES &&
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
 
@@ -76,7 +76,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->band = take(base, &used, f->max_bands, SHEEN_BYTES_BAND);
     f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
     f->draw = take(base, &used, c->max_draws, SHEEN_BYTES_DRAW);
-    f->ramp = take(base, &used, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_ramps, SHEEN_BYTES_RAMP);
+    f->shades = take(base, &used, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_shades, SHEEN_BYTES_SHADES);
     f->place = take(base, &used, c->max_vertices, sizeof *f->place);
     f->vertex = take(base, &used, c->max_used, SHEEN_BYTES_VERTEX);
     f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);

@@ -102,7 +102,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                                 .weight_shift = (uint8_t)projection.weight_shift,
                                 .flat_weight = view->affine || projection.orthographic != 0};
     f->vertices = f->used = f->entries = f->pieces = f->draws = 0;
-    f->ramps = 0;
+    f->shaded_colors = 0;
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
     bands_begin(f);
@@ -271,24 +271,24 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
     return SHEEN_OK;
 }
 
-/* The ramp of these colours, one that has none of this frame's, or NULL: depends on the frame's draws alone. */
-static const uint16_t *ramp_of(struct sheen_frame *f, const struct sheen_shader *shader,
-                               const struct colour_terms *terms)
+/* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
+static const uint16_t *shades_of(struct sheen_frame *f, const struct sheen_shader *shader,
+                                 const struct colour_terms *terms)
 {
     unsigned i = 0;
 
     if (f->format.grey || f->view.dither || shader->needs_texture)
         return NULL;
-    while (i < f->ramps && !sheen_ramp_is_of(&f->ramp[i], terms))
+    while (i < f->shaded_colors && !sheen_shades_is_of(&f->shades[i], terms))
         i++;
-    if (i == f->ramps) {
-        if (f->ramps == f->config.max_ramps)
+    if (i == f->shaded_colors) {
+        if (f->shaded_colors == f->config.max_shades)
             return NULL;
-        f->ramps++;
-        if (!sheen_ramp_is_of(&f->ramp[i], terms)) /* it often is, from the last frame */
-            sheen_ramp_make(&f->ramp[i], terms, &f->format);
+        f->shaded_colors++;
+        if (!sheen_shades_is_of(&f->shades[i], terms)) /* it often is, from the last frame */
+            sheen_shades_make(&f->shades[i], terms, &f->format);
     }
-    return f->ramp[i].pixel;
+    return f->shades[i].pixel;
 }
 
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
@@ -297,7 +297,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     struct viewpoint viewpoint;
     uint32_t entries = f->entries, pieces = f->pieces, used = f->used, front = f->stats.front,
              clipped = f->stats.clipped;
-    unsigned ramps = f->ramps;
+    unsigned shaded = f->shaded_colors;
     struct draw_record *d = &f->draw[f->draws];
 
     if (f->state != OPEN)
@@ -321,8 +321,8 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.at_pixels = object->material->ramp != NULL && object->shader->at_pixels;
     d->first_vertex = f->vertices;
     sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
-    /* where a ramp over L.N makes areas of one colour, 1024 entries are not enough for it */
-    d->as.ramp = object->material->ramp != NULL ? NULL : ramp_of(f, object->shader, &d->as.colour);
+    /* where a ramp makes areas of one colour, 1024 shades are not enough */
+    d->as.shades = object->material->ramp != NULL ? NULL : shades_of(f, object->shader, &d->as.colour);
     sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
     d->as.loop.usable &= (uint8_t)!d->as.at_pixels;
     if (object->shader->begin != NULL)
@@ -330,7 +330,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     error = draw_triangles(f, d, &t, &viewpoint);
     if (error < 0) {
         f->pieces = pieces;
-        f->ramps = ramps;
+        f->shaded_colors = shaded;
         f->used = used;
         f->stats.front = front;
         f->stats.clipped = clipped;

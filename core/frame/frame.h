@@ -95,8 +95,8 @@ struct sheen_frame {
     struct piece *piece;
     void *scratch; /* two polygons of MAX_CLIP_CORNERS */
     struct draw_record *draw;
-    struct ramp *ramp; /* config.max_ramps; the first `ramps` have this frame's colours */
-    unsigned ramps;
+    struct shades *shades; /* config.max_shades; the first `shaded_colors` have this frame's */
+    unsigned shaded_colors;
     struct band *band;
     struct worker *worker; /* config.workers */
     struct sheen_stats stats;

@@ -245,24 +245,24 @@ static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
 }
 
 /*
- * Finished pixels of a 565 target over the diffuse intensity, without highlight or dither: entry i + RAMP_GUARD is the
- * middle of i / 2^RAMP_BITS and the next; the guards take what rounding puts below 0 or above 1.
+ * Finished pixels of a 565 target over the diffuse intensity, without highlight or dither: entry i + SHADES_GUARD is
+ * the middle of i / 2^SHADES_BITS and the next; the guards take what rounding puts below 0 or above 1.
  */
-#define RAMP_BITS 10
-#define RAMP_GUARD 8
-#define RAMP_PIXELS (RAMP_GUARD + (1 << RAMP_BITS) + RAMP_GUARD)
+#define SHADES_BITS 10
+#define SHADES_GUARD 8
+#define SHADES_PIXELS (SHADES_GUARD + (1 << SHADES_BITS) + SHADES_GUARD)
 
-struct ramp {
-    uint16_t pixel[RAMP_PIXELS]; /* in the target's order */
-    uint32_t a[3];               /* what it was made from, of struct colour_terms */
+struct shades {
+    uint16_t pixel[SHADES_PIXELS]; /* in the target's order */
+    uint32_t a[3];                 /* what it was made from, of struct colour_terms */
     uint16_t b[3];
     uint16_t fraction; /* 0: not made yet */
 };
 
 /* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
 uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
-int sheen_ramp_is_of(const struct ramp *ramp, const struct colour_terms *t);
-void sheen_ramp_make(struct ramp *ramp, const struct colour_terms *t, const struct pixel_format *format);
+int sheen_shades_is_of(const struct shades *shades, const struct colour_terms *t);
+void sheen_shades_make(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format);
 
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,

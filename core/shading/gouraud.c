@@ -135,7 +135,7 @@ static APART void curved(struct setup *s, struct surface_corners *c, const struc
         quotient_planes(s, c, g, lit);
 }
 
-/* With a highlight, without a ramp, or where one number alone does not do. */
+/* With a highlight, without shades, or where one number alone does not do. */
 static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct colour_terms *terms = &s->draw->colour;
@@ -169,8 +169,8 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
     }
     int32_t d1 = (int32_t)(lit[1].diffuse - lit[0].diffuse), d2 = (int32_t)(lit[2].diffuse - lit[0].diffuse);
     int straight = way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth);
-    if (straight && d->ramp != NULL)
-        sheen_setup_ramp(s, g, lit[0].diffuse, d1, d2);
+    if (straight && d->shades != NULL)
+        sheen_setup_shades(s, g, lit[0].diffuse, d1, d2);
     else if (!straight || !sheen_setup_diffuse(s, g, lit[0].diffuse, d1, d2))
         glossy(s, c, g, lit);
 }

@@ -7,7 +7,7 @@
 
 SETUP_FITS(struct linear_setup);
 SETUP_FITS(struct packed_setup);
-SETUP_FITS(struct ramp_setup);
+SETUP_FITS(struct shades_setup);
 
 /*
  * Linear on the screen in place of in space is off by at most dI (sqrt q - 1) / (sqrt q + 1) <= dI (q - 1) / 4, q the
@@ -30,12 +30,12 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
     return most >> 6 <= (least >> 6) * unit;
 }
 
-void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
+void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
-    struct ramp_setup *r = (struct ramp_setup *)s;
+    struct shades_setup *r = (struct shades_setup *)s;
 
-    s->rows = sheen_ramp_rows;
-    r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)RAMP_GUARD << (30 - RAMP_BITS)), d1, d2, 15);
+    s->rows = sheen_shades_rows;
+    r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 
 /* 1 where a corner's channel lies within `margin` of 1.0 or beyond, or of 0, unless it is the same at all corners. */

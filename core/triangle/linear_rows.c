@@ -2,42 +2,42 @@
  * linear_rows.c - colours that are linear on the screen (lecture, "Gouraud Shading").
  *
  * Outside the highlight a colour is a function of the diffuse intensity alone: one number is stepped and finished
- * pixels come from the draw's ramp. Else colour is linear in the intensities, so the channels are stepped, in levels,
+ * pixels come from the draw's shades. Else colour is linear in the intensities, so the channels are stepped, in levels,
  * and rounded once a pixel.
  */
 #include "triangle.h"
 
-/* ---- one number and a ramp ---- */
+/* ---- one number and finished pixels ---- */
 
 /* What changes along a run, and its steps. */
-struct ramp_at {
+struct shades_at {
     uint32_t z, f;
 };
 
-SPECIALISED void ramp_pixel(const struct tile *t, uint16_t *depth, intptr_t to_pixel, struct ramp_at *at,
-                            struct ramp_at step, const uint16_t *ramp)
+SPECIALISED void shades_pixel(const struct tile *t, uint16_t *depth, intptr_t to_pixel, struct shades_at *at,
+                              struct shades_at step, const uint16_t *shades)
 {
     if (nearer(t, depth, at->z))
-        *pixel_at(depth, to_pixel) = ramp[at->f >> (30 - RAMP_BITS)];
+        *pixel_at(depth, to_pixel) = shades[at->f >> (30 - SHADES_BITS)];
     at->z += step.z;
     at->f += step.f;
 }
 
-SPECIALISED void ramp_run(const struct tile *t, uint16_t *depth, int32_t count, struct ramp_at at, struct ramp_at step,
-                          const uint16_t *ramp)
+SPECIALISED void shades_run(const struct tile *t, uint16_t *depth, int32_t count, struct shades_at at,
+                            struct shades_at step, const uint16_t *shades)
 {
     const intptr_t to_pixel = t->to_pixel;
     const uint16_t *end = depth + count;
 
     do
-        ramp_pixel(t, depth, to_pixel, &at, step, ramp);
+        shades_pixel(t, depth, to_pixel, &at, step, shades);
     while (++depth != end);
 }
 
-void sheen_ramp_rows(const struct tile *t, const struct setup *s)
+void sheen_shades_rows(const struct tile *t, const struct setup *s)
 {
-    const struct ramp_setup *r = (const struct ramp_setup *)s;
-    const uint16_t *ramp = s->draw->ramp;
+    const struct shades_setup *r = (const struct shades_setup *)s;
+    const uint16_t *shades = s->draw->shades;
     const struct plane depth = s->depth, diffuse = r->diffuse;
     const struct span *span = t->spans, *end = span + t->rows;
     uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy, f = diffuse.base + y * diffuse.dy;
@@ -45,9 +45,9 @@ void sheen_ramp_rows(const struct tile *t, const struct setup *s)
 
     do {
         int32_t x = span->x0, count = span->x1 - x;
-        const struct ramp_at at = {z + (uint32_t)x * depth.dx, f + (uint32_t)x * diffuse.dx};
+        const struct shades_at at = {z + (uint32_t)x * depth.dx, f + (uint32_t)x * diffuse.dx};
         if (count > 0)
-            ramp_run(t, line + x, count, at, (struct ramp_at){depth.dx, diffuse.dx}, ramp);
+            shades_run(t, line + x, count, at, (struct shades_at){depth.dx, diffuse.dx}, shades);
         line += t->pitch;
         z += depth.dy;
         f += diffuse.dy;

@@ -69,9 +69,9 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     } while (++x != x1);
 }
 
-/* The draw's ramp: L.N alone, not dithered. */
-SPECIALISED void cosine_ramp_run(const struct tile *t, const uint16_t *ramp, uint16_t *depth, int32_t count,
-                                 const struct shaded_run *run)
+/* The draw's shades: L.N alone, not dithered. */
+SPECIALISED void cosine_shades_run(const struct tile *t, const uint16_t *shades, uint16_t *depth, int32_t count,
+                                   const struct shaded_run *run)
 {
     const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
@@ -80,7 +80,7 @@ SPECIALISED void cosine_ramp_run(const struct tile *t, const uint16_t *ramp, uin
 
     do {
         if (nearer(t, depth, z))
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = ramp[not_negative(f) >> (30 - RAMP_BITS)];
+            *(uint16_t *)(void *)((char *)depth + to_pixel) = shades[not_negative(f) >> (30 - SHADES_BITS)];
         depth++;
         z += dz;
         f += df;
@@ -108,9 +108,9 @@ static APART void general_run(const struct tile *t, const struct draw *d, uint32
 }
 
 /* 1 where there is a loop of its own: without highlight, and with one. */
-static int ramp_will_do(const struct draw *d, enum second second)
+static int shades_will_do(const struct draw *d, enum second second)
 {
-    return second == SECOND_NONE && d->ramp != NULL;
+    return second == SECOND_NONE && d->shades != NULL;
 }
 
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
@@ -118,8 +118,8 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 {
     const uint32_t at = tile_offset(t, x, y);
 
-    if (ramp_will_do(d, second))
-        cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + at, x1 - x, run);
+    if (shades_will_do(d, second))
+        cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + at, x1 - x, run);
     else if (FAST_LOOPS && d->loop.usable)
         quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(1, y) : NULL, run, second, 0);
     else if (d->at_pixels)
@@ -150,7 +150,7 @@ SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, e
             if (dither)
                 quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, threshold_row(1, y), &run, second, 0);
             else if (second == SECOND_NONE)
-                cosine_ramp_run(t, d->ramp + RAMP_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
+                cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
             else
                 quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, NULL, &run, second, 1);
         }
@@ -165,7 +165,7 @@ static int plain_will_do(const struct tile *t, const struct draw *d, enum second
     return second == SECOND_POWER && d->loop.usable && !t->dither && t->format->swap;
 }
 
-static APART void cosine_ramp_rows(const struct tile *t, const struct quadric_setup *q)
+static APART void cosine_shades_rows(const struct tile *t, const struct quadric_setup *q)
 {
     own_rows(t, q, SECOND_NONE, 0);
 }
@@ -191,8 +191,8 @@ int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
 
     if (plain_will_do(t, q->s.draw, second))
         plain_rows(t, q);
-    else if (ramp_will_do(q->s.draw, second))
-        cosine_ramp_rows(t, q);
+    else if (shades_will_do(q->s.draw, second))
+        cosine_shades_rows(t, q);
     else if (t->dither && q->s.draw->loop.usable && second == SECOND_NONE)
         dithered_rows(t, q);
     else if (t->dither && q->s.draw->loop.usable && second == SECOND_POWER)

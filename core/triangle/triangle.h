@@ -17,7 +17,7 @@ struct draw {
     struct lighting light;
     struct colour_terms colour;
     struct power power;
-    const uint16_t *ramp; /* its first entry, a guard; NULL: there is none */
+    const uint16_t *shades; /* the first entry, a guard; NULL: there are none */
     union {
         struct loop_terms loop;
         struct texel_terms texel; /* of shadings with a texture */
@@ -259,9 +259,9 @@ struct packed_setup {
     struct plane red_blue, green;
 };
 
-struct ramp_setup {
+struct shades_setup {
     struct setup s;
-    struct plane diffuse; /* UQ1.30, RAMP_GUARD entries added */
+    struct plane diffuse; /* UQ1.30, SHADES_GUARD entries added */
 };
 
 /* 1 where perspective shows by less than 1/8 of `unit`, in d1 and d2, f's differences of corners 1 and 2 to 0. */
@@ -269,12 +269,12 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
 int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin);
 void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3]);
 /* diffuse: at corner 0, UQ1.15; d1, d2: what corners 1 and 2 have more. */
-void sheen_setup_ramp(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
-/* The same for draws without a ramp, in channels; 0 where that is not good enough. */
+void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
+/* The same for draws without shades, in channels; 0 where that is not good enough. */
 int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2);
 void sheen_linear_rows(const struct tile *t, const struct setup *s);
 void sheen_packed_rows(const struct tile *t, const struct setup *s);
-void sheen_ramp_rows(const struct tile *t, const struct setup *s);
+void sheen_shades_rows(const struct tile *t, const struct setup *s);
 
 /* Of channels below 2^31, in 2^16 steps: STEEPEST_DIFFERENCE at the most. */
 static inline int32_t cut_difference(uint32_t f, uint32_t f0)

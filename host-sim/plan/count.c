@@ -50,8 +50,8 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
 /* As sheen_quadric_own_rows() chooses. */
 static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
-    if (s->detail == SECOND_NONE && s->draw->ramp != NULL)
-        return SHEEN_PLAN_CURVED_RAMP_SETUP;
+    if (s->detail == SECOND_NONE && s->draw->shades != NULL)
+        return SHEEN_PLAN_CURVED_SHADES_SETUP;
     if (!s->draw->loop.usable)
         return s->detail == SECOND_NONE ? SHEEN_PLAN_CURVED_GENERAL_SETUP : SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP;
     if (s->detail == SECOND_SPECULAR)
@@ -95,7 +95,7 @@ static const struct rows_kind {
     unsigned (*choose)(const struct tile *t, const struct setup *s);
     unsigned kind;
 } rows_kinds[] = {
-    {sheen_constant_rows, constant_kind, 0},   {sheen_ramp_rows, NULL, SHEEN_PLAN_RAMP_SETUP},
+    {sheen_constant_rows, constant_kind, 0},   {sheen_shades_rows, NULL, SHEEN_PLAN_SHADES_SETUP},
     {sheen_packed_rows, packed_kind, 0},       {sheen_linear_rows, linear_kind, 0},
     {sheen_quadric_rows, quadric_kind, 0},     {sheen_quotient_rows, quotient_kind, 0},
     {sheen_phong_cell_rows, cells_kind, 0},    {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},

@@ -11,7 +11,7 @@ struct sheen_plan_counts {
     uint32_t of[SHEEN_PLAN_COUNTS]; /* by enum sheen_plan_feature */
 };
 
-/* "FRAME", "RAMP_SETUP" ..., and the stage. */
+/* "FRAME", "SHADES_SETUP" ..., and the stage. */
 const char *sheen_plan_feature_name(unsigned feature);
 enum sheen_plan_stage sheen_plan_feature_stage(unsigned feature);
 

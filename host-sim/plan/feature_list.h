@@ -21,7 +21,7 @@ enum sheen_plan_stage {
 #define SHEEN_PLAN_FEATURES(F)                                                                                         \
     F(FRAME, TRANSFORM)                                                                                                \
     F(OBJECT, TRANSFORM)                                                                                               \
-    F(RAMP_MADE, TRANSFORM)                                                                                            \
+    F(SHADES_MADE, TRANSFORM)                                                                                          \
     F(MESH_VERTEX, TRANSFORM)  /* of the objects' meshes, used or not */                                               \
     F(FACING, TRANSFORM)       /* polygons that were asked whether they face away */                                   \
     F(SKIPPED, TRANSFORM)      /* triangles of those that do */                                                        \
@@ -68,14 +68,14 @@ enum sheen_plan_stage {
     K(CONSTANT_GREY)                                                                                                   \
     K(CONSTANT_DITHERED)                                                                                               \
     K(CONSTANT_GREY_DITHERED)                                                                                          \
-    K(RAMP)   /* one intensity, finished pixels from the ramp */                                                       \
+    K(SHADES) /* one intensity, finished pixels from its shades */                                                     \
     K(PACKED) /* channels in two words */                                                                              \
     K(PACKED_DITHERED)                                                                                                 \
     K(COLUMNS) /* channels in two words, packed anew every 32 px */                                                    \
     K(COLUMNS_DITHERED)                                                                                                \
     K(CLAMPED) /* channels, clamped */                                                                                 \
     K(CLAMPED_GREY)                                                                                                    \
-    K(CURVED_RAMP)     /* one quadratic intensity, the ramp */                                                         \
+    K(CURVED_SHADES)   /* one quadratic intensity, its shades */                                                       \
     K(CURVED_DITHERED) /* one, dithered */                                                                             \
     K(CURVED_POWER)    /* two, a power table */                                                                        \
     K(CURVED_POWER_DITHERED)                                                                                           \
