@@ -1,10 +1,10 @@
 /*
  * matcap.c - a picture of a lit sphere in place of light: a pixel takes the texel where the sphere has its normal.
  *
- * Texel coordinates are (1 + x) / 2 and (1 - y) / 2 of the unit normal before the eye, and x and y are what L.N is of two
- * lights along the eye's axes: as Phong's they are quadratic over a triangle whose corner normals nearly agree, linear
- * where they are closer still, else the normal itself is linear and a root is taken at the ends of blocks. By vertex
- * the coordinates are linear in space.
+ * Texel coordinates are (1 + x) / 2 and (1 - y) / 2 of the unit normal before the eye, and x and y are what L.N is of
+ * two lights along the eye's axes: as Phong's they are quadratic over a triangle whose corner normals nearly agree,
+ * linear where they are closer still, else the normal itself is linear and a root is taken at the ends of blocks. By
+ * vertex the coordinates are linear in space.
  */
 #include "matcap.h"
 #include "../triangle/normal.h"
@@ -15,7 +15,8 @@ SETUP_FITS(struct matcap_setup);
 static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye = 1},
                                                {.to = {0, 1 << 30, 0}, .with_eye = 1}};
 
-#define MATCAP_LEAN 32768 /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define MATCAP_LEAN 32768   /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px and more what a quadric is off by is that of many pixels */
 
 /* |Ni - Nj|^2, UQ2.30, up to which quadratic is within 1/24 texel, of 64 texels a side or less, 128, 256 and 512. */
 static const uint32_t widest_quadratic[4] = {189000000u, 119000000u, 75000000u, 47000000u};
@@ -71,6 +72,16 @@ static void corner_texels(const struct draw *d, int32_t cosine[2][3], struct at_
     }
 }
 
+/* No coordinate leaves the picture: what is beyond its edges does not matter, but to bilinear. */
+static enum textured_pixels matcap_pixels(const struct draw *d)
+{
+    const struct texel_terms *terms = &d->texel;
+    const struct sheen_texture *t = terms->texture;
+    const int is_usual = d->is_565 && (t->bits & 15) == 0 && !t->keyed && t->width_log2 + t->height_log2 <= 16;
+
+    return is_usual && !t->bilinear && terms->unlit ? TEXTURED_UNLIT : TEXTURED_ANY;
+}
+
 /* ---- quadratic ---- */
 
 /* 1 where the quadric might leave the picture: within the triangle it is less than a sixth of k above the corners. */
@@ -82,16 +93,26 @@ static int may_leave(const int32_t f[3], const int32_t k[3])
     return max32(most, -least) + (int32_t)(bend >> 1) > 32768 - 64;
 }
 
-/* Blocks whose middles are within 1/32 texel: 2^2shift / 8 second differences. */
-static unsigned quadric_block(const struct quadric quadric[2], unsigned size)
+/* About the largest block whose length squared times `rate` stays below 2^bits, bits <= 29. */
+static uint8_t block_of(uint32_t rate, unsigned bits)
+{
+    const unsigned drop = bits > 21 ? bits - 21 : 0; /* LARGEST_BLOCK squared is 2^10 */
+    uint32_t count = LARGEST_BLOCK;
+
+    if (rate >> bits != 0)
+        return 1;
+    rate = (rate >> drop) + 1;
+    while (count > 1 && rate * count * count > 1u << (bits - drop))
+        count -= (count >> 3) + 1;
+    return (uint8_t)count;
+}
+
+/* A block's middle is off by 1/8 of its length squared times the second difference: within 1/32 texel. */
+static uint8_t quadric_block(const struct quadric quadric[2], unsigned size)
 {
     const uint32_t u = magnitude32((int32_t)quadric[0].dxx), v = magnitude32((int32_t)quadric[1].dxx);
-    const uint32_t most = u > v ? u : v;
-    unsigned shift = LARGEST_BLOCK;
 
-    while (shift > 0 && most > 1u << (29 - size) >> 2 * shift)
-        shift--;
-    return shift;
+    return block_of(u > v ? u : v, 29 - size);
 }
 
 /* 0: normals or weights are too far apart, the triangle is a needle or too small, or the picture might be left. */
@@ -101,7 +122,7 @@ static int quadratic_matcap(struct matcap_setup *m, const struct surface_corners
     struct quadric_steps steps;
     int32_t lean[3];
 
-    if (!sheen_leans(lean, c, MATCAP_LEAN) || !sheen_quadric_steps(&steps, g))
+    if (g->bits > MAGNIFIED_MATCAP || !sheen_leans(lean, c, MATCAP_LEAN) || !sheen_quadric_steps(&steps, g))
         return 0;
     for (int i = 0; i < 2; i++) {
         const int32_t *f = cosine[i];
@@ -124,39 +145,38 @@ static int quadratic_matcap(struct matcap_setup *m, const struct surface_corners
 /* ---- normals ---- */
 
 /* |x| <= 2^15. */
-static uint32_t square_of(int32_t x)
+static uint32_t part_square(int32_t x)
 {
     return (uint32_t)(x * x);
 }
 
 /*
- * Blocks whose middles are within 1/32 texel. Over the triangle N.N is at least the least one of a corner less a third
- * of the largest |Ni - Nj|^2. Along a row the normal turns by at most |Nx| / |N| a px, the square of which bounds its second
- * difference but for a factor of 1.5.
+ * N.N over the triangle is at least the least one of a corner less a quarter of the largest |Ni - Nj|^2, where that
+ * lies across an obtuse angle, else a third. At that length the normal turns by |Nx| / |N| a px, whose square bounds
+ * its second difference.
  */
-static unsigned normal_block(const struct plane normal[3], int32_t n[3][3], unsigned size)
+static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsigned size)
 {
-    uint32_t least = UINT32_MAX, apart = 0, step = 0;
-    unsigned shift = LARGEST_BLOCK;
+    uint32_t least = UINT32_MAX, apart = 0, sum = 0, step = 0;
 
     for (int k = 0; k < 3; k++) { /* UQ2.30 */
         const int j = k == 2 ? 0 : k + 1;
-        uint32_t square = square_of(n[0][k]) + square_of(n[1][k]) + square_of(n[2][k]);
-        uint32_t edge = square_of(asr32(n[0][k] - n[0][j], 1)) + square_of(asr32(n[1][k] - n[1][j], 1)) +
-                        square_of(asr32(n[2][k] - n[2][j], 1)); /* a quarter of it */
+        uint32_t square = part_square(n[0][k]) + part_square(n[1][k]) + part_square(n[2][k]);
+        uint32_t edge = (part_square(asr32(n[0][k] - n[0][j], 1)) + part_square(asr32(n[1][k] - n[1][j], 1)) +
+                         part_square(asr32(n[2][k] - n[2][j], 1))) >>
+                        1; /* an eighth of it */
         least = square < least ? square : least;
         apart = edge > apart ? edge : apart;
+        sum += edge;
         if (magnitude32((int32_t)normal[k].dx) >= 1u << 25)
-            return 0;
-        step += square_of(asr32((int32_t)normal[k].dx, 10)); /* UQ.40 */
+            return 1;
+        step += part_square(asr32((int32_t)normal[k].dx, 10)); /* UQ.40 */
     }
-    least = least >> 2 > apart / 3 ? (least >> 2) - apart / 3 : 0;
-    if (least >> 13 == 0)
-        return 0;
-    const uint32_t rate = step / (least >> 13); /* UQ.25 */
-    while (shift > 0 && rate > 1u << (23 - size) >> 2 * shift)
-        shift--;
-    return shift;
+    apart = 2 * apart >= sum ? 2 * apart : apart / 3 * 8;
+    least = least > apart ? least - apart : 0;
+    if (least >> 15 == 0)
+        return 1;
+    return block_of(step / (least >> 15), 24 - size); /* of UQ.25 */
 }
 
 static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
@@ -176,7 +196,7 @@ static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, con
             n[i][k] = asr32(w[k] * n[i][k], 15);
     }
     const struct sheen_texture *t = m->s.draw->texel.texture;
-    m->s.detail = (uint8_t)normal_block(m->normal, n, t->width_log2 > t->height_log2 ? t->width_log2 : t->height_log2);
+    m->s.detail = normal_block(m->normal, n, t->width_log2 > t->height_log2 ? t->width_log2 : t->height_log2);
     m->s.way = SHEEN_WAY_MATCAP_NORMALS;
     m->s.rows = sheen_matcap_normal_rows;
 }
@@ -190,8 +210,8 @@ static void matcap_vertex_setup(struct setup *s, struct surface_corners *c, cons
 
     corner_cosines(cosine, c);
     corner_texels(s->draw, cosine, at);
-    s->fast = (uint8_t)sheen_textured_pixels(s->draw, at, 1);
     sheen_setup_textured(s, c, g, at, 1);
+    s->fast = (uint8_t)matcap_pixels(s->draw);
 }
 
 /* An arc's middle lies t^2 / 8 above its chord: 1/32 texel. */
@@ -200,27 +220,30 @@ static uint32_t widest_linear(unsigned size)
     return 1u << (29 - size);
 }
 
-static void matcap_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+/* 0: linear is good enough. Apart: linear's way has no stack to spare. */
+static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     struct matcap_setup *m = (struct matcap_setup *)s;
-    const struct draw *d = s->draw;
-    const unsigned size = (unsigned)max32((int32_t)size_of(d, 0), (int32_t)size_of(d, 1));
+    const unsigned size = (unsigned)max32((int32_t)size_of(s->draw, 0), (int32_t)size_of(s->draw, 1));
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
     uint32_t h[3], apart = sheen_normals_apart(c, h);
-    struct at_corners at[4];
     int32_t cosine[2][3];
 
-    if (g == NULL || (apart <= widest_linear(size) && !piece)) {
-        matcap_vertex_setup(s, c, g);
-        return;
-    }
+    if (apart <= widest_linear(size) && !piece)
+        return 0;
+    s->fast = (uint8_t)matcap_pixels(s->draw);
     corner_cosines(cosine, c);
-    corner_texels(d, cosine, at);
-    s->fast = (uint8_t)sheen_textured_pixels(d, at, 1);
     if (!piece && apart <= widest_quadratic[size > 6 ? size - 6 : 0] && quadratic_matcap(m, c, g, cosine, h))
-        s->detail = (uint8_t)quadric_block(m->quadric, size);
+        s->detail = quadric_block(m->quadric, size);
     else
         normal_matcap(m, c, g);
+    return 1;
+}
+
+static void matcap_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    if (g == NULL || !curved_matcap(s, c, g))
+        matcap_vertex_setup(s, c, g);
 }
 
 const struct sheen_shader sheen_matcap = {.begin = matcap_begin,

@@ -55,7 +55,7 @@ void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
     const struct matcap_setup *m = (const struct matcap_setup *)s;
     const struct sheen_texture *texture = s->draw->texel.texture;
     const unsigned down_u = 15u - texture->width_log2, down_v = 15u - texture->height_log2;
-    const int32_t size = 1 << s->detail;
+    const int32_t size = s->detail;
     struct quadric qu = sheen_quadric_from(&m->quadric[0], t->first_row - m->y);
     struct quadric qv = sheen_quadric_from(&m->quadric[1], t->first_row - m->y);
     struct row_left r;
@@ -94,31 +94,33 @@ static uint32_t texel_at_cosine(int32_t x, unsigned size, unsigned bilinear)
 }
 
 /*
- * The texel of e->n, of any length; the middle where it has none. Range: parts are below 2^15, the largest 2^14 or more,
- * so a part times half of the root is at most 2^30.
+ * The texel of e->n, of any length; the middle where it has none. Range: parts are below 2^15, the largest 2^14 or
+ * more, so a part times half of the root is at most 2^30.
  */
 static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
 {
-    const uint32_t all = magnitude32((int32_t)e->n[0]) | magnitude32((int32_t)e->n[1]) | magnitude32((int32_t)e->n[2]);
-    const unsigned up = (unsigned)max32((int32_t)clz32(all) - 1, 0);
+    uint32_t all = magnitude32((int32_t)e->n[0]) | magnitude32((int32_t)e->n[1]) | magnitude32((int32_t)e->n[2]);
+    unsigned up = 0;
     int32_t x = 0, y = 0;
 
     if (all >= 1u << 10) {
         int32_t n[3];
+        for (; all < 1u << 30; all <<= 1)
+            up++;
         for (int i = 0; i < 3; i++)
             n[i] = asr32((int32_t)(e->n[i] << up), 16);
-        uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
-        const unsigned zeros = clz32(square) & 2u; /* 2^28 or more */
-        const int32_t root = (int32_t)(root_seed(square << zeros >> 1) >> 1);
-        x = asr32(n[0] * root, 15 - zeros / 2);
-        y = asr32(n[1] * root, 15 - zeros / 2);
+        const uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
+        const unsigned quarter = square < 1u << 30 ? 2 : 0;
+        const int32_t root = (int32_t)(root_seed(square << quarter >> 1) >> 1);
+        x = asr32(n[0] * root, 15 - quarter / 2);
+        y = asr32(n[1] * root, 15 - quarter / 2);
     }
     e->u = texel_at_cosine(x, t->width_log2, t->bilinear);
     e->v = texel_at_cosine(-y, t->height_log2, t->bilinear);
 }
 
 /* 2^16 / count. */
-static const uint16_t shares[(1 << LARGEST_BLOCK) + 1] = {
+static const uint16_t shares[LARGEST_BLOCK + 1] = {
     0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096,
     3855, 3641, 3449,  3277,  3121,  2979,  2849,  2731, 2621, 2521, 2427, 2341, 2260, 2185, 2114, 2048};
 
@@ -133,7 +135,7 @@ static uint32_t share_to(uint32_t from, uint32_t to, int32_t count)
 static void normal_row(const struct matcap_setup *m, struct row_left *r)
 {
     const struct sheen_texture *t = m->s.draw->texel.texture;
-    const int32_t size = 1 << m->s.detail;
+    const int32_t size = m->s.detail;
     struct block_end e;
 
     for (int i = 0; i < 3; i++)

@@ -40,7 +40,6 @@ static void textured_as(struct setup *s, struct surface_corners *c, const struct
         diffuse[k] = (int32_t)(lit[k + 1].diffuse - lit[0].diffuse);
         specular[k] = (int32_t)(lit[k + 1].specular - lit[0].specular);
     }
-    s->fast = (uint8_t)sheen_textured_pixels(d, at, 0);
     sheen_setup_textured(s, c, g, at,
                          sheen_straight(c, diffuse[0], diffuse[1], colour->eighth / 2) &&
                              sheen_straight(c, specular[0], specular[1], 4u * colour->dim));

@@ -57,12 +57,9 @@ static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
     return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_PLANE_BITS)) + LIGHT_BIAS;
 }
 
-/* The cheapest pixels that give what any would. inside: no coordinate leaves the picture, whatever its edges do. */
-enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4], int inside);
-
 /*
  * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
- * may be linear on the screen. s->fast is given.
+ * may be linear on the screen.
  */
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
                           const struct at_corners at[4], int straight);

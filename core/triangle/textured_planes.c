@@ -76,13 +76,14 @@ static struct plane mean_plane(const struct at_corners *at)
     return p;
 }
 
-enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4], int inside)
+/* The cheapest pixels that give what any would. */
+static enum textured_pixels pixels_of(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
     const struct sheen_texture *t = terms->texture;
     uint32_t light = 0;
 
-    if (!d->is_565 || (t->bits & 15) != 0 || t->keyed || t->bilinear || ((t->clamp_u || t->clamp_v) && !inside) ||
+    if (!d->is_565 || (t->bits & 15) != 0 || t->keyed || t->clamp_u || t->clamp_v || t->bilinear ||
         t->width_log2 + t->height_log2 > 16 || !terms->alike)
         return TEXTURED_ANY;
     for (int k = 0; k < 3; k++)
@@ -98,6 +99,7 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
     struct textured_setup *t = (struct textured_setup *)s;
     struct plane *plane[4] = {&t->u, &t->v, &t->light, &t->specular};
 
+    s->fast = (uint8_t)pixels_of(s->draw, at);
     s->rows = sheen_textured_blocks;
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
     if (g != NULL && !(straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]))) {

@@ -20,7 +20,10 @@ int sheen_picture_file_read(struct sheen_picture *picture, const char *path, uns
 {
     (void)most;
     *picture = (struct sheen_picture){.name = NULL};
-    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: this sheen-panel was built without the libraries that read files; glaze, chrome, clay and jade it has", path);
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                         "%s: this sheen-panel was built without the libraries that read files; glaze, chrome, clay "
+                         "and jade it has",
+                         path);
 }
 
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,

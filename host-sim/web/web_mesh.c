@@ -100,7 +100,9 @@ int sheen_picture_file_read(struct sheen_picture *picture, const char *path, uns
 {
     (void)most;
     *picture = (struct sheen_picture){.name = NULL};
-    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: pictures are for the command sheen, a page is without; glaze, chrome, clay and jade it has", path);
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                         "%s: matcaps of files are for the command sheen, a page has glaze, chrome, clay and jade",
+                         path);
 }
 
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
