@@ -87,25 +87,27 @@ static int set_material(struct sheen_material *material, struct sheen_shine *shi
 }
 
 /* x and y are u and v; a view has texels of 16, 8, 4 bits, bilinear, with a key, or held at the edges. */
-static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, int view)
+static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, int larger, int view)
 {
     static const uint16_t palette[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0xf81f, 0x07ff,
                                          0x8410, 0xc618, 0x8000, 0x0400, 0x0010, 0x8400, 0xfc00, 0x2945};
     static int16_t uvs[2 * 1400];
-    static uint16_t wide[16 * 8];
-    static uint8_t byte[16 * 8];
+    static uint16_t wide[128 * 64];
+    static uint8_t byte[128 * 64];
 
     for (uint32_t i = 0; i < mesh->vertices && i < 1400; i++) {
         uvs[2 * i] = mesh->positions[3 * i];
         uvs[2 * i + 1] = (int16_t)(mesh->positions[3 * i + 1] / 2 + mesh->positions[3 * i + 2] / 4);
     }
-    for (uint32_t i = 0; i < 16 * 8; i++) {
+    for (uint32_t i = 0; i < 128 * 64; i++) {
         byte[i] = (uint8_t)((i * i + 3 * (i >> 4)) & 15u);
         wide[i] = palette[byte[i]];
     }
     mesh->uvs = uvs;
     mesh->uv_bits = 14;
-    *texture = (struct sheen_texture){.texels = byte, .palette = palette, .width_log2 = 4, .height_log2 = 3};
+    *texture = (struct sheen_texture){.texels = byte, .palette = palette};
+    texture->width_log2 = larger ? 7 : 4;
+    texture->height_log2 = larger ? 6 : 3;
     texture->bits = view == 1 ? 4 : view == 2 ? 8 : 16;
     if (texture->bits == 16)
         texture->texels = wide;
@@ -116,9 +118,16 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     texture->clamp_v = view == 4;
 }
 
+/* On a texture, by mesh. */
+enum light {
+    LIGHT_TINTED,
+    LIGHT_WHITE,
+    LIGHT_NONE
+};
+
 /* Two frames, the second turned on, so that what is sent is what changed. */
 static int draw_picture(const struct sheen_target *target, struct sheen_object *draw,
-                        const struct sheen_texture *texture, int view_number, int rows, int dither)
+                        const struct sheen_texture *texture, enum light light, int view_number, int rows, int dither)
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)rows,
@@ -135,6 +144,13 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
     if (status == SHEEN_OK)
         status = set_material(&material, &shine, view_number);
     material.texture = texture;
+    if (light != LIGHT_TINTED)
+        for (int k = 0; k < 3; k++)
+            material.base[k] = material.highlight[k] = 255;
+    if (light == LIGHT_NONE) {
+        material.ambient = SHEEN_Q16(1);
+        material.diffuse = material.specular = 0;
+    }
     draw->material = &material;
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         set_view(view_number, &view, draw);
@@ -162,15 +178,16 @@ static int print_sums(int mesh, int shading, int view, int format)
                                                                       : 1};
     struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
     struct sheen_texture texture = {.bits = 0};
+    const enum light light = shading == TEXTURED ? (enum light)mesh : LIGHT_TINTED;
     struct sheen_object draw = {.mesh = &own};
 
     target.ctx = &target;
     draw.shader = shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)shading);
     if (shading == TEXTURED)
-        hang_texture(&own, &texture, view);
+        hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
-        int status = draw_picture(&target, &draw, &texture, view, rows[i % 3], i / 3);
+        int status = draw_picture(&target, &draw, &texture, light, view, rows[i % 3], i / 3);
         if (status < 0) {
             fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[mesh], shading_name[shading],
                     view, format_name[format], rows[i % 3], sheen_strerror(status));

@@ -191,21 +191,23 @@ struct loop_terms {
  * Light on texels, for draws with a texture: of channel k it is a + b * diffuse, in [0, 20], and c * specular is added
  * in levels of 565.
  */
-#define LIGHT_BITS 15       /* the light's fraction at a pixel, so a channel's too */
-#define LIGHT_PLANE_BITS 25 /* its fraction as it is stepped: 1.0 is 2^25 */
-
-#define GREY_BITS 11 /* a channel's fraction where levels of grey are made of it */
+#define LIGHT_BITS 24  /* the light's fraction, and where it is 1.0 at most that of channels */
+#define BRIGHT_BITS 19 /* that of channels, where light may exceed 1.0 */
+#define GREY_BITS 11   /* a channel's fraction where levels of grey are made of it */
 
 struct texel_terms {
     const struct sheen_texture *texture;
     uint32_t a[3];    /* with `fraction` bits; below 2^30 with b * 1.0 */
     uint16_t b[3];    /* with 15 less, for diffuse in UQ1.15 */
-    uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(LIGHT_BITS + c_shift) */
+    uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(BRIGHT_BITS + c_shift) */
+    uint16_t gloss;   /* where the highlight is white: what 1.0 of specular gives, UQ1.15 */
     uint16_t grey[3]; /* what a channel's level of 565 / 2^GREY_BITS is in the target's, with 31 - level_bits bits */
     uint8_t fraction; /* 25..30 */
     uint8_t c_shift;
-    uint8_t alike; /* all channels' light is one */
-    uint8_t unlit; /* it is 1.0 everywhere, and there is no highlight */
+    uint8_t alike;  /* all channels' light is one */
+    uint8_t white;  /* all channels' highlight is one, and 1.0 at the most */
+    uint8_t packed; /* the texture's coordinates go into one word: see textured_rows.c */
+    uint8_t unlit;  /* it is 1.0 everywhere, and there is no highlight */
 };
 
 static inline uint32_t clamped(uint32_t x, uint32_t top)

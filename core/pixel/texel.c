@@ -25,7 +25,9 @@ static void highlight_terms(struct texel_terms *t, const struct sheen_material *
         fraction--;
     for (int k = 0; k < 3; k++)
         t->c[k] = (uint16_t)((c[k] + (1ull << (31 - fraction))) >> (32 - fraction));
-    t->c_shift = (uint8_t)(fraction + 15 - LIGHT_BITS);
+    t->c_shift = (uint8_t)(fraction + 15 - BRIGHT_BITS);
+    t->white = m->highlight[0] == m->highlight[1] && m->highlight[0] == m->highlight[2] && c[0] <= 31ull << 32;
+    t->gloss = (uint16_t)(tinted(white ? 255 : m->highlight[0], specular) >> 17);
 }
 
 /*
@@ -46,6 +48,7 @@ void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format,
     t->fraction = (uint8_t)(30 - headroom);
     t->alike = 1;
     t->unlit = specular == 0;
+    t->packed = !m->texture->clamp_u && !m->texture->clamp_v && m->texture->width_log2 + m->texture->height_log2 <= 12;
     for (int k = 0; k < 3; k++) {
         t->a[k] = (uint32_t)(tinted(m->base[k], (uint64_t)m->ambient) >> (2 + headroom));
         t->b[k] = (uint16_t)((tinted(m->base[k], diffuse) + (1ull << (16 + headroom))) >> (17 + headroom));

@@ -9,14 +9,19 @@
 /* What a pixel takes: all give what the first, which takes everything, would. */
 enum textured_pixels {
     TEXTURED_ANY,
-    TEXTURED_UNLIT, /* the others: nearest texels of 565 that repeat, without key; no light, */
-    TEXTURED_LIT    /* or one that is alike in all channels and 1.0 at most, without a highlight */
+    TEXTURED_UNLIT, /* the others: texels that repeat, on 565, light and highlight of 1.0 at the most and no hue; */
+    TEXTURED_LIT,   /* here no highlight; to OTHER nearest, to GLOSSY 565 without key */
+    TEXTURED_GLOSSY,
+    TEXTURED_OTHER,
+    TEXTURED_BILINEAR, /* 565 without key, unlit */
+    TEXTURED_BILINEAR_OTHER
 };
 
 /*
  * Linear on the screen: U and V in texels, Q15.16 modulo 2^32, light, specular intensity. Else these times weight over
  * `weight`, U and V times 2^up / 2^31, the others over 2.
- * Light: alike in all channels: UQ6.25; else the diffuse intensity, UQ2.30. specular: UQ2.30.
+ * Light: alike in all channels: as such; else the diffuse intensity. specular: the highlight, where it is white; else
+ * the specular intensity. All with LIGHT_BITS of fraction.
  */
 struct textured_setup {
     struct setup s; /* fast: enum textured_pixels; detail: up, 0..30 */
@@ -28,34 +33,25 @@ struct texel_at {
     uint32_t z, u, v, light, specular;
 };
 
-/* Pixels of a row, from (x, y) on, which stands at `depth` in the tile. */
+/* Pixels of a row, from (x, y) on, which stands at `depth` in the tile: these are given. */
 struct texel_run {
-    const struct tile *t;
-    const struct draw *d;
     uint16_t *depth;
     int32_t x, y, count;
-    unsigned pixels; /* enum textured_pixels */
+    const struct tile *t; /* of sheen_textured_begin */
+    const struct draw *d;
+    unsigned pixels;        /* enum textured_pixels */
+    uint32_t columns, rows; /* what coordinates are masked with, see textured_rows.c */
+    struct texel_at step;   /* of sheen_textured_step */
+    uint32_t packed, mend;
 };
 
-/*
- * What rounding takes off a coordinate that lies on a border must not show the texel on its other side, and light is
- * cut at a pixel, so half of what is cut is there before.
- */
+/* What rounding takes off a coordinate that lies on a border must not show the texel on its other side. */
 #define BORDER_BIAS 64 /* 1/1024 texel */
-#define LIGHT_BIAS (1 << (LIGHT_PLANE_BITS - LIGHT_BITS - 1))
 
 /* Of an attribute, in the order of the gradients. */
 struct at_corners {
     int32_t f[3];
 };
-
-/* Light at a diffuse intensity, UQ1.15, as it is stepped. */
-static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
-{
-    if (!t->alike)
-        return (int32_t)(diffuse << 15);
-    return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_PLANE_BITS)) + LIGHT_BIAS;
-}
 
 /*
  * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
@@ -64,7 +60,11 @@ static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
                           const struct at_corners at[4], int straight);
 
-void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step);
+/* Once a triangle in a tile; where the step is another; then a run from its first pixel's numbers on. */
+void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struct setup *s);
+void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
+void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
+
 void sheen_textured_blocks(const struct tile *t, const struct setup *s);
 
 #endif

@@ -22,8 +22,12 @@ static APART struct inverse quotients_at(const struct textured_setup *s, int32_t
 
     at->u = quotient_of(i, &s->u, x, y, up);
     at->v = quotient_of(i, &s->v, x, y, up);
-    at->light = quotient_of(i, &s->light, x, y, 0);
-    at->specular = quotient_of(i, &s->specular, x, y, 0);
+    at->light = s->light.base;
+    at->specular = 0;
+    if (!s->s.draw->texel.unlit) {
+        at->light = quotient_of(i, &s->light, x, y, 0);
+        at->specular = quotient_of(i, &s->specular, x, y, 0);
+    }
     return i;
 }
 
@@ -42,8 +46,8 @@ static uint32_t off_by(const struct texel_at *from, const struct texel_at *to, u
                        struct inverse i, struct inverse next)
 {
     uint32_t most = change_of(from->u, to->u, 10), v = change_of(from->v, to->v, 10);
-    uint32_t light = change_of(from->light, to->light, LIGHT_PLANE_BITS - 14);
-    uint32_t specular = change_of(from->specular, to->specular, 16);
+    uint32_t light = change_of(from->light, to->light, LIGHT_BITS - 14);
+    uint32_t specular = change_of(from->specular, to->specular, LIGHT_BITS - 14);
     uint32_t less = weight < next_weight ? weight : next_weight, change = (weight ^ next_weight ^ less) - less;
     struct inverse more = weight < next_weight ? i : next;
 
@@ -117,7 +121,8 @@ static void block_runs(const struct textured_setup *s, struct texel_run *r)
     b.step = (struct texel_at){s->s.depth.dx, 0, 0, 0, 0};
     do {
         r->count = next_block(s, &b, r->x, r->y, left);
-        sheen_textured_run(r, b.at, &b.step);
+        sheen_textured_step(r, &b.step);
+        sheen_textured_run(r, &b.at);
         left -= r->count;
         r->x += r->count;
         r->depth += r->count;
@@ -126,23 +131,33 @@ static void block_runs(const struct textured_setup *s, struct texel_run *r)
 
 static void linear_run(const struct textured_setup *s, const struct texel_run *r)
 {
-    const struct texel_at step = {s->s.depth.dx, s->u.dx, s->v.dx, s->light.dx, s->specular.dx};
-    const struct texel_at at = {plane_at(&s->s.depth, r->x, r->y), plane_at(&s->u, r->x, r->y),
-                                plane_at(&s->v, r->x, r->y), plane_at(&s->light, r->x, r->y),
-                                plane_at(&s->specular, r->x, r->y)};
+    struct texel_at at = {plane_at(&s->s.depth, r->x, r->y), plane_at(&s->u, r->x, r->y), plane_at(&s->v, r->x, r->y),
+                          s->light.base, 0};
 
-    sheen_textured_run(r, at, &step);
+    if (!r->d->texel.unlit) {
+        at.light = plane_at(&s->light, r->x, r->y);
+        at.specular = plane_at(&s->specular, r->x, r->y);
+    }
+    sheen_textured_run(r, &at);
 }
 
 void sheen_textured_blocks(const struct tile *t, const struct setup *s)
 {
     const struct textured_setup *textured = (const struct textured_setup *)s;
+    const struct texel_at step = {s->depth.dx, textured->u.dx, textured->v.dx, textured->light.dx,
+                                  textured->specular.dx};
+    struct texel_run r;
 
+    sheen_textured_begin(&r, t, s);
+    if (s->way == SHEEN_WAY_TEXTURED_LINEAR)
+        sheen_textured_step(&r, &step);
     for (unsigned row = 0; row < t->rows; row++) {
-        const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
-        struct texel_run r = {t, s->draw, t->depth + tile_offset(t, x, y), x, y, t->spans[row].x1 - x, s->fast};
+        r.x = t->spans[row].x0;
+        r.y = t->first_row + (int32_t)row;
+        r.count = t->spans[row].x1 - r.x;
         if (r.count <= 0)
             continue;
+        r.depth = t->depth + tile_offset(t, r.x, r.y);
         if (s->way == SHEEN_WAY_TEXTURED_LINEAR)
             linear_run(textured, &r);
         else

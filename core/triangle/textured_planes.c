@@ -61,8 +61,10 @@ static APART void textured_quotients(struct textured_setup *t, struct surface_co
     t->s.detail = (uint8_t)up;
     t->u = numerator_plane(g, c, &at[0], up);
     t->v = numerator_plane(g, c, &at[1], up);
-    t->light = numerator_plane(g, c, &at[2], 0);
-    t->specular = numerator_plane(g, c, &at[3], 0);
+    if (!t->s.draw->texel.unlit) {
+        t->light = numerator_plane(g, c, &at[2], 0);
+        t->specular = numerator_plane(g, c, &at[3], 0);
+    }
     for (int k = 0; k < 3; k++)
         half[k] = (int32_t)(c->weight[k] >> 1);
     t->weight = sheen_gradient_plane(g, half, 1);
@@ -76,21 +78,24 @@ static struct plane mean_plane(const struct at_corners *at)
     return p;
 }
 
-/* The cheapest pixels that give what any would. */
 static enum textured_pixels pixels_of(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
     const struct sheen_texture *t = terms->texture;
-    uint32_t light = 0;
+    const int is_other = (t->bits & 15) != 0 || t->keyed;
+    const uint32_t highlight = largest_of(&at[3]);
+    int32_t light = 0;
 
-    if (!d->is_565 || (t->bits & 15) != 0 || t->keyed || t->clamp_u || t->clamp_v || t->bilinear ||
-        t->width_log2 + t->height_log2 > 16 || !terms->alike)
-        return TEXTURED_ANY;
     for (int k = 0; k < 3; k++)
-        light = (uint32_t)at[2].f[k] > light ? (uint32_t)at[2].f[k] : light;
-    if (terms->unlit)
-        return TEXTURED_UNLIT;
-    return light > (1u << LIGHT_PLANE_BITS) + LIGHT_BIAS || largest_of(&at[3]) != 0 ? TEXTURED_ANY : TEXTURED_LIT;
+        light = max32(light, at[2].f[k]);
+    if (!d->is_565 || t->clamp_u || t->clamp_v || t->width_log2 + t->height_log2 > 16 || !terms->alike ||
+        light > 1 << LIGHT_BITS || (highlight != 0 && !terms->white) || (t->bilinear && t->keyed))
+        return TEXTURED_ANY;
+    if (t->bilinear)
+        return terms->unlit && !is_other ? TEXTURED_BILINEAR : TEXTURED_BILINEAR_OTHER;
+    if (is_other)
+        return TEXTURED_OTHER;
+    return terms->unlit ? TEXTURED_UNLIT : highlight != 0 ? TEXTURED_GLOSSY : TEXTURED_LIT;
 }
 
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
@@ -99,6 +104,8 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
     struct textured_setup *t = (struct textured_setup *)s;
     struct plane *plane[4] = {&t->u, &t->v, &t->light, &t->specular};
 
+    t->light = (struct plane){(uint32_t)at[2].f[0], 0, 0}; /* unlit it is the same everywhere */
+    t->specular = (struct plane){0, 0, 0};
     s->fast = (uint8_t)pixels_of(s->draw, at);
     s->rows = sheen_textured_blocks;
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
@@ -106,6 +113,6 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
         textured_quotients(t, c, g, at);
         return;
     }
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < (s->draw->texel.unlit ? 2 : 4); i++)
         *plane[i] = g == NULL ? mean_plane(&at[i]) : screen_plane(g, &at[i], i > 1);
 }

@@ -3,14 +3,66 @@
  */
 #include "textured.h"
 
-SPECIALISED void step_on(struct texel_at *at, const struct texel_at *step)
+/*
+ * Coordinates as they are stepped. Packed, for small pictures that repeat: V above U in one word, both with PACKED_BITS
+ * of fraction; what U carries over is 2^-PACKED_BITS of a texel of V. After every RUN px, along which steps are off by
+ * 2^-6 texel at the most, it is mended. Else U and V as they are.
+ */
+#define PACKED_BITS 10
+#define RUN DITHER_RUN
+
+/* Held to -width/2 .. width/2: a step to the left must not carry. */
+static uint32_t packed_step(uint32_t du, uint32_t dv, unsigned width)
 {
-    at->z += step->z;
-    at->u += step->u;
-    at->v += step->v;
-    at->light += step->light;
-    at->specular += step->specular;
+    return (uint32_t)asr32((int32_t)((du + 32) << (16 - width)), 22 - width) +
+           ((dv + 32) >> 6 << (PACKED_BITS + width));
 }
+
+/* What a step lacks, -32..31 / 2^16 texel, RUN times. */
+static uint32_t packed_rest(uint32_t d)
+{
+    return (uint32_t)asr32((int32_t)((d + 32) & 63u) - 31, 1);
+}
+
+SPECIALISED uint32_t packed_at(const struct texel_at *at, unsigned width)
+{
+    return (at->u >> 6 & ((1u << (PACKED_BITS + width)) - 1)) + (at->v >> 6 << (PACKED_BITS + width));
+}
+
+void sheen_textured_step(struct texel_run *r, const struct texel_at *step)
+{
+    const unsigned width = r->d->texel.texture->width_log2;
+
+    r->step = *step;
+    if (r->d->texel.packed) {
+        r->packed = packed_step(step->u, step->v, width);
+        r->mend = packed_rest(step->u) + (packed_rest(step->v) << (PACKED_BITS + width));
+    } else {
+        r->packed = r->mend = 0;
+    }
+}
+
+void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struct setup *s)
+{
+    const struct sheen_texture *texture = s->draw->texel.texture;
+
+    r->t = t;
+    r->d = s->draw;
+    r->pixels = s->fast;
+    r->columns = ((1u << texture->width_log2) - 1);
+    r->rows = ((1u << texture->height_log2) - 1) << texture->width_log2;
+}
+
+/* Channels in 1/32 level, of a 565 value or a sum of several by shares of 32: green at bit 21, red at 11, blue at 0. */
+#define SPREAD 0x07e0f81fu
+
+SPECIALISED uint32_t spread(uint32_t texel)
+{
+    return (texel | texel << 16) & SPREAD;
+}
+
+/* From a texel's edge to its middle, and half a share. */
+#define TO_MIDDLE (0x400u - 0x8000u)
 
 /* ---- any texture, light and target ---- */
 
@@ -22,11 +74,9 @@ SPECIALISED uint32_t address(int32_t i, unsigned size_log2, unsigned clamp)
     return (uint32_t)(clamp ? max32(0, min32(i, most)) : i & most);
 }
 
-/* The texel that holds (i, j), 565. */
-SPECIALISED uint32_t texel_value(const struct sheen_texture *t, int32_t i, int32_t j)
+/* Texel number n, 565. */
+SPECIALISED uint32_t texel_number(const struct sheen_texture *t, uint32_t n)
 {
-    uint32_t n = address(j, t->height_log2, t->clamp_v) << t->width_log2 | address(i, t->width_log2, t->clamp_u);
-
     if (t->bits == 8)
         return t->palette[((const uint8_t *)t->texels)[n]];
     if (t->bits == 4)
@@ -34,151 +84,497 @@ SPECIALISED uint32_t texel_value(const struct sheen_texture *t, int32_t i, int32
     return ((const uint16_t *)t->texels)[n];
 }
 
-/* Channels in 1/32 level: red and blue in one word, 2^16 red + blue, and green. */
-struct filtered {
-    uint32_t red_blue, green;
-};
-
-SPECIALISED void add_texel(struct filtered *sum, uint32_t texel, uint32_t share)
+/* The texel that holds (i, j). */
+SPECIALISED uint32_t texel_value(const struct sheen_texture *t, int32_t i, int32_t j)
 {
-    sum->red_blue += ((texel >> 11) << 16 | (texel & 31u)) * share;
-    sum->green += (texel >> 5 & 63u) * share;
+    return texel_number(t, address(j, t->height_log2, t->clamp_v) << t->width_log2 |
+                               address(i, t->width_log2, t->clamp_u));
 }
 
-/* The four texels about (u, v) by shares of 1/32; those that are transparent count as `nearest`. */
-SPECIALISED void bilinear(const struct sheen_texture *t, const struct texel_at *at, uint32_t nearest,
-                          struct filtered *sum)
+/* The four texels about (u, v) by their shares; those that are transparent count as `nearest`. */
+SPECIALISED uint32_t any_mixed(const struct sheen_texture *t, uint32_t u, uint32_t v, uint32_t nearest)
 {
-    const int32_t u = (int32_t)(at->u - 0x8000u + 0x400u), v = (int32_t)(at->v - 0x8000u + 0x400u);
-    const uint32_t a = (uint32_t)u >> 11 & 31u, b = (uint32_t)v >> 11 & 31u, both = (a * b + 16) >> 5;
+    const int32_t i = asr32((int32_t)u, 16), j = asr32((int32_t)v, 16);
+    const uint32_t a = u >> 11 & 31u, b = v >> 11 & 31u, both = (a * b + 16) >> 5;
     const uint32_t share[4] = {32 - a - b + both, a - both, b - both, both};
+    uint32_t sum = 0;
 
     for (int k = 0; k < 4; k++) {
-        uint32_t texel = texel_value(t, asr32(u, 16) + (k & 1), asr32(v, 16) + (k >> 1));
-        add_texel(sum, t->keyed && texel == t->key ? nearest : texel, share[k]);
+        uint32_t texel = texel_value(t, i + (k & 1), j + (k >> 1));
+        sum += spread(t->keyed && texel == t->key ? nearest : texel) * share[k];
     }
+    return sum;
 }
 
-/* Light of channel k with LIGHT_BITS. */
-SPECIALISED uint32_t channel_light(const struct texel_terms *terms, const struct texel_at *at, int k)
+/* Of channel k, with `fraction` bits. */
+SPECIALISED uint32_t channel_light(const struct texel_terms *terms, uint32_t light, int k, unsigned fraction)
 {
     if (terms->alike)
-        return at->light >> (LIGHT_PLANE_BITS - LIGHT_BITS);
-    const int32_t diffuse = asr32((int32_t)at->light, 15);
-    const uint32_t half = 1u << (terms->fraction - LIGHT_BITS - 1);
-    return (terms->a[k] + half + (uint32_t)(terms->b[k] * diffuse)) >> (terms->fraction - LIGHT_BITS);
+        return light >> (LIGHT_BITS - fraction);
+    return (terms->a[k] + terms->b[k] * (light >> (LIGHT_BITS - 15))) >> (terms->fraction - fraction);
 }
 
-/* The one rounding of channels in levels of 565, LIGHT_BITS of fraction; threshold in 1/128. */
-SPECIALISED void put_texel(const struct texel_run *r, uint32_t at, const uint32_t channel[3], uint32_t threshold)
+SPECIALISED uint32_t channel_highlight(const struct texel_terms *terms, uint32_t specular, int k, unsigned fraction)
+{
+    if (terms->white)
+        return (k == 1 ? 63 : 31) * (specular >> (LIGHT_BITS - fraction));
+    return terms->c[k] * (specular >> (LIGHT_BITS - 15)) >> terms->c_shift;
+}
+
+/* The one rounding of channels in levels of 565; threshold in 1/128. */
+SPECIALISED void put_texel(const struct texel_run *r, uint32_t at, const uint32_t channel[3], uint32_t threshold,
+                           unsigned fraction)
 {
     const struct pixel_format *format = r->t->format;
     const uint16_t *grey = r->d->texel.grey;
-    const unsigned fraction = 31u - format->level_bits;
+    const unsigned grey_fraction = 31u - format->level_bits;
 
     if (format->grey) {
         uint32_t level = 0;
         for (int k = 0; k < 3; k++)
-            level += (channel[k] >> (LIGHT_BITS - GREY_BITS)) * grey[k];
-        level = clamped(level, ((1u << format->level_bits) - 1) << fraction) + (threshold << (fraction - 7));
-        ((uint8_t *)r->t->pixels)[at] = (uint8_t)(level >> fraction);
+            level += (channel[k] >> (fraction - GREY_BITS)) * grey[k];
+        level = clamped(level, ((1u << format->level_bits) - 1) << grey_fraction) + (threshold << (grey_fraction - 7));
+        ((uint8_t *)r->t->pixels)[at] = (uint8_t)(level >> grey_fraction);
         return;
     }
-    threshold <<= LIGHT_BITS - 7;
+    threshold <<= fraction - 7;
     ((uint16_t *)r->t->pixels)[at] =
-        pixel_order((channel[0] + threshold) >> LIGHT_BITS << 11 | (channel[1] + threshold) >> LIGHT_BITS << 5 |
-                        (channel[2] + threshold) >> LIGHT_BITS,
+        pixel_order((channel[0] + threshold) >> fraction << 11 | (channel[1] + threshold) >> fraction << 5 |
+                        (channel[2] + threshold) >> fraction,
                     format->swap);
 }
 
-SPECIALISED void any_pixel(const struct texel_run *r, uint32_t offset, uint32_t threshold, const struct texel_at *at)
+/* A channel in 1/32 level under light. Where that may exceed 1.0 it has 4 bits less. */
+SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, uint32_t light)
 {
-    static const uint32_t top[3] = {31u << LIGHT_BITS, 63u << LIGHT_BITS, 31u << LIGHT_BITS};
-    const struct texel_terms *terms = &r->d->texel;
-    const struct sheen_texture *t = terms->texture;
-    const uint32_t specular = not_negative(at->specular) >> 15;
-    struct filtered sum = {0, 0};
-    uint32_t channel[3], nearest = texel_value(t, asr32((int32_t)at->u, 16), asr32((int32_t)at->v, 16));
-
-    if (at->z >> 16 <= r->t->depth[offset] || (t->keyed && nearest == t->key) ||
-        !nearer(r->t, r->t->depth + offset, at->z))
-        return;
-    if (t->bilinear)
-        bilinear(t, at, nearest, &sum);
-    else
-        add_texel(&sum, nearest, 32);
-    channel[0] = sum.red_blue >> 16;
-    channel[1] = sum.green;
-    channel[2] = sum.red_blue & 0xffffu;
-    for (int k = 0; k < 3; k++)
-        channel[k] = clamped(
-            (channel[k] * channel_light(terms, at, k) >> 5) + (terms->c[k] * specular >> terms->c_shift), top[k]);
-    put_texel(r, offset, channel, threshold);
+    if (r->pixels == TEXTURED_ANY)
+        return channel * ((light + 8) >> 4) >> 1;
+    return r->d->texel.texture->bilinear ? channel * (light >> 5) : (channel >> 5) * light;
 }
 
-static void any_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step)
+/* A pixel's texels are `nearest` or about (u, v). */
+SPECIALISED void any_colour(const struct texel_run *r, uint32_t offset, uint32_t threshold, const struct texel_at *at,
+                            uint32_t nearest)
 {
-    const uint8_t *threshold = threshold_row(r->t->dither, r->y);
-    uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, end = x + (uint32_t)r->count;
+    const struct texel_terms *terms = &r->d->texel;
+    const unsigned fraction = r->pixels == TEXTURED_ANY ? BRIGHT_BITS : LIGHT_BITS;
+    const uint32_t sum =
+        terms->texture->bilinear ? any_mixed(terms->texture, at->u, at->v, nearest) : spread(nearest) << 5;
+    const uint32_t light = not_negative(at->light), specular = not_negative(at->specular);
+    uint32_t channel[3] = {sum >> 11 & 1023u, sum >> 21, sum & 1023u};
 
-    for (; x != end; x++, offset++) {
-        any_pixel(r, offset, threshold[x & 7u], &at);
-        step_on(&at, step);
+    for (int k = 0; k < 3; k++)
+        channel[k] = clamped(under_light(r, channel[k], channel_light(terms, light, k, fraction)) +
+                                 channel_highlight(terms, specular, k, fraction),
+                             (k == 1 ? 63u : 31u) << fraction);
+    put_texel(r, offset, channel, threshold, fraction);
+}
+
+static APART void any_run(const struct texel_run *r, const struct texel_at *from)
+{
+    const struct texel_terms *terms = &r->d->texel;
+    const struct sheen_texture *t = terms->texture;
+    const unsigned width = t->width_log2;
+    const uint8_t *threshold = threshold_row(r->t->dither, r->y);
+    const uint32_t middle = t->bilinear ? TO_MIDDLE : 0;
+    struct texel_at at = {from->z, from->u + middle, from->v + middle, from->light, from->specular};
+    uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, packed = packed_at(&at, width);
+
+    for (int32_t i = 1; i <= r->count; i++, x++, offset++) {
+        if (terms->packed) {
+            at.u = packed << (16 - PACKED_BITS);
+            at.v = packed >> (PACKED_BITS + width) << (16 - PACKED_BITS);
+        }
+        uint32_t nearest = texel_value(t, asr32((int32_t)(at.u - middle), 16), asr32((int32_t)(at.v - middle), 16));
+        if (at.z >> 16 > r->t->depth[offset] && !(t->keyed && nearest == t->key)) {
+            (void)nearer(r->t, r->t->depth + offset, at.z);
+            any_colour(r, offset, threshold[x & 7u], &at, nearest);
+        }
+        at.z += r->step.z;
+        at.u += r->step.u;
+        at.v += r->step.v;
+        at.light += r->step.light;
+        at.specular += r->step.specular;
+        packed += r->packed + (i % RUN == 0 ? r->mend : 0);
     }
 }
 
-/* ---- nearest texels of 565 that repeat ---- */
+/* ---- loops of their own: 565 that repeats on 565, light and highlight 1.0 at the most and without a hue ---- */
 
-/* Light of 1.0 at the most, so that no channel leaves its place in the texel; threshold in 1/128. */
-SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, uint32_t threshold)
+#if FAST_LOOPS
+
+/* Where the processor holds a number in its range as it shifts it. */
+#ifdef __ARM_FEATURE_SAT
+#define SATURATES 1
+#else
+#define SATURATES 0
+#endif
+
+/* All but the last ones are constant. */
+struct way {
+    unsigned packed, lit, glossy, dither, swap;
+    unsigned other;        /* palettes, and a colour that is transparent */
+    intptr_t to_pixel;     /* bytes from a pixel's depth */
+    intptr_t to_threshold; /* likewise */
+    uint32_t half;         /* of rounding, with LIGHT_BITS */
+    uint32_t spread;       /* the mask of three channels in 1/32 level */
+    const struct sheen_texture *texture;
+};
+
+SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
 {
-    const unsigned up = LIGHT_BITS - 7;
-    uint32_t r = (texel & 0xf800u) * light + (threshold << (up + 11));
-    uint32_t g = (texel & 0x07e0u) * light + (threshold << (up + 5)), b = (texel & 31u) * light + (threshold << up);
+    struct way way = {packed, lit, glossy, dither, swap, 0, 0, 0, 0, 0, NULL};
 
-    return (r >> LIGHT_BITS & 0xf800u) | (g >> LIGHT_BITS & 0x07e0u) | b >> LIGHT_BITS;
+    return way;
 }
 
-/* u and v, times the width, are masked to the texel's bytes. */
-SPECIALISED void nearest_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step, unsigned lit,
-                             unsigned dither, unsigned swap)
+SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
 {
-    const struct sheen_texture *t = r->d->texel.texture;
-    const uint8_t *texels = t->texels, *threshold = threshold_row(dither, r->y);
-    const unsigned width = t->width_log2;
-    const uint32_t columns = ((1u << width) - 1) << 1, rows = ((1u << t->height_log2) - 1) << (width + 1);
-    const uint32_t dz = step->z, du = step->u, dv = step->v << width, dlight = step->light;
-    const intptr_t to_pixel = r->t->to_pixel;
-    uint16_t *depth = r->depth, *end = depth + r->count;
-    uint32_t z = at.z, u = at.u, v = at.v << width, light = at.light, x = (uint32_t)r->x;
-
-    do {
-        if (nearer(r->t, depth, z)) {
-            uint32_t texel = *(const uint16_t *)(const void *)(texels + ((u >> 15 & columns) | (v >> 15 & rows)));
-            if (lit)
-                texel = lit_texel(texel, light >> (LIGHT_PLANE_BITS - LIGHT_BITS), dither ? threshold[x & 7u] : 64);
-            *pixel_at(depth, to_pixel) = pixel_order(texel, swap);
-        }
-        z += dz;
-        u += du;
-        v += dv;
-        light += dlight;
-        x++;
-    } while (++depth != end);
+    way->texture = r->d->texel.texture;
+    way->half = 1u << (LIGHT_BITS - 1);
+    way->spread = SPREAD;
+    OPAQUE(way->half); /* else they are made at every pixel */
+    OPAQUE(way->spread);
+    way->to_pixel = r->t->to_pixel;
+    way->to_threshold = (intptr_t)&sheen_dither_rows[(uint32_t)r->y & 7u][(uint32_t)r->x & 7u] - (intptr_t)r->depth;
 }
 
-SPECIALISED void nearest_as(const struct texel_run *r, struct texel_at at, const struct texel_at *step, unsigned lit,
+SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
+{
+    return way->dither ? (uint32_t) * (const uint16_t *)((intptr_t)depth + way->to_threshold) << (LIGHT_BITS - 11)
+                       : way->half;
+}
+
+/* Of channels, with LIGHT_BITS, to which the threshold was added; glossy: they may exceed the highest level. */
+SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned glossy)
+{
+    if (glossy && SATURATES) {
+        r = (uint32_t)max32(0, min32(asr32((int32_t)r, LIGHT_BITS), 31));
+        g = (uint32_t)max32(0, min32(asr32((int32_t)g, LIGHT_BITS), 63));
+        b = (uint32_t)max32(0, min32(asr32((int32_t)b, LIGHT_BITS), 31));
+        return (r << 6 | g) << 5 | b;
+    }
+    r >>= LIGHT_BITS;
+    g >>= LIGHT_BITS;
+    b >>= LIGHT_BITS;
+    if (glossy && (r | g >> 1 | b) > 31) {
+        r = r < 31 ? r : 31;
+        g = g < 63 ? g : 63;
+        b = b < 31 ? b : 31;
+    }
+    return (r << 6 | g) << 5 | b;
+}
+
+/* What is added to channels: a white highlight in red and blue, in green. */
+struct added {
+    uint32_t red_blue, green;
+};
+
+SPECIALISED struct added added_at(uint32_t highlight, uint32_t threshold, unsigned glossy)
+{
+    struct added a = {threshold, threshold};
+
+    if (glossy) {
+        uint32_t specular = not_negative(highlight);
+        a.red_blue += 31 * specular;
+        a.green += 63 * specular;
+    }
+    return a;
+}
+
+SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, struct added more, unsigned glossy)
+{
+    return rounded_texel((texel >> 11) * light + more.red_blue, (texel >> 5 & 63u) * light + more.green,
+                         (texel & 31u) * light + more.red_blue, glossy);
+}
+
+/* Reads a texel by its number, or by its place in bytes of 565. */
+SPECIALISED uint32_t texel_at(const uint8_t *texels, uint32_t n, const struct way *way)
+{
+    return way->other ? texel_number(way->texture, n) : *(const uint16_t *)(const void *)(texels + n);
+}
+
+SPECIALISED int is_key(uint32_t texel, const struct way *way)
+{
+    return way->other && way->texture->keyed && texel == way->texture->key;
+}
+
+/* What is stepped. u: U, or both packed; v: V, of nearest texels times the width. */
+struct stepped {
+    uint32_t z, light, specular, u, v;
+};
+
+SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const struct way *way)
+{
+    at->z += step->z;
+    at->u += step->u;
+    OPAQUE(at->z); /* else gcc multiplies for what they are at the end */
+    OPAQUE(at->u);
+    if (!way->packed) {
+        at->v += step->v;
+        OPAQUE(at->v);
+    }
+    if (way->lit) {
+        at->light += step->light;
+        OPAQUE(at->light);
+    }
+    if (way->glossy) {
+        at->specular += step->specular;
+        OPAQUE(at->specular);
+    }
+}
+
+/* The part of a run up to which nothing is mended. */
+SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last, const struct way *way)
+{
+    return (way->packed || way->dither) && last - depth > RUN ? depth + RUN : last;
+}
+
+SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct way *way)
+{
+    if (way->lit)
+        texel = lit_texel(texel, at->light, added_at(at->specular, threshold_at(depth, way), way->glossy), way->glossy);
+    *pixel_at(depth, way->to_pixel) = pixel_order(texel, way->swap);
+}
+
+SPECIALISED void nearest_run(const struct texel_run *r, const struct texel_at *from, struct way way)
+{
+    const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
+    const uint8_t *texels = r->d->texel.texture->texels;
+    const uint32_t columns = r->columns << down, rows = r->rows << down, mend = way.packed ? r->mend : 0;
+    const struct stepped step = {r->step.z, r->step.light, r->step.specular, way.packed ? r->packed : r->step.u,
+                                 r->step.v << width};
+    struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(from, width) : from->u,
+                         from->v << width};
+    uint16_t *depth = r->depth;
+    const uint16_t *last = depth + r->count;
+
+    way_begin(&way, r);
+    for (;;) {
+        const uint16_t *end = part_end(depth, last, &way);
+        do {
+            const uint32_t row = way.packed ? at.u >> (2 * PACKED_BITS - down) : at.v >> (16 - down);
+            const uint32_t n = (at.u >> ((way.packed ? PACKED_BITS : 16) - down) & columns) | (row & rows);
+            if (!way.other ? nearer(r->t, depth, at.z)
+                           : !is_key(texel_at(texels, n, &way), &way) && nearer(r->t, depth, at.z))
+                put_nearest(depth, &at, texel_at(texels, n, &way), &way);
+            step_on(&at, &step, &way);
+        } while (++depth != end);
+        if (end == last)
+            return;
+        at.u += mend;
+        way.to_threshold -= RUN * (intptr_t)sizeof *depth; /* the row of thresholds repeats */
+    }
+}
+
+/* Channels of 1/32 level are rounded where they stand. */
+SPECIALISED uint32_t unlit_mixed(uint32_t sum, const struct way *way, uint32_t threshold)
+{
+    sum = (sum + (way->dither ? (threshold >> (LIGHT_BITS - 5)) * 0x00200801u : 0x02008010u)) >> 5 & way->spread;
+    return sum >> 16 | sum; /* above 565 something is left */
+}
+
+SPECIALISED uint32_t lit_mixed(uint32_t sum, uint32_t light, struct added more, unsigned glossy)
+{
+    light >>= 5;
+    return rounded_texel((sum >> 11 & 1023u) * light + more.red_blue, (sum >> 21) * light + more.green,
+                         (sum & 1023u) * light + more.red_blue, glossy);
+}
+
+/* What the four texels of a pixel are read by, as texel_at does. */
+struct bilinear_at {
+    const uint8_t *texels;
+    uint32_t columns, rows;
+    uint32_t below; /* to the next row */
+    unsigned width;
+};
+
+/*
+ * Four texels, spread, as pixels in a row mix them: 32 * first + a * right + b * below + ab / 32 * both, modulo 2^32.
+ * u, v: where that was, less half a texel.
+ */
+struct texel_cell {
+    uint32_t u, v, first, right, below, both;
+};
+
+SPECIALISED int in_texel_cell(const struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
+                              const struct way *way)
+{
+    if (way->packed) /* what is not fraction */
+        return ((c->u ^ at->u) & ~(((1u << PACKED_BITS) - 1) * ((1u << (PACKED_BITS + b->width)) + 1))) == 0;
+    return ((c->u ^ at->u) | (c->v ^ at->v)) >> 16 == 0;
+}
+
+SPECIALISED uint32_t spread_at(const struct bilinear_at *b, uint32_t n, const struct way *way)
+{
+    uint32_t texel = texel_at(b->texels, n, way);
+
+    return (texel | texel << 16) & way->spread;
+}
+
+SPECIALISED void texel_cell_at(struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
+                               const struct way *way)
+{
+    const unsigned down = way->other ? 0 : 1;
+    const uint32_t left = at->u >> ((way->packed ? PACKED_BITS : 16) - down) & b->columns;
+    const uint32_t top = (way->packed ? at->u >> (2 * PACKED_BITS - down) : at->v >> (16 - down - b->width)) & b->rows;
+    const uint32_t right = (left + (1u << down)) & b->columns, below = (top + b->below) & b->rows;
+    const uint32_t first = spread_at(b, top + left, way), second = spread_at(b, top + right, way);
+
+    c->u = at->u;
+    c->v = at->v;
+    c->first = first << 5;
+    c->right = second - first;
+    c->below = spread_at(b, below + left, way) - first;
+    c->both = spread_at(b, below + right, way) - second - c->below;
+}
+
+SPECIALISED uint32_t cell_mixed(const struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
+                                const struct way *way)
+{
+    const uint32_t x = (way->packed ? at->u >> (PACKED_BITS - 5) : at->u >> 11) & 31u;
+    const uint32_t y = (way->packed ? at->u >> (2 * PACKED_BITS - 5 + b->width) : at->v >> 11) & 31u;
+
+    return c->first + x * c->right + y * c->below + ((x * y + 16) >> 5) * c->both;
+}
+
+SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t sum, const struct way *way)
+{
+    const uint32_t threshold = threshold_at(depth, way);
+    const uint32_t value = way->lit
+                               ? lit_mixed(sum, at->light, added_at(at->specular, threshold, way->glossy), way->glossy)
+                               : unlit_mixed(sum, way, threshold);
+
+    *pixel_at(depth, way->to_pixel) = pixel_order(value, way->swap);
+}
+
+SPECIALISED void bilinear_run(const struct texel_run *r, const struct texel_at *from, struct way way)
+{
+    const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
+    const struct bilinear_at b = {r->d->texel.texture->texels, r->columns << down, r->rows << down,
+                                  1u << (width + down), width};
+    const struct texel_at middle = {from->z, from->u + TO_MIDDLE, from->v + TO_MIDDLE, from->light, from->specular};
+    const struct stepped step = {r->step.z, r->step.light, r->step.specular, way.packed ? r->packed : r->step.u,
+                                 r->step.v};
+    struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(&middle, width) : middle.u,
+                         middle.v};
+    uint16_t *depth = r->depth;
+    const uint16_t *last = depth + r->count;
+
+    struct texel_cell cell = {~at.u, ~at.v, 0, 0, 0, 0}; /* none yet */
+
+    way_begin(&way, r);
+    for (;;) {
+        const uint16_t *end = part_end(depth, last, &way);
+        do {
+            if (nearer(r->t, depth, at.z)) {
+                if (!in_texel_cell(&cell, &at, &b, &way))
+                    texel_cell_at(&cell, &at, &b, &way);
+                put_mixed(depth, &at, cell_mixed(&cell, &at, &b, &way), &way);
+            }
+            step_on(&at, &step, &way);
+        } while (++depth != end);
+        if (end == last)
+            return;
+        at.u += way.packed ? r->mend : 0;
+        way.to_threshold -= RUN * (intptr_t)sizeof *depth;
+    }
+}
+
+/* ---- which ---- */
+
+SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at, unsigned lit, unsigned glossy,
                             unsigned dither)
 {
-    r->t->format->swap ? nearest_run(r, at, step, lit, dither, 1) : nearest_run(r, at, step, lit, dither, 0);
+    const unsigned swap = r->t->format->swap;
+
+    if (r->d->texel.packed)
+        swap ? nearest_run(r, at, way_of(1, lit, glossy, dither, 1))
+             : nearest_run(r, at, way_of(1, lit, glossy, dither, 0));
+    else
+        swap ? nearest_run(r, at, way_of(0, lit, glossy, dither, 1))
+             : nearest_run(r, at, way_of(0, lit, glossy, dither, 0));
 }
 
-void sheen_textured_run(const struct texel_run *r, struct texel_at at, const struct texel_at *step)
+static APART void unlit_run(const struct texel_run *r, const struct texel_at *at)
 {
-    if (!FAST_LOOPS || r->pixels == TEXTURED_ANY)
-        any_run(r, at, step);
-    else if (r->pixels == TEXTURED_UNLIT)
-        nearest_as(r, at, step, 0, 0);
-    else
-        r->t->dither ? nearest_as(r, at, step, 1, 1) : nearest_as(r, at, step, 1, 0);
+    nearest_as(r, at, 0, 0, 0);
 }
+
+static APART void lit_run(const struct texel_run *r, const struct texel_at *at)
+{
+    nearest_as(r, at, 1, 0, 0);
+}
+
+static APART void dithered_run(const struct texel_run *r, const struct texel_at *at)
+{
+    nearest_as(r, at, 1, 0, 1);
+}
+
+static APART void glossy_run(const struct texel_run *r, const struct texel_at *at)
+{
+    r->t->dither ? nearest_as(r, at, 1, 1, 1) : nearest_as(r, at, 1, 1, 0);
+}
+
+static APART void other_run(const struct texel_run *r, const struct texel_at *at)
+{
+    const unsigned lit = !r->d->texel.unlit;
+    struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
+
+    way.other = 1;
+    nearest_run(r, at, way);
+}
+
+static APART void mixed_run(const struct texel_run *r, const struct texel_at *at)
+{
+    const unsigned swap = r->t->format->swap;
+
+    if (r->d->texel.packed)
+        swap ? bilinear_run(r, at, way_of(1, 0, 0, 0, 1)) : bilinear_run(r, at, way_of(1, 0, 0, 0, 0));
+    else
+        swap ? bilinear_run(r, at, way_of(0, 0, 0, 0, 1)) : bilinear_run(r, at, way_of(0, 0, 0, 0, 0));
+}
+
+static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
+{
+    const unsigned lit = !r->d->texel.unlit;
+    struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
+
+    way.other = 1;
+    bilinear_run(r, at, way);
+}
+
+void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
+{
+    switch (r->pixels) {
+    case TEXTURED_UNLIT:
+        unlit_run(r, at);
+        return;
+    case TEXTURED_LIT:
+        r->t->dither ? dithered_run(r, at) : lit_run(r, at);
+        return;
+    case TEXTURED_GLOSSY:
+        glossy_run(r, at);
+        return;
+    case TEXTURED_OTHER:
+        other_run(r, at);
+        return;
+    case TEXTURED_BILINEAR:
+        r->t->dither ? other_mixed_run(r, at) : mixed_run(r, at);
+        return;
+    case TEXTURED_BILINEAR_OTHER:
+        other_mixed_run(r, at);
+        return;
+    default:
+        any_run(r, at);
+    }
+}
+
+#else
+
+void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
+{
+    any_run(r, at);
+}
+
+#endif
