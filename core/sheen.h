@@ -195,7 +195,7 @@ struct sheen_material {
     sheen_q16_t diffuse;                 /* Ip kd, 0..4 */
     sheen_q16_t specular;                /* Ip ks, 0..4 */
     const struct sheen_shine *shine;     /* MUST be there where specular is not 0 */
-    const struct sheen_texture *texture; /* of textured: MUST be there; others do not read it */
+    const struct sheen_texture *texture; /* of textured and matcap: MUST be there; others do not read it */
     const struct sheen_ramp *ramp;       /* in place of max(0, L.N); NULL: that itself */
 };
 
@@ -230,6 +230,20 @@ extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_s
  * diffuse 0, specular 0 and a white base show the texels as they are, and cost no light.
  */
 extern const struct sheen_shader sheen_textured, sheen_textured_flat;
+
+/*
+ * With a picture of a lit sphere, the material's texture, in place of lights: base times the texel at ((1 + x) / 2,
+ * (1 - y) / 2) of the picture, x and y of the normal before the eye. sheen_matcap takes the normal of the pixel, as
+ * phong, sheen_matcap_vertex the vertices', with coordinates linear in space between. Of the texture a bilinear one
+ * MUST have clamp_u and clamp_v; of the material base and texture alone are read.
+ */
+extern const struct sheen_shader sheen_matcap, sheen_matcap_vertex;
+
+/*
+ * Matcaps of 64 by 64 texels, 8 KB each, linked where they are named: polished metal under a sky, glazed ware in a room
+ * with windows, fired clay, polished jade. A copy of the struct with bilinear 1 shows them smooth.
+ */
+extern const struct sheen_texture sheen_matcap_chrome, sheen_matcap_glaze, sheen_matcap_clay, sheen_matcap_jade;
 
 /* What is drawn. Mesh, material and shader MUST be there. */
 struct sheen_object {

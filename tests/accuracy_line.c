@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const way_name[SHEEN_WAYS] = {"one colour", "linear",  "quadratic", "quotient",
-                                                 "quadratic",  "cells",   "root",      "lights",
-                                                 "arcs",       "normals", "linear",    "quotient"};
+static const char *const way_name[SHEEN_WAYS] = {"one colour", "linear",   "quadratic", "quotient", "quadratic",
+                                                 "cells",      "root",     "lights",    "arcs",     "normals",
+                                                 "linear",     "quotient", "quadratic", "normals"};
 
 static double share(long part, long whole)
 {

@@ -22,6 +22,7 @@ endif()
 
 # The tables are data; the script is their definition.
 sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/math/tables.c)
+sheen_script(core_matcaps unit COMMAND python3 tests/tools/make_matcaps.py --check core/pixel)
 
 # 2D under and over the triangles.
 sheen_test(test_canvas unit SOURCES test_canvas.c memory_target.c LIBRARIES sheen::core)

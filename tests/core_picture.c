@@ -288,6 +288,8 @@ static int core_texture_make(struct core_texture *to, const struct ref_texture *
 
 static const struct sheen_shader *shader_of(const struct ref_scene *scene)
 {
+    if (scene->texels != REF_TEXELS_UV)
+        return scene->texels == REF_TEXELS_NORMAL ? &sheen_matcap : &sheen_matcap_vertex;
     if (scene->texture)
         return scene->shading == REF_FLAT ? &sheen_textured_flat : &sheen_textured;
     return sheen_shader_of((unsigned)scene->shading);

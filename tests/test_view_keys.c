@@ -124,9 +124,11 @@ static void test_keys(void **state)
         int key, times;
         const char *words;
     } cases[] = {{'s', 1, "--shade slerp"},
-                 {'s', 2, "--shade flat"},
-                 {'s', 3, "--shade gouraud"},
-                 {'s', 4, ""},
+                 {'s', 2, "--shade matcap"},
+                 {'s', 3, "--shade matcap-vertex"},
+                 {'s', 4, "--shade flat"},
+                 {'s', 5, "--shade gouraud"},
+                 {'s', 6, ""},
                  {'d', 1, "--dither off"},
                  {'d', 2, ""},
                  {'a', 1, "--perspective affine"},

@@ -239,8 +239,10 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
     if (o->two_sided)
         viewpoint->a_warp = 0;
-    int error = sheen_light_begin(&d->light, o->lights, o->light_count, pose.rotation,
-                                  posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);
+    const struct sheen_light *axes = o->shader->axes;
+    int error =
+        sheen_light_begin(&d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,
+                          posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);
     return error < 0 ? refuse(f, error, SHEEN_ABOUT_LIGHTS, 0) : SHEEN_OK;
 }
 

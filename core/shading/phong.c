@@ -13,28 +13,6 @@ SETUP_FITS(struct phong_normals_setup);
 #define SMALLEST_CELLS (4u << 2 * 3) /* px: four of 8 px square */
 #define FAR_SUM 26000                /* UQ0.15: the sum of |Ni - Nj|^2 / 4 is 0.8 */
 
-/* Weights, UQ0.15, up to 1.0. */
-static void corner_weights(struct surface_corners *c, int32_t w[3])
-{
-    sheen_weigh(c);
-    for (int k = 0; k < 3; k++)
-        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
-}
-
-/* A difference of Q0.30 in 2^-14: |f - f0| <= 2^31 - 2^16. */
-static int32_t cut_cosine(int32_t f, int32_t f0)
-{
-    return asr32(asr32(f, 1) - asr32(f0, 1) + (1 << 14), 15);
-}
-
-/* A cosine, or a part of N, at the corners, Q0.15, times weight. */
-static struct plane weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
-{
-    const int32_t f0 = w[0] * x[0];
-
-    return sheen_plane(g, (uint32_t)f0, cut_cosine(w[1] * x[1], f0), cut_cosine(w[2] * x[2], f0), 16);
-}
-
 /* ---- one light, normals far apart ---- */
 
 /* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; */
@@ -64,7 +42,7 @@ static APART int square_root_way(struct setup *s, struct surface_corners *c, con
     if ((g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED) ||
         (f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)))
         return 0;
-    corner_weights(c, w);
+    sheen_corner_weights(c, w);
     const int32_t square = w[0] * w[0];
     const int32_t k[3] = {square_excess(w, 0, 1, f->h[0]), square_excess(w, 0, 2, f->h[1]),
                           square_excess(w, 1, 2, f->h[2])};
@@ -72,8 +50,8 @@ static APART int square_root_way(struct setup *s, struct surface_corners *c, con
     s->rows = sheen_phong_rows;
     p->x = (int16_t)g->origin[0];
     p->y = (int16_t)g->origin[1];
-    p->light = weighted_plane(g, w, f->ln);
-    p->view = weighted_plane(g, w, f->nv);
+    p->light = sheen_weighted_plane(g, w, f->ln);
+    p->view = sheen_weighted_plane(g, w, f->nv);
     sheen_fine_quadric(&p->square, &steps, (uint32_t)square << 1, asr32(w[1] * w[1] - square, 13),
                        asr32(w[2] * w[2] - square, 13), k);
     return 1;
@@ -87,7 +65,7 @@ static struct plane fine_plane(const struct gradients *g, const int32_t w[3], co
     const int32_t f0 = w[0] * x[0], f1 = w[1] * x[1], f2 = w[2] * x[2];
     const int32_t low1 = asr32(f1, 1) - asr32(f0, 1) - cut_cosine(f1, f0) * 32768;
     const int32_t low2 = asr32(f2, 1) - asr32(f0, 1) - cut_cosine(f2, f0) * 32768;
-    struct plane p = weighted_plane(g, w, x), rest = sheen_plane(g, 0, low1, low2, 1);
+    struct plane p = sheen_weighted_plane(g, w, x), rest = sheen_plane(g, 0, low1, low2, 1);
 
     p.base += rest.base;
     p.dx += rest.dx;
@@ -182,7 +160,7 @@ static APART int normal_planes(struct setup *s, struct surface_corners *c, const
     struct phong_normals_setup *p = (struct phong_normals_setup *)s;
     int32_t w[3], seen[3];
 
-    corner_weights(c, w);
+    sheen_corner_weights(c, w);
     for (int k = 0; k < 3; k++)
         seen[k] = c->back ? -w[k] : w[k];
     for (int i = 0; i < 3; i++) {

@@ -25,14 +25,6 @@ static struct at_corners texels_of(const struct draw *d, const struct surface_co
     return at;
 }
 
-/* Light at a diffuse intensity, UQ1.15, as it is stepped. */
-static int32_t light_at(const struct texel_terms *t, uint32_t diffuse)
-{
-    if (!t->alike)
-        return (int32_t)(diffuse << (LIGHT_BITS - 15));
-    return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_BITS));
-}
-
 static void textured_as(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct draw *d = s->draw;
@@ -41,9 +33,8 @@ static void textured_as(struct setup *s, struct surface_corners *c, const struct
     int32_t diffuse[2], specular[2];
 
     for (int k = 0; k < 3; k++) {
-        at[2].f[k] = light_at(&d->texel, lit[k].diffuse);
-        at[3].f[k] = (int32_t)(d->texel.white ? lit[k].specular * d->texel.gloss >> (30 - LIGHT_BITS)
-                                              : lit[k].specular << (LIGHT_BITS - 15));
+        at[2].f[k] = texel_light(&d->texel, lit[k].diffuse);
+        at[3].f[k] = texel_highlight(&d->texel, lit[k].specular);
     }
     for (int k = 0; k < 2; k++) {
         diffuse[k] = (int32_t)(lit[k + 1].diffuse - lit[0].diffuse);

@@ -37,6 +37,25 @@ SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct roun
     }
 }
 
+/* A unit normal, or a shorter one, times a unit vector in Q1.30: Q0.15, 1.0 as 32767. */
+static inline int32_t cosine_of(const int16_t normal[3], const int32_t v[3])
+{
+    int32_t dot = dot_q29(normal, v); /* 1.0 is 32767 */
+
+    dot = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
+    return min32(max32(dot, -32767), 32767);
+}
+
+/* A difference of Q0.30 in 2^-14: |f - f0| <= 2^31 - 2^16. */
+static inline int32_t cut_cosine(int32_t f, int32_t f0)
+{
+    return asr32(asr32(f, 1) - asr32(f0, 1) + (1 << 14), 15);
+}
+
+/* weighted.c: weights, UQ0.15, up to 1.0; a cosine, or a part of N, at the corners, Q0.15, times them: Q1.30. */
+void sheen_corner_weights(struct surface_corners *c, int32_t w[3]);
+struct plane sheen_weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3]);
+
 /* Pixels along which the normal is linear, times any factor: at the first, and what the next one has more. */
 struct normal_run {
     uint32_t z, dz;

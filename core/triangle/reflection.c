@@ -8,6 +8,7 @@
  * in 32 bits, its factors 15 to 18 bits.
  */
 #include "reflection.h"
+#include "normal.h"
 
 SETUP_FITS(struct quadric_setup);
 
@@ -21,14 +22,9 @@ static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {550398
 
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
-    const int32_t *const v[2] = {d->light.to[0], d->light.view};
-
     SHEEN_TAP(COSINES, 1);
-    for (int i = 0; i < 2; i++) {
-        int32_t dot = dot_q29(normal, v[i]); /* 1.0 is 32767 */
-        dot = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
-        kept[i] = (uint16_t)min32(max32(dot, -32767), 32767);
-    }
+    kept[0] = (uint16_t)cosine_of(normal, d->light.to[0]);
+    kept[1] = (uint16_t)cosine_of(normal, d->light.view);
 }
 
 /* |a - b|^2, UQ2.30; of unit vectors it stays below 2^32. */
@@ -39,21 +35,26 @@ static uint32_t square_apart(const int16_t *a, const int16_t *b)
     return x * x + y * y + z * z;
 }
 
-void sheen_face(struct facing *f, const struct surface_corners *c)
+uint32_t sheen_normals_apart(const struct surface_corners *c, uint32_t h[3])
 {
     const int16_t *const *n = c->at.normal;
 
+    h[0] = square_apart(n[0], n[1]);
+    h[1] = square_apart(n[0], n[2]);
+    h[2] = square_apart(n[1], n[2]);
+    uint32_t most = h[0] > h[1] ? h[0] : h[1];
+    return most > h[2] ? most : h[2];
+}
+
+void sheen_face(struct facing *f, const struct surface_corners *c)
+{
     for (int k = 0; k < 3; k++) {
         const uint16_t *kept = c->at.v[k]->kept;
         int32_t ln = (int16_t)kept[0], nv = (int16_t)kept[1];
         f->ln[k] = c->back ? -ln : ln;
         f->nv[k] = c->back ? -nv : nv;
     }
-    f->h[0] = square_apart(n[0], n[1]);
-    f->h[1] = square_apart(n[0], n[2]);
-    f->h[2] = square_apart(n[1], n[2]);
-    f->apart = f->h[0] > f->h[1] ? f->h[0] : f->h[1];
-    f->apart = f->apart > f->h[2] ? f->apart : f->h[2];
+    f->apart = sheen_normals_apart(c, f->h);
 }
 
 static int32_t least3(const int32_t x[3])
@@ -66,12 +67,11 @@ static int32_t most3(const int32_t x[3])
     return max32(x[0], max32(x[1], x[2]));
 }
 
-/* Four times what an edge's middle lies above the mean of its ends, of L.N, Q.16. h, lean: Q0.18, below 2^14, 2^15. */
-static int32_t light_excess(const struct facing *f, int i, int j, int32_t h, int32_t lean)
+int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean)
 {
     int32_t e = h + asr32(3 * h * h, 20);
 
-    return asr32(e * (f->ln[i] + f->ln[j]) + lean * (f->ln[i] - f->ln[j]), 17);
+    return asr32(e * (first + second) + lean * (first - second), 17);
 }
 
 /* Likewise of 1 - R.V, Q.15; u: at the corners, Q2.29. */
@@ -95,9 +95,9 @@ static void light_excesses(struct excesses *e, const struct facing *f)
 {
     for (int k = 0; k < 3; k++)
         e->h[k] = (int32_t)(f->h[k] >> 14);
-    e->light[0] = light_excess(f, 0, 1, e->h[0], e->lean[0]);
-    e->light[1] = light_excess(f, 0, 2, e->h[1], e->lean[1]);
-    e->light[2] = light_excess(f, 1, 2, e->h[2], e->lean[2]);
+    e->light[0] = sheen_cosine_excess(f->ln[0], f->ln[1], e->h[0], e->lean[0]);
+    e->light[1] = sheen_cosine_excess(f->ln[0], f->ln[2], e->h[1], e->lean[1]);
+    e->light[2] = sheen_cosine_excess(f->ln[1], f->ln[2], e->h[2], e->lean[2]);
 }
 
 /* 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4. */

@@ -19,6 +19,15 @@ struct facing {
 /* What a vertex keeps, struct sheen_shader's light: L.N of the first light and N.V, int16_t Q0.15. */
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
 
+/* |Ni - Nj|^2 of edges 01, 02, 12, UQ2.30; returns the largest. */
+uint32_t sheen_normals_apart(const struct surface_corners *c, uint32_t h[3]);
+
+/*
+ * Four times what an edge's middle lies above the mean of its ends, Q.16, of a cosine that has these there, Q0.15. h, a
+ * quarter of |Ni - Nj|^2, and lean: Q0.18, below 2^14, 2^15.
+ */
+int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean);
+
 /* Of vertices that keep cosines, so not of pieces. */
 void sheen_face(struct facing *f, const struct surface_corners *c);
 

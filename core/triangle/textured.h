@@ -53,6 +53,20 @@ struct at_corners {
     int32_t f[3];
 };
 
+/* Light at a diffuse intensity, UQ1.15, as it is stepped. */
+static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
+{
+    if (!t->alike)
+        return (int32_t)(diffuse << (LIGHT_BITS - 15));
+    return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_BITS));
+}
+
+/* Likewise a highlight. */
+static inline int32_t texel_highlight(const struct texel_terms *t, uint32_t specular)
+{
+    return (int32_t)(t->white ? specular * t->gloss >> (30 - LIGHT_BITS) : specular << (LIGHT_BITS - 15));
+}
+
 /*
  * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
  * may be linear on the screen.

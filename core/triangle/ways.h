@@ -18,6 +18,8 @@ enum sheen_way {
     SHEEN_WAY_SLERP_NORMALS,     /* several lights, arcs beyond a right angle: the normal, 1/sqrt a pixel */
     SHEEN_WAY_TEXTURED_LINEAR,   /* texel coordinates and light linear on the screen */
     SHEEN_WAY_TEXTURED_QUOTIENT, /* Blinn's quotient at the ends of blocks of 8 px or less */
+    SHEEN_WAY_MATCAP_QUADRATIC,  /* x and y of the normal quadratic over the triangle */
+    SHEEN_WAY_MATCAP_NORMALS,    /* the normal linear, 1/sqrt at the ends of blocks of 32 px or less */
     SHEEN_WAYS
 };
 

@@ -15,6 +15,17 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
                          path);
 }
 
+int sheen_picture_file_read(struct sheen_picture *picture, const char *path, unsigned most,
+                            struct sheen_problem *problem)
+{
+    (void)most;
+    *picture = (struct sheen_picture){.name = NULL};
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                         "%s: this sheen-panel was built without the libraries that read files; glaze, chrome, clay "
+                         "and jade it has",
+                         path);
+}
+
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
                    int keeps_joins, double *error, struct sheen_problem *problem)
 {

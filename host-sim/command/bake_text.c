@@ -244,6 +244,14 @@ int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const c
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 
+int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, const char *name, const char *source)
+{
+    put_head(stream, name, source);
+    put_texture(stream, name, texels);
+    fputs("#endif\n", stream);
+    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
 void sheen_bake_name(char *name, size_t size, const char *path)
 {
     const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;

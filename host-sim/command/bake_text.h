@@ -1,5 +1,5 @@
 /*
- * bake_text.h - meshes, and power tables, as a C header: const data for flash.
+ * bake_text.h - meshes, textures and power tables as a C header: const data for flash.
  */
 #ifndef SHEEN_BAKE_TEXT_H
 #define SHEEN_BAKE_TEXT_H
@@ -33,6 +33,9 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake);
 
 /* Likewise of a power table, called `name`. */
 int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const char *name, const char *source);
+
+/* Likewise of a texture. */
+int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, const char *name, const char *source);
 
 /* The identifier that a file's name gives: its base without ending, others than letters and digits as _. */
 void sheen_bake_name(char *name, size_t size, const char *path);

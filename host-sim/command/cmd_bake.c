@@ -1,5 +1,5 @@
 /*
- * cmd_bake.c - `sheen bake`: a mesh, or a power table, as const data for a firmware's flash.
+ * cmd_bake.c - `sheen bake`: a mesh, a matcap or a power table, as const data for a firmware's flash.
  *
  * Triangles keep the file's order, so that of equal depths the same one stays as in
  * a rendered file. The core transforms each vertex once however triangles are
@@ -15,6 +15,7 @@
 #include "bake_text.h"
 #include "builtin.h"
 #include "commands.h"
+#include "matcaps.h"
 #include "out_file.h"
 #include "progress.h"
 #include "report.h"
@@ -30,17 +31,24 @@ struct baking {
     size_t count;
     uint32_t *pictures; /* of each mesh, as its part's */
     struct sheen_texels *texels;
-    struct sheen_shine shine; /* of shine:N, where there is no mesh */
+    struct sheen_shine shine;   /* of shine:N, where there is no mesh; */
+    struct sheen_texels matcap; /* of matcap:NAME */
     char name[48];
     char source[640]; /* a file's name has at most 255 bytes, and there may be two */
 };
 
 #define PLANNED_VIEWS 12 /* of a turn */
 #define SHINE "shine:"
+#define MATCAP "matcap:"
 
 static int is_shine(const struct sheen_options *options)
 {
     return strncmp(options->mesh, SHINE, strlen(SHINE)) == 0;
+}
+
+static int is_matcap(const struct sheen_options *options)
+{
+    return strncmp(options->mesh, MATCAP, strlen(MATCAP)) == 0;
 }
 
 /* The n of shine:N, or 0 and *problem. */
@@ -73,6 +81,8 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
                              options->name);
     if (is_shine(options))
         return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    if (is_matcap(options))
+        return SHEEN_OK;
     int error = sheen_turntable_choose(choice, options, problem);
     if (error)
         return error;
@@ -232,6 +242,8 @@ static int write_text(const struct baking *baking, FILE *stream)
 
     if (is_shine(baking->options))
         return sheen_bake_shine_text(stream, &baking->shine, baking->name, baking->source);
+    if (is_matcap(baking->options))
+        return sheen_bake_texture_text(stream, &baking->matcap, baking->name, baking->source);
     return sheen_bake_text(stream, &bake);
 }
 
@@ -297,6 +309,30 @@ static enum sheen_exit bake_shine(struct baking *baking)
     return SHEEN_EXIT_OK;
 }
 
+static enum sheen_exit bake_matcap(struct baking *baking)
+{
+    const struct sheen_options *options = baking->options;
+    const char *name = options->mesh + strlen(MATCAP);
+    struct sheen_problem problem;
+
+    set_name(baking);
+    add_source(baking, "sheen bake " MATCAP "%s", without_folder(name));
+    if (options->bilinear)
+        add_source(baking, " --filter bilinear");
+    if (options->palette)
+        add_source(baking, " --palette %d", options->palette);
+    int error = sheen_matcap_load(&baking->matcap, name, (unsigned)options->palette, options->bilinear, &problem);
+    if (!error)
+        error = sheen_textures_out(options, &baking->matcap, 1, &problem);
+    if (!error)
+        error = write_header(baking, &problem);
+    if (!error)
+        printf("%s: a matcap of %ux%u texels\nflash: %zu B\n", baking->name, 1u << baking->matcap.texture.width_log2,
+               1u << baking->matcap.texture.height_log2, sheen_texels_bytes(&baking->matcap));
+    sheen_texels_free(&baking->matcap);
+    return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
+}
+
 static int bake(struct baking *baking, struct sheen_problem *problem)
 {
     const struct sheen_options *options = baking->options;
@@ -330,6 +366,8 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
     if (is_shine(options))
         return bake_shine(&baking);
+    if (is_matcap(options))
+        return bake_matcap(&baking);
     int error = bake(&baking, &problem);
     if (!error) {
         report(&baking);

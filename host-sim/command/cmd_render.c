@@ -92,6 +92,13 @@ static int render(struct sheen_turntable *table, struct sheen_problem *problem)
     return error;
 }
 
+static int textures_out(const struct sheen_scene *scene, struct sheen_problem *problem)
+{
+    if (sheen_scene_shading(scene) >= SHEEN_MATCAP)
+        return sheen_textures_out(scene->options, &scene->matcap, 1, problem);
+    return sheen_textures_out(scene->options, scene->texels, scene->texel_count, problem);
+}
+
 enum sheen_exit sheen_cmd_render(struct sheen_options *options)
 {
     struct sheen_turntable table;
@@ -103,7 +110,7 @@ enum sheen_exit sheen_cmd_render(struct sheen_options *options)
     int error = sheen_turntable_open(&table, options, &choice, &problem);
     int is_usage = table.scene.is_usage;
     if (!error)
-        error = sheen_textures_out(options, table.scene.texels, table.scene.texel_count, &problem);
+        error = textures_out(&table.scene, &problem);
     if (!error)
         error = render(&table, &problem);
     sheen_turntable_close(&table);

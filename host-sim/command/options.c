@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "matcaps.h"
+
 #define AT(field) offsetof(struct sheen_options, field)
 #define ANY 1e300 /* an angle may be any finite number */
 
@@ -30,11 +32,14 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_DRAWS | SHEEN_FIRST_LIGHT, AT(size), 0, 0, 0},
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
-    {"shade", "flat|gouraud|phong|slerp", "phong",
+    {"shade", "flat|gouraud|phong|slerp|matcap|matcap-vertex", "phong",
      "flat: a normal a polygon; gouraud: light at the corners, and the default where a texture is shown; phong: "
-     "normals "
-     "at the pixels; slerp: along great arcs",
+     "normals at the pixels; slerp: along great arcs; matcap, at the pixels or the corners: a picture of a lit sphere "
+     "in place of light and textures",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS, AT(shade), 0, 0, 0},
+    {"matcap", SHEEN_MATCAP_NAMES "|FILE", "glaze",
+     "the sphere: one of these, or a square picture, PNG or JPEG, reduced to 64 texels a side", SHEEN_OPTION_TEXT,
+     SHEEN_DRAWS, AT(matcap), 0, 0, 0},
     {"yaw", "DEG", "30", "turn of the mesh about y, first", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(yaw), -ANY, ANY, 0},
     {"pitch", "DEG", "20", "then about x", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(pitch), -ANY, ANY, 0},
     {"roll", "DEG", "0", "then about z", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(roll), -ANY, ANY, 0},

@@ -71,6 +71,7 @@ struct sheen_options {
     int wrap;                /* enum sheen_wrap_option */
     int texture_log2;        /* of texels a side, 0..9 */
     int palette;             /* 0, or 2..256 values */
+    const char *matcap;      /* a name of sheen_matcap_named, or a picture's path */
     const char *texture_out; /* NULL: not given */
     double alpha_cutoff;     /* below 0: not given */
     const char *name;        /* bake: of the mesh, a C identifier; NULL: from the output's name */

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "matcaps.h"
+
 static sheen_q16_t to_q16(double x)
 {
     return (sheen_q16_t)lround(x * 65536);
@@ -45,7 +47,8 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     scene->meshes = calloc(host->part_count, sizeof *scene->meshes);
     scene->materials = calloc(host->part_count, sizeof *scene->materials);
     scene->own_color = calloc(host->part_count, sizeof *scene->own_color);
-    if (!scene->meshes || !scene->materials || !scene->own_color)
+    scene->own_texture = calloc(host->part_count, sizeof *scene->own_texture);
+    if (!scene->meshes || !scene->materials || !scene->own_color || !scene->own_texture)
         return SHEEN_ERR_MEMORY;
     int error = sheen_shine_make(&scene->shine, (unsigned)scene->options->shininess);
     if (error)
@@ -59,7 +62,7 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
         struct sheen_material *material = &scene->materials[scene->count];
         set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
         if (host->part[i].picture)
-            material->texture = &scene->texels[host->part[i].picture - 1].texture;
+            scene->own_texture[scene->count] = &scene->texels[host->part[i].picture - 1].texture;
         scene->own_color[scene->count++] = (uint8_t)use_group;
     }
     return SHEEN_OK;
@@ -117,12 +120,15 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     if (!error)
         error = make_meshes(scene, &host);
     sheen_host_mesh_free(&host);
-    scene->is_usage = !error && scene->texel_count && options->shade_given && options->shade > SHEEN_GOURAUD;
+    scene->is_usage = !error && scene->texel_count && options->shade_given && options->shade > SHEEN_GOURAUD &&
+                      options->shade < SHEEN_MATCAP;
     if (scene->is_usage)
         return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
                              "--shade: %s shows a texture, which is lit flat or gouraud; --texture off shows none",
                              options->mesh);
-    return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
+    if (error)
+        return sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error));
+    return sheen_matcap_load(&scene->matcap, options->matcap, (unsigned)options->palette, options->bilinear, problem);
 }
 
 void sheen_scene_look(struct sheen_scene *scene)
@@ -147,15 +153,17 @@ void sheen_scene_look(struct sheen_scene *scene)
     }
 }
 
-/* What has no colour of its own: as asked for, else what shows best on the target. */
+/* What shows texels takes them; what has no colour of its own is as asked for, else as shows best. */
 static void paint(struct sheen_scene *scene)
 {
     static const uint8_t white[3] = {255, 255, 255};
     const struct sheen_paint *paint = &scene->options->color;
-    int is_white = scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count;
+    const int is_matcap = scene->options->shade >= SHEEN_MATCAP;
+    const int is_white = scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count || is_matcap;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_material *material = &scene->materials[i];
+        material->texture = is_matcap ? &scene->matcap.texture : scene->own_texture[i];
         if (scene->own_color[i])
             continue;
         memcpy(material->base, is_white && !paint->given ? white : paint->color, sizeof material->base);
@@ -199,7 +207,6 @@ int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *t
 {
     scene->target = target;
     sheen_scene_look(scene);
-    paint(scene);
     return make_frame(scene, scene->config.max_clipped);
 }
 
@@ -225,6 +232,8 @@ void sheen_scene_close(struct sheen_scene *scene)
     free(scene->meshes);
     free(scene->materials);
     free(scene->own_color);
+    free(scene->own_texture);
+    sheen_texels_free(&scene->matcap);
     free(scene->arena);
     memset(scene, 0, sizeof *scene);
 }
@@ -235,7 +244,7 @@ enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
 {
     enum sheen_shading asked = (enum sheen_shading)scene->options->shade;
 
-    return scene->texel_count && asked > SHEEN_GOURAUD ? SHEEN_GOURAUD : asked;
+    return scene->texel_count && asked > SHEEN_GOURAUD && asked < SHEEN_MATCAP ? SHEEN_GOURAUD : asked;
 }
 
 void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose)
@@ -255,12 +264,13 @@ static int draw_all(struct sheen_scene *scene, int number)
                                 .light_count = (uint8_t)options->lights.count,
                                 .two_sided = (uint8_t)options->two_sided};
 
+    paint(scene);
     sheen_scene_pose(scene, number, &draw.pose);
     int error = sheen_begin(scene->frame, &scene->view);
     for (size_t i = 0; !error && i < scene->count; i++) {
         draw.mesh = &scene->meshes[i].mesh;
         draw.material = &scene->materials[i];
-        draw.shader = draw.material->texture ? textured : sheen_shader_of(shading);
+        draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : sheen_shader_of(shading);
         error = sheen_draw(scene->frame, &draw);
     }
     return error;

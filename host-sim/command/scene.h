@@ -21,7 +21,9 @@ struct sheen_scene {
     size_t count;
     struct sheen_texels *texels; /* the textures that materials point to */
     size_t texel_count;
-    int is_usage; /* 1: the command line is what is wrong, not the mesh */
+    const struct sheen_texture **own_texture; /* of each mesh; NULL: none */
+    struct sheen_texels matcap;               /* in its place where the shading is a matcap */
+    int is_usage;                             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
     /* Where, and the frame's memory. */

@@ -11,13 +11,16 @@ enum sheen_shading {
     SHEEN_GOURAUD,
     SHEEN_PHONG,
     SHEEN_SLERP,
-    SHEEN_SHADINGS
+    SHEEN_SHADINGS, /* of the lecture, lit; beyond: pictures of a lit sphere */
+    SHEEN_MATCAP = SHEEN_SHADINGS,
+    SHEEN_MATCAP_VERTEX,
+    SHEEN_ALL_SHADINGS
 };
 
 static inline const struct sheen_shader *sheen_shader_of(unsigned shading)
 {
-    static const struct sheen_shader *const shader[SHEEN_SHADINGS] = {&sheen_flat, &sheen_gouraud, &sheen_phong,
-                                                                      &sheen_slerp};
+    static const struct sheen_shader *const shader[SHEEN_ALL_SHADINGS] = {
+        &sheen_flat, &sheen_gouraud, &sheen_phong, &sheen_slerp, &sheen_matcap, &sheen_matcap_vertex};
 
     return shader[shading];
 }

@@ -17,8 +17,11 @@ static const char *const way_names[SHEEN_WAYS] = {"flat",
                                                   "phong_root",
                                                   "phong_lights",
                                                   "slerp",
+                                                  "slerp_normals",
                                                   "textured_linear",
-                                                  "textured_quotient"};
+                                                  "textured_quotient",
+                                                  "matcap_quadratic",
+                                                  "matcap_normals"};
 
 static void print_triangles(FILE *stream, const struct sheen_stats *stats, const struct sheen_frame *frame)
 {

@@ -111,3 +111,36 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
 {
     return sheen_mesh_file_read_by(sheen_mesh_format_read, polygons, path, textures, problem);
 }
+
+/* A triangle that shows the picture, so that it is read as a mesh's. */
+static int read_carrier(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
+{
+    if (sheen_polygons_alloc(polygons, 3, 1, 3, 1, SHEEN_WITH_UVS) != SHEEN_OK)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
+    for (uint32_t c = 0; c < 3; c++) {
+        polygons->points[c][0] = polygons->uvs[c][0] = c == 1;
+        polygons->points[c][1] = polygons->uvs[c][1] = c == 2;
+        polygons->corners[c] = c;
+    }
+    polygons->first[1] = 3;
+    return SHEEN_OK;
+}
+
+int sheen_picture_file_read(struct sheen_picture *picture, const char *path, unsigned most,
+                            struct sheen_problem *problem)
+{
+    const struct sheen_texture_options options = {
+        .file = path, .wrap = SHEEN_ALL_CLAMP, .most = most, .square = 1, .cutoff = 0};
+    struct sheen_polygons polygons;
+    int error = sheen_mesh_file_read_by(read_carrier, &polygons, path, &options, problem);
+
+    memset(picture, 0, sizeof *picture);
+    if (!error && polygons.picture_count != 1)
+        error = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer gave no picture", path);
+    if (!error) {
+        *picture = polygons.picture[0];
+        polygons.picture_count = 0;
+    }
+    sheen_polygons_free(&polygons);
+    return error;
+}

@@ -28,4 +28,11 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
 int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *polygons, const char *path,
                             const struct sheen_texture_options *textures, struct sheen_problem *problem);
 
+/*
+ * A picture alone, square, its sides reduced to `most` (a power of two), in the same child. 0, or a negative code and
+ * *problem. Release with sheen_picture_free in any case.
+ */
+int sheen_picture_file_read(struct sheen_picture *picture, const char *path, unsigned most,
+                            struct sheen_problem *problem);
+
 #endif

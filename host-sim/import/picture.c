@@ -95,8 +95,10 @@ static int finish(const struct sheen_reducing *reducing, struct sheen_image *ima
             texel[k] = sums[ALPHA] ? mean(sums[WEIGHED + k], sums[ALPHA]) : mean(sums[PLAIN + k], area);
         texel[3] = mean(sums[ALPHA], area);
     }
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         image->size[k] = (uint16_t)reducing->to[k];
+        image->from[k] = (uint16_t)reducing->from[k];
+    }
     return SHEEN_OK;
 }
 

@@ -19,6 +19,7 @@ enum {
 
 struct sheen_image {
     uint16_t size[2]; /* width, height: powers of two up to SHEEN_TEXTURE_MAX */
+    uint16_t from[2]; /* px, of the file */
     uint8_t *rgba;    /* 4 a texel, rows from the top; release with free() */
 };
 

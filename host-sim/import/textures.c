@@ -131,6 +131,11 @@ static int read_picture(struct sheen_picture *picture, const struct sheen_textur
         error = sheen_image_read(&image, picture->bytes ? picture->bytes : file.bytes,
                                  picture->bytes ? picture->count : file.count, most, picture->name, problem);
     sheen_bytes_free(&file);
+    if (!error && options->square && image.from[0] != image.from[1]) {
+        free(image.rgba);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: not square but %ux%u", picture->name, image.from[0],
+                             image.from[1]);
+    }
     for (int k = 0; !error && k < 2; k++) {
         if (picture->wrap[k] == SHEEN_WRAP_MIRROR && options->most > 1)
             error = unfold(&image, k);

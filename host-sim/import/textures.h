@@ -17,6 +17,7 @@ struct sheen_texture_options {
     const char *file; /* a picture for every face that has uv; NULL: the mesh's own */
     int wrap;         /* enum sheen_wrap_option */
     unsigned most;    /* texels a side: a power of two, 1..512; 0: no textures at all */
+    int square;       /* 1: one that is not is refused */
     double cutoff;    /* in place of every texture's; below 0: none */
 };
 

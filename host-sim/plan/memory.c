@@ -53,14 +53,17 @@ static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *recor
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       const struct sheen_panel_record *record)
 {
-    const enum sheen_shading shade = sheen_scene_shading(scene);
+    const int is_matcap = sheen_scene_shading(scene) >= SHEEN_MATCAP;
+    const enum sheen_shading shade = is_matcap ? SHEEN_GOURAUD : sheen_scene_shading(scene);
 
     flash->core = sheen_plan_core_flash[cpu][0][shade];
     flash->panel = record ? sheen_plan_panel_flash[cpu][0][driver_kind(record)] : 0;
     flash->mesh = flash->textures = 0;
     for (size_t i = 0; i < scene->count; i++)
         flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1);
-    for (size_t i = 0; i < scene->texel_count; i++)
+    if (is_matcap)
+        flash->textures = (uint32_t)sheen_texels_bytes(&scene->matcap);
+    for (size_t i = 0; i < scene->texel_count && !is_matcap; i++)
         flash->textures += (uint32_t)sheen_texels_bytes(&scene->texels[i]);
     flash->tables = scene->options->specular > 0 ? (uint32_t)sizeof scene->shine : 0;
     flash->all = flash->core + flash->panel + flash->mesh + flash->tables + flash->textures;

@@ -128,6 +128,14 @@ static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, 
     return error;
 }
 
+/* What texels cost has not been found: those of matcaps lie on a mesh that is planned as gouraud too. */
+static enum sheen_shading planned_shading(const struct sheen_scene *scene)
+{
+    const enum sheen_shading shading = sheen_scene_shading(scene);
+
+    return shading >= SHEEN_MATCAP ? SHEEN_GOURAUD : shading;
+}
+
 /* Flash, and how it is shaded: of the mesh with its textures. */
 static int take_flash(struct sheen_plan *plan, const struct sheen_target *target, struct sheen_problem *problem)
 {
@@ -138,7 +146,7 @@ static int take_flash(struct sheen_plan *plan, const struct sheen_target *target
     for (unsigned i = 0; !error && (board = sheen_plan_board_at(i)) != NULL; i++)
         sheen_plan_flash(&plan->flash[i], board->cpu, &shown, plan->choice.record);
     plan->is_usage = shown.is_usage;
-    plan->shade = sheen_scene_shading(&shown);
+    plan->shade = planned_shading(&shown);
     sheen_scene_close(&shown);
     return error;
 }
@@ -171,7 +179,8 @@ int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options
     if (!run)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
     turned.yaw_step = 360.0 / views;
-    turned.texture = "off"; /* what texels cost has not been found */
+    turned.texture = "off";
+    turned.shade = turned.shade >= SHEEN_MATCAP ? SHEEN_GOURAUD : turned.shade;
     int error = sheen_plan_open(run, &turned, choice, problem);
     if (!error)
         error = take_flash(plan, run->panel, problem);

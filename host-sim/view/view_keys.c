@@ -82,6 +82,16 @@ static int look_key(struct sheen_viewer *viewer, int key)
     }
 }
 
+/* Textures are lit flat or gouraud alone; after the last shading the first. */
+static int next_shading(const struct sheen_scene *scene)
+{
+    const int shading = (int)sheen_scene_shading(scene);
+
+    if (scene->texel_count && shading == SHEEN_GOURAUD)
+        return SHEEN_MATCAP;
+    return (shading + 1) % SHEEN_ALL_SHADINGS;
+}
+
 /* Keys that change what is drawn. 1 where it is one. */
 static int scene_key(struct sheen_viewer *viewer, int key)
 {
@@ -89,8 +99,7 @@ static int scene_key(struct sheen_viewer *viewer, int key)
 
     switch (key) {
     case 's':
-        options->shade = (sheen_scene_shading(&viewer->table.scene) + 1) %
-                         (viewer->table.scene.texel_count ? SHEEN_GOURAUD + 1 : SHEEN_SLERP + 1);
+        options->shade = next_shading(&viewer->table.scene);
         return 1;
     case 'l':
         turn_lights(&options->lights);

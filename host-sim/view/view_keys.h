@@ -9,7 +9,7 @@
     "  n           stop; the next frame\n"                                                                             \
     "  b           stop; the next band, as the bus sends it\n"                                                         \
     "  arrows      turn and tilt the mesh\n"                                                                           \
-    "  s           shading: flat, gouraud, phong, slerp\n"                                                             \
+    "  s           shading: flat, gouraud, phong, slerp, matcap, matcap-vertex\n"                                      \
     "  l           turn the lights by 30 degrees\n"                                                                    \
     "  d           dither or not\n"                                                                                    \
     "  a           shading linear in space, or on the screen\n"                                                        \

@@ -24,7 +24,8 @@ static void put_frame(const struct sheen_viewer *viewer, char *text, size_t size
 
 void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size)
 {
-    static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
+    static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
+                                                             "slerp", "matcap",  "matcap-vertex"};
     const struct sheen_turntable *table = &viewer->table;
     const struct sheen_view *view = &table->scene.view;
     char frame[80];

@@ -95,6 +95,16 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
                : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer gave no answer, or one too large", path);
 }
 
+int sheen_picture_file_read(struct sheen_picture *picture, const char *path, unsigned most,
+                            struct sheen_problem *problem)
+{
+    (void)most;
+    *picture = (struct sheen_picture){.name = NULL};
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                         "%s: matcaps of files are for the command sheen, a page has glaze, chrome, clay and jade",
+                         path);
+}
+
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
                    int keeps_joins, double *error, struct sheen_problem *problem)
 {

@@ -60,7 +60,7 @@ static int measure(const struct frame *frame, int band_rows, int dither)
 /* Without and with dither, which unlit texels are without, and in one band. */
 static void measure_all(const struct frame *frame)
 {
-    const int lit = frame->texture != BENCH_UNLIT && frame->texture != BENCH_BILINEAR;
+    const int lit = frame->texture != BENCH_UNLIT && frame->texture < BENCH_BILINEAR;
 
     if (measure(frame, 16, 0) < 0 || (lit && measure(frame, 16, 1) < 0) || measure(frame, BENCH_HEIGHT, 0) < 0)
         guest_leave(1);
@@ -69,8 +69,9 @@ static void measure_all(const struct frame *frame)
 void guest_main(void)
 {
     static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
-    static const char *const texture_name[] = {"", "textured_unlit", "textured_lit", "textured_glossy",
-                                               "textured_bilinear"};
+    static const char *const texture_name[] = {
+        "",       "textured_unlit", "textured_lit",   "textured_glossy", "textured_bilinear",
+        "matcap", "matcap_vertex",  "matcap_bilinear"};
 
     guest_check_counter();
     for (int i = 0; i < BENCH_SCENES; i++) {
@@ -80,7 +81,7 @@ void guest_main(void)
             measure_all(&frame);
         }
         frame.shading = SHEEN_GOURAUD;
-        for (frame.texture = BENCH_UNLIT; frame.texture <= BENCH_BILINEAR && i % 2 == 0; frame.texture++) {
+        for (frame.texture = BENCH_UNLIT; frame.texture <= BENCH_MATCAP_BILINEAR && i % 2 == 0; frame.texture++) {
             frame.name = texture_name[frame.texture];
             measure_all(&frame);
         }

@@ -38,11 +38,11 @@ static const struct sheen_texture bilinear = {
 
 static void show_texture(struct sheen_material *material, enum bench_texture texture)
 {
-    material->texture = texture == BENCH_BILINEAR ? &bilinear : &nearest;
+    material->texture = texture == BENCH_BILINEAR || texture == BENCH_MATCAP_BILINEAR ? &bilinear : &nearest;
     material->base[0] = material->base[1] = material->base[2] = 255;
     if (texture != BENCH_GLOSSY)
         material->specular = 0;
-    if (texture == BENCH_UNLIT || texture == BENCH_BILINEAR) {
+    if (texture == BENCH_UNLIT || texture >= BENCH_BILINEAR) {
         material->ambient = SHEEN_Q16(1);
         material->diffuse = 0;
     }
@@ -61,6 +61,15 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
     return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
 
+static const struct sheen_shader *shader_of(const struct bench *bench)
+{
+    if (bench->texture == BENCH_PLAIN)
+        return sheen_shader_of(bench->shading);
+    return bench->texture < BENCH_MATCAP           ? &sheen_textured
+           : bench->texture == BENCH_MATCAP_VERTEX ? &sheen_matcap_vertex
+                                                   : &sheen_matcap;
+}
+
 /* Clear, transform, light, raster, up to the target's call. */
 static int run(struct bench *bench, int frame)
 {
@@ -70,7 +79,7 @@ static int run(struct bench *bench, int frame)
                                 .material = &bench->material,
                                 .lights = &light,
                                 .light_count = 1,
-                                .shader = bench->texture ? &sheen_textured : sheen_shader_of(bench->shading),
+                                .shader = shader_of(bench),
                                 .pose = bench->scene->pose[frame]};
     int status = sheen_begin(bench->frame, &view);
 

@@ -41,7 +41,10 @@ enum bench_texture {
     BENCH_UNLIT,
     BENCH_LIT,
     BENCH_GLOSSY,
-    BENCH_BILINEAR /* unlit */
+    BENCH_BILINEAR, /* unlit */
+    BENCH_MATCAP,   /* by the normal, in place of uv and light */
+    BENCH_MATCAP_VERTEX,
+    BENCH_MATCAP_BILINEAR
 };
 
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */

@@ -144,8 +144,13 @@ static void color(const struct ref_scene *scene, const struct ref_picture *pictu
         ref_texture_point(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, at);
         (void)ref_texture_color(scene->texture, at, texel);
     }
-    ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &diffuse, &pixel->specular);
-    pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
+    if (scene->texels == REF_TEXELS_UV) {
+        ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &diffuse, &pixel->specular);
+        pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
+    } else {
+        diffuse = 1;
+        pixel->specular = 0;
+    }
     for (int k = 0; k < 3; k++)
         pixel->color[k] = fmin(fmax(base[k] * texel[k] * diffuse + scene->highlight[k] * pixel->specular, 0), 1);
 }

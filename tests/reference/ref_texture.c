@@ -28,15 +28,40 @@ static void colour_of(uint16_t value, double color[3])
     color[2] = (value & 31) / 31.0;
 }
 
+/* 0..1 across and down the picture of a sphere that has this normal. */
+static void on_sphere(const double normal[3], double uv[2])
+{
+    uv[0] = (1 + normal[0]) / 2;
+    uv[1] = (1 - normal[1]) / 2;
+}
+
+static void matcap_point(const struct ref_scene *scene, const struct ref_piece *piece, const double b[3], double uv[2])
+{
+    double normal[3] = {0, 0, 0};
+
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++)
+            normal[k] += b[i] * piece->normal[i][k];
+    if (scene->texels == REF_TEXELS_NORMAL && ref_normalize(normal) < 1e-12)
+        normal[0] = normal[1] = normal[2] = 0;
+    on_sphere(normal, uv); /* of corners' normals linear between is the same, x and y being linear in it */
+    for (int i = 0; i < 2; i++)
+        uv[i] = fmin(fmax(uv[i], 0), 1);
+}
+
 void ref_texture_point(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y,
                        double texels[2])
 {
     const double size[2] = {scene->texture->width, scene->texture->height};
-    double b[3];
+    double b[3], uv[2];
 
     ref_weights(scene, piece, x, y, b);
     for (int i = 0; i < 2; i++)
-        texels[i] = size[i] * (b[0] * piece->uv[0][i] + b[1] * piece->uv[1][i] + b[2] * piece->uv[2][i]);
+        uv[i] = b[0] * piece->uv[0][i] + b[1] * piece->uv[1][i] + b[2] * piece->uv[2][i];
+    if (scene->texels != REF_TEXELS_UV)
+        matcap_point(scene, piece, b, uv);
+    for (int i = 0; i < 2; i++)
+        texels[i] = size[i] * uv[i];
 }
 
 static uint16_t nearest(const struct ref_texture *t, const double at[2])

@@ -95,6 +95,13 @@ enum ref_ramp {
 };
 #define REF_RAMP_STEPS 256 /* of the table from L.N = -1 to 1, linear in between */
 
+/* Where a pixel's texel is. */
+enum ref_texels {
+    REF_TEXELS_UV = 0,        /* at the mesh's uv */
+    REF_TEXELS_NORMAL,        /* matcap: at ((1 + x) / 2, (1 - y) / 2) of the pixel's normal, in place of light */
+    REF_TEXELS_CORNER_NORMALS /* likewise of the corners' normals, linear between */
+};
+
 #define REF_MAX_LIGHTS 4
 #define REF_GUARD_PX 511.0 /* the guard band: pixels from the picture's centre */
 
@@ -116,7 +123,8 @@ struct ref_scene {
     double base[3], highlight[3], background[3];
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
-    const struct ref_texture *texture; /* NULL: none; flat or Gouraud, the mesh has uv */
+    const struct ref_texture *texture; /* NULL: none; by uv: flat or Gouraud, the mesh has uv; else Phong */
+    enum ref_texels texels;
 };
 
 /* The defaults of the command line: 320x240, yaw 30, pitch 20, Phong, 565 without dither. */

@@ -1,0 +1,261 @@
+/*
+ * matcap.c - a picture of a lit sphere in place of light: a pixel takes the texel where the sphere has its normal.
+ *
+ * Texel coordinates are (1 + x) / 2 and (1 - y) / 2 of the unit normal before the eye, and x and y are what L.N is of
+ * two lights along the eye's axes: as Phong's they are quadratic over a triangle whose corner normals nearly agree,
+ * linear where they are closer still, else the normal itself is linear and a root is taken at the ends of blocks. By
+ * vertex the coordinates are linear in space.
+ */
+#include "matcap.h"
+#include "../triangle/normal.h"
+#include "../triangle/reflection.h"
+
+SETUP_FITS(struct matcap_setup);
+
+static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye = 1},
+                                               {.to = {0, 1 << 30, 0}, .with_eye = 1}};
+
+#define MATCAP_LEAN 32768   /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
+#define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px and more what a quadric is off by is that of many pixels */
+
+/* |Ni - Nj|^2, UQ2.30, up to which quadratic is within 1/24 texel, of 64 texels a side or less, 128, 256 and 512. */
+static const uint32_t widest_quadratic[4] = {189000000u, 119000000u, 75000000u, 47000000u};
+
+/* The material's colour is all the light that there is. */
+static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format)
+{
+    struct sheen_material unlit = {.base = {material->base[0], material->base[1], material->base[2]},
+                                   .ambient = 1 << 16};
+
+    unlit.texture = material->texture;
+    sheen_texel_begin(&d->texel, format, &unlit, 0, 0);
+}
+
+/* A vertex keeps x and y of its normal, 1.0 added so that pieces may be between: UQ1.15. */
+static void matcap_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
+{
+    for (int i = 0; i < 2; i++)
+        kept[i] = (uint16_t)(32768 + cosine_of(normal, d->light.to[i]));
+}
+
+/* x and -y of the normals at the corners, as seen: Q0.15. */
+static void corner_cosines(int32_t cosine[2][3], const struct surface_corners *c)
+{
+    for (int k = 0; k < 3; k++) {
+        const struct vertex *v = c->at.v[k];
+        const int turned = c->back && (v->flags & LIT_AS_SEEN) == 0;
+        const int32_t x = v->kept[0] - 32768, y = v->kept[1] - 32768;
+        cosine[0][k] = turned ? -x : x;
+        cosine[1][k] = turned ? y : -y;
+    }
+}
+
+static unsigned size_of(const struct draw *d, int i)
+{
+    const struct sheen_texture *t = d->texel.texture;
+
+    return i == 0 ? t->width_log2 : t->height_log2;
+}
+
+/* Texels of x and -y, inside the picture, and light. */
+static void corner_texels(const struct draw *d, int32_t cosine[2][3], struct at_corners at[4])
+{
+    for (int i = 0; i < 2; i++) {
+        const unsigned size = size_of(d, i);
+        const int32_t most = (1 << (16 + size)) - MATCAP_EDGE;
+        for (int k = 0; k < 3; k++)
+            at[i].f[k] = max32(MATCAP_EDGE, min32((cosine[i][k] + 32768) * (1 << size) + BORDER_BIAS, most));
+    }
+    for (int k = 0; k < 3; k++) {
+        at[2].f[k] = texel_light(&d->texel, 0);
+        at[3].f[k] = 0;
+    }
+}
+
+/* No coordinate leaves the picture: what is beyond its edges does not matter, but to bilinear. */
+static enum textured_pixels matcap_pixels(const struct draw *d)
+{
+    const struct texel_terms *terms = &d->texel;
+    const struct sheen_texture *t = terms->texture;
+    const int is_usual = d->is_565 && (t->bits & 15) == 0 && !t->keyed && t->width_log2 + t->height_log2 <= 16;
+
+    return is_usual && !t->bilinear && terms->unlit ? TEXTURED_UNLIT : TEXTURED_ANY;
+}
+
+/* ---- quadratic ---- */
+
+/* 1 where the quadric might leave the picture: within the triangle it is less than a sixth of k above the corners. */
+static int may_leave(const int32_t f[3], const int32_t k[3])
+{
+    const int32_t most = max32(max32(f[0], f[1]), f[2]), least = min32(min32(f[0], f[1]), f[2]);
+    const uint32_t bend = magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]);
+
+    return max32(most, -least) + (int32_t)(bend >> 1) > 32768 - 64;
+}
+
+/* About the largest block whose length squared times `rate` stays below 2^bits, bits <= 29. */
+static uint8_t block_of(uint32_t rate, unsigned bits)
+{
+    const unsigned drop = bits > 21 ? bits - 21 : 0; /* LARGEST_BLOCK squared is 2^10 */
+    uint32_t count = LARGEST_BLOCK;
+
+    if (rate >> bits != 0)
+        return 1;
+    rate = (rate >> drop) + 1;
+    while (count > 1 && rate * count * count > 1u << (bits - drop))
+        count -= (count >> 3) + 1;
+    return (uint8_t)count;
+}
+
+/* A block's middle is off by 1/8 of its length squared times the second difference: within 1/32 texel. */
+static uint8_t quadric_block(const struct quadric quadric[2], unsigned size)
+{
+    const uint32_t u = magnitude32((int32_t)quadric[0].dxx), v = magnitude32((int32_t)quadric[1].dxx);
+
+    return block_of(u > v ? u : v, 29 - size);
+}
+
+/* 0: normals or weights are too far apart, the triangle is a needle or too small, or the picture might be left. */
+static int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
+                            int32_t cosine[2][3], const uint32_t h[3])
+{
+    struct quadric_steps steps;
+    int32_t lean[3];
+
+    if (g->bits > MAGNIFIED_MATCAP || !sheen_leans(lean, c, MATCAP_LEAN) || !sheen_quadric_steps(&steps, g))
+        return 0;
+    for (int i = 0; i < 2; i++) {
+        const int32_t *f = cosine[i];
+        const int32_t k[3] = {sheen_cosine_excess(f[0], f[1], (int32_t)(h[0] >> 14), lean[0]),
+                              sheen_cosine_excess(f[0], f[2], (int32_t)(h[1] >> 14), lean[1]),
+                              sheen_cosine_excess(f[1], f[2], (int32_t)(h[2] >> 14), lean[2])};
+        const uint32_t bias = (uint32_t)BORDER_BIAS << (15 - size_of(m->s.draw, i));
+        if (may_leave(f, k))
+            return 0;
+        sheen_corner_quadric(&m->quadric[i], &steps, ((uint32_t)(f[0] + 32768) << 15) + bias, (f[1] - f[0]) * 2,
+                             (f[2] - f[0]) * 2, k);
+    }
+    m->x = (int16_t)g->origin[0];
+    m->y = (int16_t)g->origin[1];
+    m->s.way = SHEEN_WAY_MATCAP_QUADRATIC;
+    m->s.rows = sheen_matcap_quadric_rows;
+    return 1;
+}
+
+/* ---- normals ---- */
+
+/* |x| <= 2^15. */
+static uint32_t part_square(int32_t x)
+{
+    return (uint32_t)(x * x);
+}
+
+/*
+ * N.N over the triangle is at least the least one of a corner less a quarter of the largest |Ni - Nj|^2, where that
+ * lies across an obtuse angle, else a third. At that length the normal turns by |Nx| / |N| a px, whose square bounds
+ * its second difference.
+ */
+static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsigned size)
+{
+    uint32_t least = UINT32_MAX, apart = 0, sum = 0, step = 0;
+
+    for (int k = 0; k < 3; k++) { /* UQ2.30 */
+        const int j = k == 2 ? 0 : k + 1;
+        uint32_t square = part_square(n[0][k]) + part_square(n[1][k]) + part_square(n[2][k]);
+        uint32_t edge = (part_square(asr32(n[0][k] - n[0][j], 1)) + part_square(asr32(n[1][k] - n[1][j], 1)) +
+                         part_square(asr32(n[2][k] - n[2][j], 1))) >>
+                        1; /* an eighth of it */
+        least = square < least ? square : least;
+        apart = edge > apart ? edge : apart;
+        sum += edge;
+        if (magnitude32((int32_t)normal[k].dx) >= 1u << 25)
+            return 1;
+        step += part_square(asr32((int32_t)normal[k].dx, 10)); /* UQ.40 */
+    }
+    apart = 2 * apart >= sum ? 2 * apart : apart / 3 * 8;
+    least = least > apart ? least - apart : 0;
+    if (least >> 15 == 0)
+        return 1;
+    return block_of(step / (least >> 15), 24 - size); /* of UQ.25 */
+}
+
+static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
+{
+    const struct lighting *l = &m->s.draw->light;
+    const sheen_q30_t *const axis[3] = {l->to[0], l->to[1], l->view};
+    int32_t w[3], n[3][3];
+
+    sheen_corner_weights(c, w);
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            int32_t x = cosine_of(c->at.normal[k], axis[i]);
+            n[i][k] = c->back ? -x : x;
+        }
+        m->normal[i] = sheen_weighted_plane(g, w, n[i]);
+        for (int k = 0; k < 3; k++)
+            n[i][k] = asr32(w[k] * n[i][k], 15);
+    }
+    const struct sheen_texture *t = m->s.draw->texel.texture;
+    m->s.detail = normal_block(m->normal, n, t->width_log2 > t->height_log2 ? t->width_log2 : t->height_log2);
+    m->s.way = SHEEN_WAY_MATCAP_NORMALS;
+    m->s.rows = sheen_matcap_normal_rows;
+}
+
+/* ---- the choice ---- */
+
+static void matcap_vertex_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    struct at_corners at[4];
+    int32_t cosine[2][3];
+
+    corner_cosines(cosine, c);
+    corner_texels(s->draw, cosine, at);
+    sheen_setup_textured(s, c, g, at, 1);
+    s->fast = (uint8_t)matcap_pixels(s->draw);
+}
+
+/* An arc's middle lies t^2 / 8 above its chord: 1/32 texel. */
+static uint32_t widest_linear(unsigned size)
+{
+    return 1u << (29 - size);
+}
+
+/* 0: linear is good enough. Apart: linear's way has no stack to spare. */
+static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    struct matcap_setup *m = (struct matcap_setup *)s;
+    const unsigned size = (unsigned)max32((int32_t)size_of(s->draw, 0), (int32_t)size_of(s->draw, 1));
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
+    uint32_t h[3], apart = sheen_normals_apart(c, h);
+    int32_t cosine[2][3];
+
+    if (apart <= widest_linear(size) && !piece)
+        return 0;
+    s->fast = (uint8_t)matcap_pixels(s->draw);
+    corner_cosines(cosine, c);
+    if (!piece && apart <= widest_quadratic[size > 6 ? size - 6 : 0] && quadratic_matcap(m, c, g, cosine, h))
+        s->detail = quadric_block(m->quadric, size);
+    else
+        normal_matcap(m, c, g);
+    return 1;
+}
+
+static void matcap_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    if (g == NULL || !curved_matcap(s, c, g))
+        matcap_vertex_setup(s, c, g);
+}
+
+const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
+                                          .light = matcap_light,
+                                          .setup = matcap_setup,
+                                          .axes = eye_axes,
+                                          .needs_normals = 1,
+                                          .needs_texture = 1};
+
+const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
+                                                 .light = matcap_light,
+                                                 .setup = matcap_vertex_setup,
+                                                 .axes = eye_axes,
+                                                 .needs_normals = 1,
+                                                 .needs_texture = 1};

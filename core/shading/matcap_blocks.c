@@ -1,0 +1,171 @@
+/*
+ * matcap_blocks.c - rows of matcaps by blocks: between its ends texel coordinates are linear.
+ */
+#include "../math/newton.h"
+#include "matcap.h"
+
+/* Columns of a row that are left to draw. */
+struct row_left {
+    struct texel_run run; /* its next pixel */
+    int32_t left;
+    struct texel_at at, step;
+};
+
+/* 0: the row is empty. */
+static int row_begin(struct row_left *r, const struct tile *t, const struct setup *s, unsigned row)
+{
+    const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
+
+    r->left = t->spans[row].x1 - x;
+    sheen_textured_begin(&r->run, t, s);
+    r->run.depth = t->depth + tile_offset(t, x, y);
+    r->run.x = x;
+    r->run.y = y;
+    r->at = (struct texel_at){plane_at(&s->depth, x, y), 0, 0, (uint32_t)texel_light(&s->draw->texel, 0), 0};
+    r->step = (struct texel_at){s->depth.dx, 0, 0, 0, 0};
+    return r->left > 0;
+}
+
+static void put_block(struct row_left *r, int32_t count)
+{
+    r->run.count = count;
+    sheen_textured_step(&r->run, &r->step);
+    sheen_textured_run(&r->run, &r->at);
+    r->left -= count;
+    r->run.x += count;
+    r->run.depth += count;
+    r->at.z += (uint32_t)count * r->step.z;
+}
+
+/* ---- quadratic ---- */
+
+/* A coordinate along a row: at a pixel, what the next one has more, and what that has more each time. */
+struct curve {
+    uint32_t value, step, bend;
+};
+
+/* To before the end of a block of `count` px, whose step is returned. */
+static uint32_t curve_on(struct curve *c, uint32_t count)
+{
+    const uint32_t step = c->step + (uint32_t)asr32((int32_t)((count - 1) * c->bend), 1);
+
+    c->value += count * c->step + count * (count - 1) / 2 * c->bend;
+    c->step += count * c->bend;
+    return step;
+}
+
+void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
+{
+    const struct matcap_setup *m = (const struct matcap_setup *)s;
+    const struct sheen_texture *texture = s->draw->texel.texture;
+    const unsigned down_u = 15u - texture->width_log2, down_v = 15u - texture->height_log2;
+    const int32_t size = s->detail;
+    struct quadric qu = sheen_quadric_from(&m->quadric[0], t->first_row - m->y);
+    struct quadric qv = sheen_quadric_from(&m->quadric[1], t->first_row - m->y);
+    struct row_left r;
+    struct curve u, v;
+
+    for (unsigned row = 0; row < t->rows; row++, quadric_down(&qu), quadric_down(&qv)) {
+        if (!row_begin(&r, t, s, row))
+            continue;
+        quadric_run(&qu, r.run.x - m->x, &u.value, &u.step, &u.bend);
+        quadric_run(&qv, r.run.x - m->x, &v.value, &v.step, &v.bend);
+        while (r.left > 0) {
+            const int32_t count = min32(r.left, size);
+            r.at.u = u.value >> down_u;
+            r.at.v = v.value >> down_v;
+            r.step.u = (uint32_t)asr32((int32_t)curve_on(&u, (uint32_t)count), down_u);
+            r.step.v = (uint32_t)asr32((int32_t)curve_on(&v, (uint32_t)count), down_v);
+            put_block(&r, count);
+        }
+    }
+}
+
+/* ---- normals ---- */
+
+/* Where a block ends: the normal there and its texel. */
+struct block_end {
+    uint32_t n[3];
+    uint32_t u, v;
+};
+
+/* (1 + x) / 2 of the picture's 2^size texels, Q16.16, held inside; x: Q0.15. Bilinear: at the outer texels' middles. */
+static uint32_t texel_at_cosine(int32_t x, unsigned size, unsigned bilinear)
+{
+    const int32_t edge = bilinear ? 1 << 15 : MATCAP_EDGE, at = (x + 32768) * (1 << size) + BORDER_BIAS;
+
+    return (uint32_t)max32(edge, min32(at, (1 << (16 + size)) - edge));
+}
+
+/*
+ * The texel of e->n, of any length; the middle where it has none. Range: parts are below 2^15, the largest 2^14 or
+ * more, so a part times half of the root is at most 2^30.
+ */
+static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
+{
+    uint32_t all = magnitude32((int32_t)e->n[0]) | magnitude32((int32_t)e->n[1]) | magnitude32((int32_t)e->n[2]);
+    unsigned up = 0;
+    int32_t x = 0, y = 0;
+
+    if (all >= 1u << 10) {
+        int32_t n[3];
+        for (; all < 1u << 30; all <<= 1)
+            up++;
+        for (int i = 0; i < 3; i++)
+            n[i] = asr32((int32_t)(e->n[i] << up), 16);
+        const uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
+        const unsigned quarter = square < 1u << 30 ? 2 : 0;
+        const int32_t root = (int32_t)(root_seed(square << quarter >> 1) >> 1);
+        x = asr32(n[0] * root, 15 - quarter / 2);
+        y = asr32(n[1] * root, 15 - quarter / 2);
+    }
+    e->u = texel_at_cosine(x, t->width_log2, t->bilinear);
+    e->v = texel_at_cosine(-y, t->height_log2, t->bilinear);
+}
+
+/* 2^16 / count. */
+static const uint16_t shares[LARGEST_BLOCK + 1] = {
+    0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192, 7282, 6554, 5958, 5461, 5041, 4681, 4369, 4096,
+    3855, 3641, 3449,  3277,  3121,  2979,  2849,  2731, 2621, 2521, 2427, 2341, 2260, 2185, 2114, 2048};
+
+static uint32_t share_to(uint32_t from, uint32_t to, int32_t count)
+{
+    const int32_t difference = (int32_t)(to - from);
+
+    return (uint32_t)(count == 1 ? difference : mul_16_32(shares[count], difference));
+}
+
+/* The row's last block ends in its last pixel: beyond, there may be no normal. */
+static void normal_row(const struct matcap_setup *m, struct row_left *r)
+{
+    const struct sheen_texture *t = m->s.draw->texel.texture;
+    const int32_t size = m->s.detail;
+    struct block_end e;
+
+    for (int i = 0; i < 3; i++)
+        e.n[i] = plane_at(&m->normal[i], r->run.x, r->run.y);
+    texel_of_normal(&e, t);
+    while (r->left > 0) {
+        const int32_t to = min32(r->left - 1, size);
+        r->at.u = e.u;
+        r->at.v = e.v;
+        if (to > 0) {
+            for (int i = 0; i < 3; i++)
+                e.n[i] += (uint32_t)to * m->normal[i].dx;
+            texel_of_normal(&e, t);
+            r->step.u = share_to(r->at.u, e.u, to);
+            r->step.v = share_to(r->at.v, e.v, to);
+        }
+        put_block(r, min32(r->left, size));
+    }
+}
+
+void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s)
+{
+    const struct matcap_setup *m = (const struct matcap_setup *)s;
+    struct row_left r;
+
+    for (unsigned row = 0; row < t->rows; row++)
+        if (row_begin(&r, t, s, row))
+            normal_row(m, &r);
+}

@@ -1,0 +1,18 @@
+/*
+ * weighted.c - numbers at the corners times weight, linear on the screen: what is linear in space, times 1/m.
+ */
+#include "normal.h"
+
+void sheen_corner_weights(struct surface_corners *c, int32_t w[3])
+{
+    sheen_weigh(c);
+    for (int k = 0; k < 3; k++)
+        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
+}
+
+struct plane sheen_weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
+{
+    const int32_t f0 = w[0] * x[0];
+
+    return sheen_plane(g, (uint32_t)f0, cut_cosine(w[1] * x[1], f0), cut_cosine(w[2] * x[2], f0), 16);
+}
