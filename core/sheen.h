@@ -146,10 +146,10 @@ int sheen_shine_make(struct sheen_shine *shine, unsigned shininess);
  * where they are named, and with them what reads a ramp.
  */
 struct sheen_ramp {
-    uint16_t value[SHEEN_RAMP_STEPS + 1];   /* at L.N = i / 128 - 1; UQ1.15, at most 1.0 */
-    sheen_q16_t low, span;                  /* span 0: D is low; what diffuse makes of either is held at 16 */
-    uint8_t steep;                          /* D changes by 2^steep a unit of L.N at most, jumps not counted; 0..15 */
     const struct sheen_ramp_reader *reader; /* &sheen_ramp_reader */
+    sheen_q16_t low, span;                  /* span 0: D is low; what diffuse makes of either is held at 4 */
+    uint16_t value[SHEEN_RAMP_STEPS + 1];   /* at L.N = i / 128 - 1; UQ1.15, at most 1.0 */
+    uint8_t steep;                          /* D changes by 2^steep a unit of L.N at most, jumps not counted; 0..15 */
 };
 
 /* What reads ramps. */

@@ -152,7 +152,7 @@ static void test_light_at_a_normal(void **unused)
             for (int j = 0; j < 3; j++)
                 n[j] = (int16_t)lrint(unit[j] / ONE * 32767);
             exact_light(&s, n, &exact_diffuse, &exact_specular, &behind);
-            sheen_light_normal(&s.lighting, power_of(&s.shine), n, &lit);
+            light_normal(&s.lighting, (struct power[]){power_of(&s.shine)}, n, &lit);
             worst_note(&diffuse, (lit.diffuse - exact_diffuse * 32768) / (5 + WEIGHT(s.lighting.diffuse_sum)),
                        "scene %u, normal %d", i, k);
             worst_note(&specular, (lit.specular - exact_specular * 32768) / (22 + WEIGHT(s.lighting.specular_sum)),
@@ -176,7 +176,7 @@ static void test_a_zero_normal_has_no_light(void **unused)
         struct scene s;
         struct lit lit = {1, 1};
         random_scene(&s, &state, i);
-        sheen_light_normal(&s.lighting, power_of(&s.shine), zero, &lit);
+        light_normal(&s.lighting, (struct power[]){power_of(&s.shine)}, zero, &lit);
         assert_true(lit.diffuse == 0 && lit.specular == 0);
     }
 }
@@ -195,7 +195,7 @@ static void test_any_normal(void **unused)
             struct lit lit;
             for (int j = 0; j < 3; j++)
                 n[j] = (int16_t)(k < 8 ? (k >> j & 1) != 0 ? 32767 : -32768 : (int)(int16_t)stage_random(&state));
-            sheen_light_normal(&s.lighting, power_of(&s.shine), n, &lit);
+            light_normal(&s.lighting, (struct power[]){power_of(&s.shine)}, n, &lit);
             assert_true(lit.diffuse <= 32768 && lit.specular <= 32768);
         }
     }

@@ -119,9 +119,9 @@ static void test_lambert_by_a_ramp(void **unused)
         for (int k = 0; k < 3; k++)
             n[k] = (int16_t)(unit[k] / 32769);
         assert_int_equal(sheen_light_begin(&lighting, light, count, pose.rotation, NULL), SHEEN_OK);
-        sheen_light_normal(&lighting, power_of(&sheen_shine_16), n, &plain);
+        light_normal(&lighting, (struct power[]){power_of(&sheen_shine_16)}, n, &plain);
         lighting.ramp = &ramp;
-        sheen_light_normal(&lighting, power_of(&sheen_shine_16), n, &by_ramp);
+        light_normal(&lighting, (struct power[]){power_of(&sheen_shine_16)}, n, &by_ramp);
         assert_in_range(by_ramp.diffuse + SHEEN_MAX_LIGHTS - plain.diffuse, 0, 2 * SHEEN_MAX_LIGHTS);
         assert_int_equal(by_ramp.specular, plain.specular);
         lit_ones += plain.specular > 0;
@@ -142,9 +142,9 @@ static void test_zero_normal(void **unused)
     sheen_pose_identity(&pose);
     assert_int_equal(sheen_light_begin(&lighting, &light, 1, pose.rotation, NULL), SHEEN_OK);
     lighting.ramp = &sheen_ramp_half;
-    sheen_light_normal(&lighting, power_of(NULL), aside, &lit);
+    light_normal(&lighting, (struct power[]){power_of(NULL)}, aside, &lit);
     assert_in_range(lit.diffuse, 8191, 8193);
-    sheen_light_normal(&lighting, power_of(NULL), zero, &lit);
+    light_normal(&lighting, (struct power[]){power_of(NULL)}, zero, &lit);
     assert_int_equal(lit.diffuse, 0);
     assert_int_equal(lit.specular, 0);
 }
@@ -162,8 +162,9 @@ static void test_garbage(void **unused)
         struct sheen_material material = {.base = {255, 255, 255}, .ambient = 4 << 16, .diffuse = 4 << 16};
         const int16_t n[3] = {(int16_t)stage_random(&state), (int16_t)stage_random(&state),
                               (int16_t)stage_random(&state)};
+        struct sheen_material by_ramp;
         struct colour_terms terms;
-        struct lighting lighting;
+        struct draw draw;
         struct sheen_pose pose;
         struct lit lit;
         for (unsigned k = 0; k <= STEPS; k++)
@@ -172,11 +173,15 @@ static void test_garbage(void **unused)
         ramp.span = (int32_t)stage_random(&state);
         material.ramp = &ramp;
         sheen_pose_identity(&pose);
-        assert_int_equal(sheen_light_begin(&lighting, &light, 1, pose.rotation, NULL), SHEEN_OK);
-        lighting.ramp = &ramp;
-        sheen_light_normal(&lighting, power_of(NULL), n, &lit);
+        assert_int_equal(sheen_light_begin(&draw.light, &light, 1, pose.rotation, NULL), SHEEN_OK);
+        draw.light.diffuse_sum = 4 << 16;
+        assert_ptr_equal(sheen_ramp_reader.begin(&draw, &material, &by_ramp, i & 1), &by_ramp);
+        assert_int_equal(draw.by_ramp & 1, i & 1);
+        light_normal(&draw.light, (struct power[]){power_of(NULL)}, n, &lit);
         assert_true(lit.diffuse <= 32768);
-        sheen_colour_begin(&terms, &format, &material, 4 << 16, 4 << 16);
+        assert_in_range(by_ramp.ambient, 0, 20 << 16);
+        assert_in_range(by_ramp.diffuse, 0, 4 << 16);
+        sheen_colour_begin(&terms, &format, &by_ramp, 4 << 16, 4 << 16);
         for (int k = 0; k < 3; k++)
             assert_true((uint64_t)terms.a[k] + (uint64_t)terms.b[k] * 32768 < 1u << 31);
     }

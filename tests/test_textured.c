@@ -92,6 +92,7 @@ static int judge_textured(const struct accuracy_mesh *mesh, int picture, enum te
         scene.affine = i == TEXTURED_VIEWS;
         scene.texture = &texture;
         scene.dither = turn % 3 == 1;
+        scene.ramp = light == TEXTURED_SCENE_UNLIT || turn % 3 < 2 ? REF_LAMBERT : turn % 2 ? REF_GAMMA : REF_HALF;
         texture.bilinear = bilinear;
         texture.bits = picture == 3 ? 4 << turn % 3 : picture == 2 ? 16 : 8 << turn % 2;
         texture.clamp[0] = turn % 5 == 2;

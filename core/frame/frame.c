@@ -274,12 +274,13 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 }
 
 /* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
-static const uint16_t *shades_of(struct sheen_frame *f, const struct sheen_shader *shader,
-                                 const struct colour_terms *terms)
+static const uint16_t *shades_of(struct sheen_frame *f, const struct draw *d)
 {
+    const struct colour_terms *terms = &d->colour;
     unsigned i = 0;
 
-    if (f->format.grey || f->view.dither || shader->needs_texture)
+    /* where a ramp makes areas of one colour, 1024 shades are not enough */
+    if (f->format.grey || f->view.dither || d->shader->needs_texture || d->light.ramp != NULL)
         return NULL;
     while (i < f->shaded_colors && !sheen_shades_is_of(&f->shades[i], terms))
         i++;
@@ -291,6 +292,26 @@ static const uint16_t *shades_of(struct sheen_frame *f, const struct sheen_shade
             sheen_shades_make(&f->shades[i], terms, &f->format);
     }
     return f->shades[i].pixel;
+}
+
+/* What a draw keeps of its material and how it is lit, where its lights are known. */
+static APART void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
+{
+    const struct sheen_material *m = object->material;
+    struct sheen_material by_ramp;
+
+    d->power = power_of(m->shine);
+    d->strong = m->specular > SHEEN_Q16(0.5);
+    d->by_ramp = 0;
+    if (m->ramp != NULL)
+        m = m->ramp->reader->begin(d, m, &by_ramp, d->shader->at_pixels);
+    sheen_colour_begin(&d->colour, &f->format, m, d->light.diffuse_sum, d->light.specular_sum);
+    d->shades = shades_of(f, d);
+    sheen_loop_begin(&d->loop, &d->power, &d->colour, &f->format, f->view.dither);
+    if (d->by_ramp)
+        d->loop.usable = 0; /* its loops know no ramp */
+    if (d->shader->begin != NULL)
+        d->shader->begin(d, m, &f->format);
 }
 
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
@@ -311,24 +332,14 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
         return error;
     d->as.mesh = object->mesh;
     d->as.shader = object->shader;
-    d->as.power = power_of(object->material->shine);
     d->as.two_sided = object->two_sided;
-    d->as.strong = object->material->specular > SHEEN_Q16(0.5);
     d->as.dither = f->view.dither != 0;
     d->as.is_565 = !f->format.grey;
     d->as.swap = f->format.swap;
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
-    d->as.light.ramp = object->material->ramp;
-    d->as.at_pixels = object->material->ramp != NULL && object->shader->at_pixels;
     d->first_vertex = f->vertices;
-    sheen_colour_begin(&d->as.colour, &f->format, object->material, d->as.light.diffuse_sum, d->as.light.specular_sum);
-    /* where a ramp makes areas of one colour, 1024 shades are not enough */
-    d->as.shades = object->material->ramp != NULL ? NULL : shades_of(f, object->shader, &d->as.colour);
-    sheen_loop_begin(&d->as.loop, &d->as.power, &d->as.colour, &f->format, f->view.dither);
-    d->as.loop.usable &= (uint8_t)!d->as.at_pixels;
-    if (object->shader->begin != NULL)
-        object->shader->begin(&d->as, object->material, &f->format);
+    begin_colours(f, &d->as, object);
     error = draw_triangles(f, d, &t, &viewpoint);
     if (error < 0) {
         f->pieces = pieces;

@@ -88,7 +88,7 @@ static void colour_sensitivity(struct colour_terms *t, unsigned level_bits, int 
  * The headroom h is the number of bits by which the brightest sum exceeds 1.0;
  * fraction = 31 - level_bits - h keeps every sum below 2^31, and the factors of
  * UQ1.15 intensities, with 15 bits less, below 2^16.
- * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, with a ramp 52, so h <= 6 and fraction >= 17.
+ * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, by a ramp 52, so h <= 6 and fraction >= 17.
  */
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
@@ -96,14 +96,11 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
     uint64_t a[3], b[3], c[3];
     unsigned headroom = 0;
     int white = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0;
-    uint64_t ambient = (uint64_t)m->ambient, diffuse = ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16;
 
-    if (m->ramp != NULL)
-        m->ramp->reader->intensities(m->ramp, &ambient, &diffuse);
     t->clamp = 0;
     for (int k = 0; k < 3; k++) {
-        a[k] = channel_of(format, k, m->base[k], ambient);
-        b[k] = channel_of(format, k, m->base[k], diffuse);
+        a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
+        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16);
         c[k] = channel_of(format, k, white ? 255 : m->highlight[k],
                           ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16);
         /* 1/256 level above the highest still rounds to it */

@@ -67,15 +67,12 @@ struct power {
 
 static inline struct power power_of(const struct sheen_shine *shine)
 {
-    struct power p = {NULL, 0, 1, 1};
+    const unsigned shift = shine != NULL ? shine->shift : 0;
 
-    if (shine != NULL) {
-        p.table = shine->power;
-        p.limit = 1u << (29u - shine->shift);
-        p.up = (uint8_t)(1u + shine->shift);
-        p.shininess = shine->shininess;
-    }
-    return p;
+    return (struct power){.table = shine != NULL ? shine->power : NULL,
+                          .limit = shine != NULL ? 1u << (29u - shift) : 0,
+                          .up = (uint8_t)(1u + shift),
+                          .shininess = shine != NULL ? shine->shininess : 1};
 }
 
 /* s^n, UQ1.15, of an argument before the table's end. Range: drop < 2^15, so the product fits 32 bits. */
@@ -116,16 +113,21 @@ static inline uint32_t highlight_at(struct power p, int32_t u, uint32_t ln)
 struct lighting;
 struct tile;
 struct draw;
+struct normal_run;
 struct shaded_run;
 
-/* Where light depends on L.N: a ramp points to it, so what is lit without one does not link it. */
+/* All that reads a ramp, which points to it: what is lit without one does not link it. */
 struct sheen_ramp_reader {
-    /* Ambient and diffuse light with it, Q15.16: at most 2^18 and 2^20, afterwards 2^18 + 2^20 and 2^20. */
-    void (*intensities)(const struct sheen_ramp *ramp, uint64_t *ambient, uint64_t *diffuse);
-    /* In place of sheen_light_normal, and of sheen_shaded_run where L.N is what is stepped. */
-    void (*light)(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
-    void (*run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y, struct shaded_run *run,
-                int has_highlight);
+    /* Once a draw: *m with ambient and diffuse light as low and span make them, at most 20.0 and 4.0. Returns by. */
+    const struct sheen_material *(*begin)(struct draw *d, const struct sheen_material *m, struct sheen_material *by,
+                                          int at_pixels);
+    /* In place of sheen_light_plainly; at a normal of length zero there is no light. */
+    void (*light)(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
+    /* In place of sheen_normal_run, and of sheen_shaded_run's loops; f is L.N then. */
+    void (*normal_run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                       const struct normal_run *run);
+    void (*shaded_run)(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                       struct shaded_run *run, unsigned second);
 };
 
 /* The response to light at L.N, Q0.15 and held at +-1.0: UQ1.15 of the ramp's span. Range: 2^16 * 2^8. */
@@ -309,6 +311,13 @@ struct tile {
 #define SPECIALISED static inline __attribute__((always_inline))
 #else
 #define SPECIALISED static inline
+#endif
+
+/* Likewise, of which a program may link one alone: what the others take is not in it. */
+#ifdef __GNUC__
+#define SPLIT static inline __attribute__((always_inline))
+#else
+#define SPLIT static inline
 #endif
 
 /* Pixels that pass the depth test, in builds that count them. */

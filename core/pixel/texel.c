@@ -32,7 +32,7 @@ static void highlight_terms(struct texel_terms *t, const struct sheen_material *
 
 /*
  * fraction: 30 less the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31 and b below 2^16.
- * Range: light <= 4 + 4 * 4 = 20, highlights 63 * 16 = 1008 levels.
+ * Range: light <= 4 + 4 * 4 = 20, by a ramp 36, highlights 63 * 16 = 1008 levels.
  */
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)

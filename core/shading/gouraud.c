@@ -180,7 +180,7 @@ static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_
 {
     struct lit lit;
 
-    sheen_light_normal(&d->light, d->power, normal, &lit);
+    light_normal(&d->light, &d->power, normal, &lit);
     kept[0] = (uint16_t)lit.diffuse;
     kept[1] = (uint16_t)lit.specular;
 }

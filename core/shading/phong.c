@@ -149,7 +149,7 @@ void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
                                  {plane_at(&p[0], x, y), plane_at(&p[1], x, y), plane_at(&p[2], x, y)},
                                  {p[0].dx, p[1].dx, p[2].dx}};
         if (x < x1)
-            sheen_normal_run(t, s->draw, x, x1, y, &run);
+            draw_normal_run(t, s->draw, x, x1, y, &run);
     }
 }
 
@@ -192,7 +192,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && !s->draw->at_pixels && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
+            (!piece && !s->draw->by_ramp && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);

@@ -85,8 +85,8 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         sheen_face(&f, c);
     if (f.apart <= CLOSE_ARCS && sheen_setup_reflection(setup, c, g, &f))
         return;
-    int one = f.apart <= (d->power.shininess > 32 ? WIDEST_SHARP : WIDEST_ARC) && way_wanted(d, SHEEN_WAY_SLERP) &&
-              (d->light.ramp == NULL || d->light.ramp->steep == 0);
+    int one = f.apart <= (d->power.shininess > 32 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
+              way_wanted(d, SHEEN_WAY_SLERP);
     arcs_setup((struct slerp_setup *)setup, c);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
     setup->fast = 0;

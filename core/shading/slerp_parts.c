@@ -194,7 +194,7 @@ static void draw_normals(const struct tile *t, const struct arc_row *r, const st
         run.dn[i] = p->length == 0 ? 0 : (uint32_t)asr32(times8(more, (int32_t)r->inverse), 15 - p->up);
         run.n[i] = (uint32_t)from + (uint32_t)times15(more, p->t) * 256u + (uint32_t)n * run.dn[i];
     }
-    sheen_normal_run(t, s->draw, p->x, p->x1, r->y, &run);
+    draw_normal_run(t, s->draw, p->x, p->x1, r->y, &run);
 }
 
 static unsigned normal_parts(const struct arc_row *r)

@@ -76,7 +76,7 @@ static void textured_light(const struct draw *d, const int16_t normal[3], uint16
     struct lit lit = {0, 0};
 
     if (!d->texel.unlit)
-        sheen_light_normal(&d->light, d->power, normal, &lit);
+        light_normal(&d->light, &d->power, normal, &lit);
     kept[0] = (uint16_t)lit.diffuse;
     kept[1] = (uint16_t)lit.specular;
 }

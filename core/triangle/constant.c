@@ -41,6 +41,6 @@ void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c)
     (void)sheen_normalize(sum, unit); /* a zero sum stays zero: ambient only */
     for (int i = 0; i < 3; i++)
         normal[i] = (int16_t)min32(asr32(unit[i] + (1 << 14), 15), 32767);
-    sheen_light_normal(&s->draw->light, s->draw->power, normal, &lit);
+    light_normal(&s->draw->light, &s->draw->power, normal, &lit);
     sheen_setup_constant(s, &lit);
 }

@@ -55,7 +55,7 @@ void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, str
     if (c->back)
         for (int i = 0; i < 3; i++)
             normal[i] = (int16_t)-max32(normal[i], -32767);
-    sheen_light_normal(&s->draw->light, s->draw->power, normal, lit);
+    light_normal(&s->draw->light, &s->draw->power, normal, lit);
 }
 
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit)
@@ -63,5 +63,5 @@ void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit
     const int16_t negated[3] = {(int16_t)-max32(normal[0], -32767), (int16_t)-max32(normal[1], -32767),
                                 (int16_t)-max32(normal[2], -32767)};
 
-    sheen_light_normal(&s->draw->light, s->draw->power, negated, lit);
+    light_normal(&s->draw->light, &s->draw->power, negated, lit);
 }

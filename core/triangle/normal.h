@@ -62,8 +62,17 @@ struct normal_run {
     uint32_t n[3], dn[3]; /* Q1.30, modulo 2^32 */
 };
 
-/* normal_rows.c: columns x to before x1, x < x1. */
+/* normal_rows.c, without a ramp: columns x to before x1, x < x1. */
 void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct normal_run *run);
+/* Of a struct sheen_ramp_reader. */
+void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                              const struct normal_run *run);
+
+static inline void draw_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                                   const struct normal_run *run)
+{
+    (d->by_ramp ? d->light.ramp->reader->normal_run : sheen_normal_run)(t, d, x, x1, y, run);
+}
 
 #endif

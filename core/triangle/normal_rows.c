@@ -1,7 +1,7 @@
 /*
  * normal_rows.c - pixels from their normals and any number of lights: 1/sqrt(N.N), a dot product a light.
  */
-#include "normal.h"
+#include "normal_rows.h"
 
 #if !FAST_LOOPS
 void put_any(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
@@ -12,102 +12,8 @@ void put_any(const struct tile *t, const struct draw *d, struct rounding roundin
 }
 #endif
 
-/*
- * A pixel's normal, Q0.15 of a length in [1/2, 1], and 1/|N|: a root seed, UQ1.15, and the share, Q.28, that it lacks
- * of it. Where a triangle is magnified, what the seed is off by is that of thousands of pixels, and of it a highlight
- * makes n times as much; what rounding turns N by does not show.
- */
-struct pixel_normal {
-    int32_t n[3];
-    uint32_t root;
-    int32_t lacks;
-};
-
-/* Half of 1 - D root^2, D UQ1.31, Q.28: below 2^15. */
-static int32_t root_lacks(uint32_t d, uint32_t root)
-{
-    const uint32_t square = root * root, high = d >> 16, low = d & 0xffffu; /* UQ2.30 */
-    uint32_t product =
-        high * (square >> 16) + (high * (square & 0xffffu) >> 16) + (low * (square >> 16) >> 16); /* UQ.29 */
-
-    return asr32((int32_t)((1u << 29) - product), 2);
-}
-
-/* Returns 0 where there is no direction left. */
-static int pixel_normal(const uint32_t plane[3], struct pixel_normal *p)
-{
-    int32_t *n = p->n;
-    uint32_t square = 0; /* UQ2.30 */
-
-    for (int i = 0; i < 3; i++) {
-        n[i] = asr32((int32_t)(plane[i] + HALF), 15); /* |n| <= 2^16 whatever the planes */
-        n[i] = min32(max32(n[i], -32768), 32768);
-        square += (uint32_t)(n[i] * n[i]); /* three terms <= 2^30 */
-    }
-    if (square < 1u << 8)
-        return 0;
-    if (square >= 1u << 30) /* a unit normal, rounded outwards */
-        square = 1u << 30;
-    while (square < ROOT_LOWEST >> 1) {
-        square <<= 2;
-        for (int i = 0; i < 3; i++)
-            n[i] *= 2;
-    }
-    p->root = root_seed(square << 1);
-    p->lacks = root_lacks(square << 1, p->root);
-    return 1;
-}
-
-/* v.N over |N|, held at +-1.0: Q2.29. Range: |dot| < 2^31, so root times its high half stays below 2^31. */
-SPECIALISED int32_t unit_dot_at(const struct pixel_normal *p, const int32_t v[3])
-{
-    int32_t dot = 2 * dot32_q29(p->n, v);
-    int32_t x = (int32_t)p->root * asr32(dot, 16) + (int32_t)(p->root * ((uint32_t)dot & 0xffffu) >> 16);
-
-    x += asr32(asr32(x, 15) * p->lacks, 13);
-    return min32(max32(x, -(1 << 29)), 1 << 29);
-}
-
-/* Sum over the lights, each with its weight. */
-static void light_pixel(const struct draw *d, const struct pixel_normal *p, struct lit *lit)
-{
-    const struct lighting *l = &d->light;
-    const int32_t facing = unit_dot_at(p, l->view);
-    uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
-
-    for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = unit_dot_at(p, l->to[i]), high = asr32(ln, 14), rounded = asr32(ln + (1 << 13), 14); /* Q0.15 */
-        if (l->ramp != NULL)
-            diffuse += l->diffuse_weight[i] * response_at(l->ramp, rounded);
-        if (ln <= 0)
-            continue;
-        if (l->ramp == NULL)
-            diffuse += l->diffuse_weight[i] * (uint32_t)rounded;
-        int32_t product = mul_16_32(high, facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
-        int32_t u = (int32_t)((uint32_t)l->lv1[i] - 4u * (uint32_t)product);
-        specular += l->specular_weight[i] * highlight_at(d->power, u, (uint32_t)rounded);
-    }
-    lit->diffuse = (diffuse + HALF) >> 15;
-    lit->specular = (specular + HALF) >> 15;
-}
-
 void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct normal_run *run)
 {
-    struct rounding rounding = rounding_of(t, &d->colour, y);
-    uint32_t at = tile_offset(t, x, y), z = run->z, n0 = run->n[0], n1 = run->n[1], n2 = run->n[2];
-
-    for (; x < x1; x++, at++, z += run->dz) {
-        if (nearer(t, t->depth + at, z)) {
-            const uint32_t normal[3] = {n0, n1, n2};
-            struct lit lit = {0, 0};
-            struct pixel_normal p;
-            if (pixel_normal(normal, &p))
-                light_pixel(d, &p, &lit);
-            put_lit(t, d, rounding, at, x, lit);
-        }
-        n0 += run->dn[0];
-        n1 += run->dn[1];
-        n2 += run->dn[2];
-    }
+    lit_run(t, d, x, x1, y, run, 0);
 }

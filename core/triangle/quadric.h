@@ -77,8 +77,8 @@ void sheen_quadric_rows(const struct tile *t, const struct setup *s);
 int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q);
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       struct shaded_run *run, enum second second);
-/* The same by the ramp, f being L.N: of a struct sheen_ramp_reader. Without a highlight u is not read. */
-void sheen_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                       struct shaded_run *run, int has_highlight);
+/* Of a struct sheen_ramp_reader. */
+void sheen_shaded_run_by_ramp(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                              struct shaded_run *run, unsigned second);
 
 #endif

@@ -5,21 +5,7 @@
  * Where a highlight may fall, 1 - R.V is the second quadric and the power table follows a pixel. Gouraud's intensities
  * in perspective come the same way. Every loop gives the same pixels; which is taken is a matter of speed.
  */
-#include "normal.h"
-#include "quadric.h"
-
-/* Intensities at a pixel. */
-SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u, enum second second)
-{
-    struct lit lit = {not_negative(f) >> 15, 0};
-
-    if (second == SECOND_SPECULAR)
-        lit.specular = not_negative(u) >> 15;
-    else if (second == SECOND_POWER && u < q->power_end)
-        lit.specular = faded(power_entry(q->power, u), lit.diffuse);
-    SHEEN_TAP(HIGHLIGHT, second == SECOND_POWER && u < q->power_end);
-    return lit;
-}
+#include "quadric_rows.h"
 
 /* A pixel in a highlight that is not dithered. On M0+ a function of its own has the registers that it takes. */
 #if defined(__ARM_ARCH_6M__)
@@ -88,23 +74,10 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const uint16_t *shades,
     } while (depth != end);
 }
 
-/* Any format, clamp and dither. */
 static APART void general_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                              struct shaded_run *run, enum second second)
+                              struct shaded_run *run, unsigned second)
 {
-    struct rounding rounding = rounding_of(t, &d->colour, y);
-
-    for (; x < x1; x++, at++) {
-        if (nearer(t, t->depth + at, run->z)) {
-            struct lit lit = lit_of(&d->loop, run->f, run->u, second);
-            put_any(t, d, rounding, at, x, &lit);
-        }
-        run->z += run->dz;
-        run->f += run->df;
-        run->df += run->ddf;
-        run->u += run->du;
-        run->du += run->ddu;
-    }
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, 0);
 }
 
 /* 1 where there is a loop of its own: without highlight, and with one. */
@@ -122,10 +95,8 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
         cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + at, x1 - x, run);
     else if (FAST_LOOPS && d->loop.usable)
         quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(1, y) : NULL, run, second, 0);
-    else if (d->at_pixels)
-        d->light.ramp->reader->run(t, d, x, x1, y, run, second == SECOND_POWER);
     else
-        general_run(t, d, at, x, x1, y, run, second);
+        (d->by_ramp ? d->light.ramp->reader->shaded_run : general_run)(t, d, at, x, x1, y, run, second);
 }
 
 #if FAST_LOOPS

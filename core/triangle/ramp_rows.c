@@ -1,26 +1,17 @@
 /*
- * ramp_rows.c - pixels whose L.N and 1 - R.V are stepped, where the material has a ramp.
+ * ramp_rows.c - pixels lit by a ramp: their normals, or L.N and 1 - R.V, are stepped.
  */
-#include "normal.h"
-#include "quadric.h"
+#include "normal_rows.h"
+#include "quadric_rows.h"
 
-void sheen_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                       struct shaded_run *run, int has_highlight)
+void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                              const struct normal_run *run)
 {
-    const struct rounding rounding = rounding_of(t, &d->colour, y);
+    lit_run(t, d, x, x1, y, run, 1);
+}
 
-    for (uint32_t at = tile_offset(t, x, y); x < x1; x++, at++) {
-        if (nearer(t, t->depth + at, run->z)) {
-            int32_t ln = asr32((int32_t)run->f, 15);
-            struct lit lit = {response_at(d->light.ramp, ln), 0};
-            if (has_highlight && ln > 0 && run->u < d->loop.power_end)
-                lit.specular = faded(power_entry(d->loop.power, run->u), (uint32_t)ln);
-            put_any(t, d, rounding, at, x, &lit);
-        }
-        run->z += run->dz;
-        run->f += run->df;
-        run->df += run->ddf;
-        run->u += run->du;
-        run->du += run->ddu;
-    }
+void sheen_shaded_run_by_ramp(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                              struct shaded_run *run, unsigned second)
+{
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, 1);
 }

@@ -1,24 +1,41 @@
 /*
  * ramps.c - the ramps that have names, and what reads them.
  */
+#include "normal.h"
 #include "quadric.h"
 
-#define MOST_BY_RAMP (16 << 16) /* what four lights give without one */
+#define MOST_LIGHT (4 << 16) /* the most that a material's own are */
 
-/* `low` is there wherever there are lights. Range: diffuse <= 2^20, so products are below 2^51. */
-static void intensities_by_ramp(const struct sheen_ramp *ramp, uint64_t *ambient, uint64_t *diffuse)
+/* x y, held at +-4.0; x: 0..4.0. */
+static int32_t held_product(sheen_q16_t x, sheen_q16_t y)
 {
-    const int64_t low = asr64((int64_t)*diffuse * ramp->low, 16), span = asr64((int64_t)*diffuse * ramp->span, 16);
-    const int64_t sum = (int64_t)*ambient + (low < MOST_BY_RAMP ? low : MOST_BY_RAMP);
+    const int64_t product = asr64((int64_t)x * y + (1 << 15), 16);
 
-    *ambient = sum > 0 ? (uint64_t)sum : 0;
-    *diffuse = span > 0 ? (uint64_t)(span < MOST_BY_RAMP ? span : MOST_BY_RAMP) : 0;
+    return product > MOST_LIGHT ? MOST_LIGHT : product < -MOST_LIGHT ? -MOST_LIGHT : (int32_t)product;
 }
 
-const struct sheen_ramp_reader sheen_ramp_reader = {
-    .intensities = intensities_by_ramp, .light = sheen_light_by_ramp, .run = sheen_run_by_ramp};
+/* `low` is there wherever there are lights: 16.0 of four. */
+static const struct sheen_material *begin_by_ramp(struct draw *d, const struct sheen_material *m,
+                                                  struct sheen_material *by, int at_pixels)
+{
+    const int64_t low = (int64_t)held_product(m->diffuse, m->ramp->low) * d->light.diffuse_sum;
+
+    d->light.ramp = m->ramp;
+    d->by_ramp = (uint8_t)(at_pixels ? 1 + 2 * (m->ramp->steep & 15u) : 0);
+    *by = *m;
+    by->ambient = max32(m->ambient + (int32_t)asr64(low + (1 << 15), 16), 0);
+    by->diffuse = max32(held_product(m->diffuse, m->ramp->span), 0);
+    return by;
+}
+
+const struct sheen_ramp_reader sheen_ramp_reader = {.begin = begin_by_ramp,
+                                                    .light = sheen_light_by_ramp,
+                                                    .normal_run = sheen_normal_run_by_ramp,
+                                                    .shaded_run = sheen_shaded_run_by_ramp};
 
 const struct sheen_ramp sheen_ramp_half = {
+    .reader = &sheen_ramp_reader,
+    .span = 1 << 16,
     .value =
         {
             0,     1,     2,     5,     8,     13,    18,    25,    32,    41,    50,    61,    72,    85,    98,
@@ -40,11 +57,11 @@ const struct sheen_ramp sheen_ramp_half = {
             28800, 29041, 29282, 29525, 29768, 30013, 30258, 30505, 30752, 31001, 31250, 31501, 31752, 32005, 32258,
             32513, 32768,
         },
-    .span = 1 << 16,
-    .reader = &sheen_ramp_reader,
 };
 
 const struct sheen_ramp sheen_ramp_toon = {
+    .reader = &sheen_ramp_reader,
+    .span = 1 << 16,
     .value =
         {
             0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,     0,
@@ -66,6 +83,4 @@ const struct sheen_ramp sheen_ramp_toon = {
             32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768, 32768,
             32768, 32768,
         },
-    .span = 1 << 16,
-    .reader = &sheen_ramp_reader,
 };

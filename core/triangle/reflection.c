@@ -141,16 +141,14 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
     struct quadric_steps steps;
     struct excesses e;
 
-    const struct sheen_ramp *ramp = s->draw->light.ramp;
-
-    if (most3(f->ln) <= 0 &&
-        ramp == NULL) { /* over the triangle L.N is a mean of the corners' but for a positive factor */
+    /* over the triangle L.N is a mean of the corners' but for a positive factor */
+    if (most3(f->ln) <= 0 && !s->draw->by_ramp) {
         const struct lit dark = {0, 0};
         sheen_setup_constant(s, &dark);
         return 1;
     }
-    if (f->apart > WIDEST_DIFFUSE || (ramp != NULL && f->apart > WIDEST_DIFFUSE >> (ramp->steep & 15u)) ||
-        !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
+    if (f->apart > WIDEST_DIFFUSE >> (s->draw->by_ramp >> 1) || !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) ||
+        !sheen_leans(e.lean, c, REFLECTION_LEAN))
         return 0;
     light_excesses(&e, f);
     int highlight = has_highlight(&e, f, s->draw);

@@ -25,11 +25,11 @@ struct draw {
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
-    uint8_t swap;      /* as in struct pixel_format */
-    uint8_t is_565;    /* the target's pixels are */
-    uint8_t at_pixels; /* 1: the material's ramp is read at pixels, not at corners */
-    uint8_t early;     /* 565 without dither: the half of the one rounding can be added in advance */
-    uint8_t forced;    /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
+    uint8_t swap;    /* as in struct pixel_format */
+    uint8_t is_565;  /* the target's pixels are */
+    uint8_t by_ramp; /* 0: no ramp is read at pixels; else 1 and twice its `steep` */
+    uint8_t early;   /* 565 without dither: the half of the one rounding can be added in advance */
+    uint8_t forced;  /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
 };
 
 /* 1 where a way is not ruled out by another that is forced. */

@@ -5,7 +5,7 @@
  * relative: diffuse and specular in [0, 1] of what the draw's lights can give,
  * so 16 bits hold it whatever the intensities; pixel/colour.c puts them back.
  */
-#include "light.h"
+#include "vertex.h"
 
 /* v in model space: transpose(R) * v; R's rows are orthonormal. Q1.30. */
 static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t out[3])
@@ -70,29 +70,31 @@ int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsi
     return SHEEN_OK;
 }
 
-/* Apart: what it keeps is not on the stack of light by a ramp. */
-static APART void light_plainly(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out)
+int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q30_t v[3])
 {
-    int32_t lacks = lacking(normal), nv = unit_cosine(normal, lacks, l->view);
+    int32_t value = unit_dot_q29(normal, lacks, v);
+
+    return 2 * min32(max32(value, -(1 << 29)), 1 << 29);
+}
+
+void sheen_light_plainly(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out)
+{
+    const struct power highlight = *power; /* in registers */
+    int32_t lacks = lacking(normal), nv = sheen_unit_cosine(normal, lacks, l->view);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
     SHEEN_TAP(LIT, 1);
     SHEEN_TAP(LIGHT, l->count);
     for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = unit_cosine(normal, lacks, l->to[i]);
+        int32_t ln = sheen_unit_cosine(normal, lacks, l->to[i]);
+        uint32_t rounded = ((uint32_t)ln + (1u << 14)) >> 15; /* UQ1.15 */
         if (ln <= 0)
             continue;
-        diffuse += l->diffuse_weight[i] * rounded_cosine(ln);
-        specular += l->specular_weight[i] * reflected_light(l, i, power, ln, nv);
+        diffuse += l->diffuse_weight[i] * rounded;
+        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V), Q2.29; not of rounded cosines, for n makes much of what is lost */
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)mul_round(ln, nv, 30));
+        specular += l->specular_weight[i] * highlight_at(highlight, u, rounded);
     }
     out->diffuse = (diffuse + (1u << 14)) >> 15;
     out->specular = (specular + (1u << 14)) >> 15;
-}
-
-void sheen_light_normal(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out)
-{
-    if (l->ramp != NULL)
-        l->ramp->reader->light(l, power, normal, out);
-    else
-        light_plainly(l, power, normal, out);
 }

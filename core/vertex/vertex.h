@@ -155,9 +155,17 @@ struct lighting {
 /* rotation: model to eye; view: world to eye, NULL where they are one. There is no ramp then. */
 int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
                       const sheen_q30_t rotation[9], const sheen_q30_t *view);
-void sheen_light_normal(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
-/* The same by the ramp: of a struct sheen_ramp_reader. A normal of length zero has ambient light only. */
-void sheen_light_by_ramp(const struct lighting *l, struct power power, const int16_t normal[3], struct lit *out);
+/* L.N or N.V of a unit normal, Q1.30, held at +-1.0; lacks: lacking(normal). */
+int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q30_t v[3]);
+/* What the lights give at a normal: without a ramp, and by one, of a struct sheen_ramp_reader. */
+void sheen_light_plainly(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
+void sheen_light_by_ramp(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
+
+static inline void light_normal(const struct lighting *l, const struct power *power, const int16_t normal[3],
+                                struct lit *out)
+{
+    (l->ramp != NULL ? l->ramp->reader->light : sheen_light_plainly)(l, power, normal, out);
+}
 
 /* ---- clipping ---- */
 
