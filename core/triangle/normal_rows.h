@@ -85,8 +85,8 @@ SPLIT void light_pixel(const struct draw *d, const struct pixel_normal *p, struc
     lit->specular = (specular + HALF) >> 15;
 }
 
-SPLIT void lit_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                   const struct normal_run *run, int by_ramp)
+SPLIT void normal_loop(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                       const struct normal_run *run, int by_ramp)
 {
     struct rounding rounding = rounding_of(t, &d->colour, y);
     uint32_t at = tile_offset(t, x, y), z = run->z, n0 = run->n[0], n1 = run->n[1], n2 = run->n[2];

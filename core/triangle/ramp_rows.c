@@ -7,7 +7,7 @@
 void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                               const struct normal_run *run)
 {
-    lit_run(t, d, x, x1, y, run, 1);
+    normal_loop(t, d, x, x1, y, run, 1);
 }
 
 void sheen_shaded_run_by_ramp(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
