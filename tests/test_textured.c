@@ -3,6 +3,7 @@
  *
  *   test_textured [PREFIX]     a line a mesh, texture and light; PREFIX: pictures of what failed
  */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -122,10 +123,52 @@ enum fault {
     FLIPPED,
     SHIFTED,
     AFFINE,
+    TWICE,
+    CUT,
+    NO_FAULT, /* the last one's scene without it */
     FAULTS
 };
 
-static const char *const fault_name[FAULTS] = {"v upwards", "1/8 texel to the right", "affine"};
+static const char *const fault_name[FAULTS] = {
+    "v upwards", "1/8 texel to the right", "affine", "rounded to a byte first", "lit where the planes cut", "none"};
+
+/* The light that a piece's new corners would have of their own. */
+static void light_cut_corners(struct ref_picture *picture, const struct ref_scene *scene)
+{
+    for (size_t i = 0; i < picture->piece_count; i++) {
+        struct ref_piece *p = &picture->pieces[i];
+        for (int k = 0; k < 3; k++) {
+            double n[3] = {p->normal[k][0], p->normal[k][1], p->normal[k][2]};
+            double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            if (length > 1 - 1e-9) /* not new: between unit normals that differ it is shorter */
+                continue;
+            for (int j = 0; j < 3; j++)
+                n[j] /= length;
+            ref_light(scene, n, &p->diffuse[k], &p->specular[k]);
+        }
+    }
+}
+
+/* The picture as its pieces are lit now, or rounded twice. */
+static void colour_again(struct ref_picture *picture, const struct ref_scene *scene, bool twice)
+{
+    for (int i = 0; i < picture->width * picture->height; i++) {
+        struct ref_pixel *pixel = &picture->pixels[i];
+        const struct ref_piece *piece = &picture->pieces[pixel->piece];
+        const int x = i % picture->width, y = i / picture->width;
+        double at[2], texel[3], diffuse, specular;
+        if (!pixel->covered)
+            continue;
+        ref_texture_point(scene, piece, x + 0.5, y + 0.5, at);
+        (void)ref_texture_color(scene->texture, at, texel);
+        ref_shade(scene, piece, x + 0.5, y + 0.5, &diffuse, &specular);
+        for (int k = 0; k < 3; k++) {
+            double c = scene->base[k] * texel[k] * diffuse + scene->highlight[k] * specular;
+            pixel->color[k] = twice ? floor(255 * fmin(c, 1) + 0.5) / 255 : c;
+        }
+        pixel->value = ref_value(scene, pixel->color, x, y, false);
+    }
+}
 
 /* The core's picture of a scene against the reference's of another one has to be refused. */
 static int judge_fault(enum fault fault)
@@ -136,11 +179,14 @@ static int judge_fault(enum fault fault)
     struct accuracy_mesh mesh;
     struct ref_scene scene;
     struct ref_picture picture;
-    int kept = 1;
+    const bool is_cut = fault == CUT || fault == NO_FAULT;
+    int kept = fault != NO_FAULT;
 
-    if (textured_mesh_make(&mesh, 1) != 0)
+    if (textured_mesh_make(&mesh, is_cut ? 4 : 1) != 0)
         return 1;
-    textured_view(&scene, &mesh.reference, 1, TEXTURED_SCENE_GOURAUD);
+    textured_view(&scene, &mesh.reference, is_cut ? 3 : 1, TEXTURED_SCENE_GOURAUD);
+    if (is_cut) /* through the middle of the screen */
+        scene.near = 1.2;
     scene.texture = &texture;
     scene.affine = fault == AFFINE;
     for (size_t c = 0; c < mesh.reference.corner_count; c++) {
@@ -150,13 +196,18 @@ static int judge_fault(enum fault fault)
     }
     if (ref_render(&picture, &scene) == 0) {
         scene.affine = false;
+        if (fault == CUT)
+            light_cut_corners(&picture, &scene);
+        if (is_cut || fault == TWICE)
+            colour_again(&picture, &scene, fault == TWICE);
         if (accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0) == SHEEN_OK)
             kept = !score_line(&line, &shot, &scene);
         ref_picture_free(&picture);
     }
-    printf("fault, %s: %s\n", fault_name[fault], kept ? "NOT REFUSED" : "refused, as it has to be");
+    const int wrong = kept == (fault != NO_FAULT);
+    printf("fault, %s: %s%s\n", fault_name[fault], kept ? "kept" : "refused", wrong ? ": WRONG" : "");
     accuracy_mesh_free(&mesh);
-    return kept;
+    return wrong;
 }
 
 /* ---- two forms of one texture ---- */
