@@ -20,8 +20,8 @@ struct matcap_setup {
 
 #define LARGEST_BLOCK 32 /* px */
 
-/* Of texels, Q16.16: what rounding takes off a coordinate must not show the other side of the picture. */
-#define MATCAP_EDGE 256
+/* Of texels, Q16.16: steps along a run, packed or not, are off by less, and must not show the other side. */
+#define MATCAP_EDGE 1280
 
 void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s);
 void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s);
