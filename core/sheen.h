@@ -245,6 +245,17 @@ extern const struct sheen_shader sheen_matcap, sheen_matcap_vertex;
  */
 extern const struct sheen_texture sheen_matcap_chrome, sheen_matcap_glaze, sheen_matcap_clay, sheen_matcap_jade;
 
+/*
+ * Opacity without sorting or blending: pixels that are left out, in an ordered pattern, so that what lies behind shows
+ * between. B is the 8x8 Bayer matrix of dithering, B2n = [[4 Bn, 4 Bn + 2], [4 Bn + 3, 4 Bn + 1]], B1 = [0]. A pixel
+ * (x, y) of the target is drawn where B(x + phase mod 8, y mod 8) < 64 - transparency; else neither colour nor depth is
+ * written. Two draws of one phase cover each other, phase 1 interleaves them. Such a draw is dithered by B with its
+ * digits to base 4 reversed, 16 (B mod 4) + 4 (floor(B / 4) mod 4) + floor(B / 16), for where B is low all of its
+ * thresholds are. What does that is linked where it is named.
+ */
+struct sheen_stipple;
+extern const struct sheen_stipple sheen_stipple;
+
 /* What is drawn. Mesh, material and shader MUST be there. */
 struct sheen_object {
     const struct sheen_mesh *mesh;         /* borrowed */
@@ -254,6 +265,9 @@ struct sheen_object {
     uint8_t light_count;                   /* 0..SHEEN_MAX_LIGHTS; 0: ambient light alone */
     uint8_t two_sided;                     /* 1: back faces are drawn too, with their normals negated */
     struct sheen_pose pose;                /* model to world */
+    const struct sheen_stipple *stipple;   /* &sheen_stipple: MUST be there where transparency is not 0 */
+    uint8_t transparency;                  /* 1/64 of the pixels left out, 0..64 (64: nothing is drawn) */
+    uint8_t phase;                         /* of the pattern, 0..7 */
 };
 
 /*
@@ -384,7 +398,8 @@ enum sheen_subject {
     SHEEN_ABOUT_SHADER,
     SHEEN_ABOUT_LIGHTS,
     SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
-    SHEEN_ABOUT_TEXTURE
+    SHEEN_ABOUT_TEXTURE,
+    SHEEN_ABOUT_TRANSPARENCY /* or phase out of range, or no stipple */
 };
 
 /*

@@ -16,13 +16,13 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 512
-#define SHEEN_BYTES_DRAW 280
+#define SHEEN_BYTES_FRAME 520
+#define SHEEN_BYTES_DRAW 296
 #define SHEEN_BYTES_WORKER 176
 #define SHEEN_BYTES_SETUP 184
 #else
-#define SHEEN_BYTES_FRAME 412
-#define SHEEN_BYTES_DRAW 244
+#define SHEEN_BYTES_FRAME 416
+#define SHEEN_BYTES_DRAW 256
 #define SHEEN_BYTES_WORKER 148
 #define SHEEN_BYTES_SETUP 168
 #endif
@@ -46,7 +46,7 @@
 
 /* What each further worker takes. */
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
-    (SHEEN_STORE(1, SHEEN_BYTES_WORKER) +                                                                              \
+    (SHEEN_BYTES_CLIPPING + SHEEN_STORE(1, SHEEN_BYTES_WORKER) +                                                       \
      SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
 /* Bytes of an arena, see above. */
@@ -56,7 +56,7 @@
      SHEEN_BIT_STORE(SHEEN_BANDS(height, band_rows)) + SHEEN_STORE(draws, SHEEN_BYTES_DRAW) +                          \
      SHEEN_STORE(vertices, 2) + SHEEN_STORE(used, SHEEN_BYTES_VERTEX) + SHEEN_STORE(triangles, SHEEN_BYTES_ENTRY) +    \
      SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
-     ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_SHADES) : 0) + SHEEN_STORE(1, SHEEN_BYTES_CLIPPING) +             \
+     ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_SHADES) : 0) +                                                    \
      SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
 #endif

@@ -192,11 +192,16 @@ static unsigned bayer(unsigned size, unsigned x, unsigned y)
 
 static void test_thresholds(void **unused)
 {
+    const struct tile tile = {.thresholds = sheen_thresholds};
+
     (void)unused;
     for (int32_t y = 0; y < 20; y++)
         for (unsigned x = 0; x < 8; x++) {
-            assert_int_equal(threshold_row(1, y)[x], 2 * bayer(8, x, (unsigned)y % 8) + 1);
-            assert_int_equal(threshold_row(0, y)[x], 64);
+            const unsigned b = bayer(8, x, (unsigned)y % 8), reversed = 16 * (b % 4) + 4 * (b / 4 % 4) + b / 16;
+            assert_int_equal(sheen_reversed_thresholds[(uint32_t)y % 8][x], 2 * reversed + 1);
+            assert_int_equal(sheen_reversed_thresholds[NO_DITHER][x], 64);
+            assert_int_equal(threshold_row(&tile, 1, y)[x], 2 * bayer(8, x, (unsigned)y % 8) + 1);
+            assert_int_equal(threshold_row(&tile, 0, y)[x], 64);
         }
 }
 

@@ -53,6 +53,7 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
                    sizeof(struct piece) == SHEEN_BYTES_PIECE && sizeof(struct band) == SHEEN_BYTES_BAND &&
                    sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct shades) == SHEEN_BYTES_SHADES &&
+                   sizeof(struct stippled_rows) <= SHEEN_BYTES_CLIPPING && SHEEN_BYTES_CLIPPING % 8 == 0 &&
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
 
@@ -82,12 +83,13 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);
     f->piece = take(base, &used, c->max_clipped, SHEEN_BYTES_PIECE);
     f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
-    f->scratch = take(base, &used, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
     if (c->max_clipped == 0)
         f->cut = NULL;
     f->worker = take(base, &used, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
+        void *scratch = take(base, &used, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
+        f->scratch = i == 0 ? scratch : f->scratch;
         w->carried = take(base, &used, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(base, &used, bits, sizeof(uint32_t));
         w->spans = take(base, &used, c->band_rows, SHEEN_BYTES_SPAN);

@@ -123,13 +123,19 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
     return 1;
 }
 
-static void draw_rows(struct worker *w, const struct tile *t, const struct setup *s)
+static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, const struct draw *d,
+                      const struct setup *s)
 {
     w->stats.spans += t->rows;
     for (unsigned i = 0; SHEEN_STATS && i < t->rows; i++)
         if (w->spans[i].x1 > w->spans[i].x0)
             w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
-    SHEEN_TAP_ROWS(t, s);
+    if (!d->stippled) {
+        SHEEN_TAP_ROWS(t, s);
+        return;
+    }
+    while (f->stipple->hide(scratch_of(w), t, s))
+        s->rows(t, s);
 }
 
 /*
@@ -161,7 +167,7 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
         w->stats.setups++;
         w->by_way[s->way]++;
     }
-    draw_rows(w, t, s);
+    draw_rows(f, w, t, &d->as, s);
     *going_on = s->row < s->end_row;
     if (*going_on && !carried && slot != NO_SLOT) { /* free list -> carried list */
         w->first_free = s->next;
@@ -213,6 +219,7 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
                      .to_pixel = (char *)w->pixels[w->buffer] - (char *)w->depth,
                      .format = &f->format,
                      .dither = f->view.dither,
+                     .thresholds = sheen_thresholds,
                      .centre_x = target_x(f, 0),
                      .centre_y = target_y(f, 0),
                      .spans = w->spans};

@@ -338,8 +338,14 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.swap = f->format.swap;
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
+    d->as.stippled = STIPPLED_NOT;
     d->first_vertex = f->vertices;
     begin_colours(f, &d->as, object);
+    if (object->transparency != 0) {
+        f->stipple = object->stipple;
+        if (f->stipple == NULL || f->stipple->begin(&d->as, object) < 0)
+            return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_TRANSPARENCY, 0);
+    }
     error = draw_triangles(f, d, &t, &viewpoint);
     if (error < 0) {
         f->pieces = pieces;

@@ -9,6 +9,7 @@
 #define SHEEN_FRAME_H
 
 #include "../shading/shading.h"
+#include "../triangle/stipple.h"
 
 #define NONE 0xffffu /* end of a list of entries */
 
@@ -59,6 +60,12 @@ struct worker {
     uint32_t by_way[SHEEN_WAYS]; /* set-ups */
 };
 
+/* SHEEN_BYTES_CLIPPING before `carried`: while the worker draws a band, a struct stippled_rows. */
+static inline void *scratch_of(const struct worker *w)
+{
+    return w->carried - SHEEN_BYTES_CLIPPING;
+}
+
 enum frame_state {
     IDLE, /* until sheen_begin, and from sheen_finish on */
     OPEN, /* draws and marks are taken */
@@ -93,10 +100,11 @@ struct sheen_frame {
     struct entry *entry;
     uint32_t *cut; /* a bit an entry: its triangle is a piece */
     struct piece *piece;
-    void *scratch; /* two polygons of MAX_CLIP_CORNERS */
+    void *scratch; /* of worker 0: two polygons of MAX_CLIP_CORNERS */
     struct draw_record *draw;
     struct shades *shades; /* config.max_shades; the first `shaded_colors` have this frame's */
     unsigned shaded_colors;
+    const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
     struct band *band;
     struct worker *worker; /* config.workers */
     struct sheen_stats stats;

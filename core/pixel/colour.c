@@ -65,8 +65,8 @@ static void diffuse_range(struct colour_terms *t, int grey)
             high = high < (most - a) / b ? high : (most - a) / b;
         }
     }
-    t->low = (uint16_t)(low < high ? low : 1);
-    t->high = (uint16_t)(low < high ? high : 1);
+    t->low = (uint16_t)(low < high ? low : NO_DIFFUSE);
+    t->high = (uint16_t)(low < high ? high : NO_DIFFUSE);
 }
 
 /* What set-up needs of them: how much of an intensity shows. */
@@ -170,6 +170,12 @@ const uint8_t sheen_thresholds[9][8] = {
     {1, 65, 17, 81, 5, 69, 21, 85},       {97, 33, 113, 49, 101, 37, 117, 53},  {25, 89, 9, 73, 29, 93, 13, 77},
     {121, 57, 105, 41, 125, 61, 109, 45}, {7, 71, 23, 87, 3, 67, 19, 83},       {103, 39, 119, 55, 99, 35, 115, 51},
     {31, 95, 15, 79, 27, 91, 11, 75},     {127, 63, 111, 47, 123, 59, 107, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
+};
+
+const uint8_t sheen_reversed_thresholds[9][8] = {
+    {1, 5, 17, 21, 65, 69, 81, 85},       {7, 3, 23, 19, 71, 67, 87, 83},       {25, 29, 9, 13, 89, 93, 73, 77},
+    {31, 27, 15, 11, 95, 91, 79, 75},     {97, 101, 113, 117, 33, 37, 49, 53},  {103, 99, 119, 115, 39, 35, 55, 51},
+    {121, 125, 105, 109, 57, 61, 41, 45}, {127, 123, 111, 107, 63, 59, 47, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
 };
 
 #if FAST_LOOPS

@@ -160,6 +160,8 @@ struct pixel_format {
  * A channel before rounding: a + b * diffuse + c * specular, unsigned with
  * `fraction` fraction bits, below 2^31 whatever the lights (see colour.c).
  */
+#define NO_DIFFUSE 0xffffu /* of low and high, where there is none such */
+
 struct colour_terms {
     uint32_t a[3];
     uint16_t b[3], c[3];
@@ -239,14 +241,15 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 #define NO_DITHER 8
 extern const uint8_t sheen_thresholds[9][8];
 
+/*
+ * With B's digits to base 4 reversed: of draws that leave pixels out by B itself. Where B is low, all of its thresholds
+ * are.
+ */
+extern const uint8_t sheen_reversed_thresholds[9][8];
+
 /* The thresholds in 1/2048 level, as wide as a pixel and its depth: for runs of at most DITHER_RUN px from x & 7 on. */
 #define DITHER_RUN 32
 extern const uint16_t sheen_dither_rows[8][DITHER_RUN + 8];
-
-static inline const uint8_t *threshold_row(unsigned dither, int32_t y)
-{
-    return sheen_thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
-}
 
 /*
  * Finished pixels of a 565 target over the diffuse intensity, without highlight or dither: entry i + SHADES_GUARD is
@@ -296,10 +299,11 @@ struct tile {
     uint16_t *depth;
     intptr_t to_pixel; /* on 565: bytes from a pixel's depth to its colour */
     const struct pixel_format *format;
-    unsigned dither;
-    int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */
+    const uint8_t (*thresholds)[8]; /* as sheen_thresholds */
+    int32_t centre_x, centre_y;     /* the viewport's, 1/64 px on the target: where struct vertex counts from */
     const struct span *spans;
     int16_t first_row; /* of the spans */
+    uint8_t dither;
     unsigned rows;
 #if SHEEN_STATS
     uint32_t *shaded;
@@ -352,6 +356,12 @@ static inline uint16_t *pixel_at(uint16_t *depth, intptr_t to_pixel)
     return (uint16_t *)(void *)((char *)depth + to_pixel);
 }
 
+/* Row y's thresholds. */
+static inline const uint8_t *threshold_row(const struct tile *t, unsigned dither, int32_t y)
+{
+    return t->thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
+}
+
 /* A row's thresholds, and what they are shifted by to the draw's fraction. */
 struct rounding {
     const uint8_t *threshold;
@@ -360,7 +370,7 @@ struct rounding {
 
 SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colour_terms *terms, int32_t y)
 {
-    struct rounding r = {threshold_row(t->dither, y), terms->fraction - 7u};
+    struct rounding r = {threshold_row(t, t->dither, y), terms->fraction - 7u};
 
     return r;
 }

@@ -211,7 +211,7 @@ static void squares_row(const struct tile *t, const struct square_line *l, int32
                            .i = (uint32_t)y & 3u,
                            .depth = depth,
                            .pixel = pixel_at(depth, t->to_pixel),
-                           .thresholds = t->dither ? sheen_thresholds[y & 7] : NULL,
+                           .thresholds = t->dither ? threshold_row(t, 1, y) : NULL,
                            .dz = l->depth->dx};
 
     SHEEN_TAP(SQUARE_ROW, 1);

@@ -79,8 +79,8 @@ struct packed_way {
 #if FAST_LOOPS
     intptr_t to_threshold; /* bytes from a pixel's depth */
 #else
-    const uint8_t *thresholds; /* of the row */
-    const uint16_t *row;       /* the depth in column 0, or any other that is a multiple of 8 */
+    const uint8_t *thresholds;                  /* of the row */
+    const uint16_t *row;                        /* the depth in column 0, or any other that is a multiple of 8 */
 #endif
 };
 
@@ -92,7 +92,7 @@ SPECIALISED void packed_begin(struct packed_way *way, const uint16_t *depth, uin
 #if FAST_LOOPS
     way->to_threshold = (intptr_t)&sheen_dither_rows[y & 7u][x & 7u] - (intptr_t)depth;
 #else
-    way->thresholds = sheen_thresholds[y & 7u];
+    way->thresholds = sheen_thresholds[y & 7u]; /* draws whose thresholds are others come not here */
     way->row = depth - (x & 7u);
 #endif
 }

@@ -94,7 +94,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
     if (shades_will_do(d, second))
         cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + at, x1 - x, run);
     else if (FAST_LOOPS && d->loop.usable)
-        quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(1, y) : NULL, run, second, 0);
+        quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(t, 1, y) : NULL, run, second, 0);
     else
         (d->by_ramp ? d->light.ramp->reader->shaded_run : general_run)(t, d, at, x, x1, y, run, second);
 }
@@ -119,7 +119,7 @@ SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, e
             if (second != SECOND_NONE)
                 quadric_run(second_stepped, x - q->x, &run.u, &run.du, &run.ddu);
             if (dither)
-                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, threshold_row(1, y), &run, second, 0);
+                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, threshold_row(t, 1, y), &run, second, 0);
             else if (second == SECOND_NONE)
                 cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
             else

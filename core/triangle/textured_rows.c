@@ -175,7 +175,7 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
     const struct texel_terms *terms = &r->d->texel;
     const struct sheen_texture *t = terms->texture;
     const unsigned width = t->width_log2;
-    const uint8_t *threshold = threshold_row(r->t->dither, r->y);
+    const uint8_t *threshold = threshold_row(r->t, r->t->dither, r->y);
     const uint32_t middle = t->bilinear ? TO_MIDDLE : 0;
     struct texel_at at = {from->z, from->u + middle, from->v + middle, from->light, from->specular};
     uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, packed = packed_at(&at, width);

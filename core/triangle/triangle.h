@@ -10,6 +10,13 @@
 
 struct sheen_shader;
 
+/* Pixels that a draw leaves out: none, half of every row's at the most, or more. */
+enum stippled {
+    STIPPLED_NOT,
+    STIPPLED_HALF,
+    STIPPLED_MORE
+};
+
 /* What a draw call left behind for its triangles. */
 struct draw {
     const struct sheen_mesh *mesh;
@@ -25,12 +32,26 @@ struct draw {
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
-    uint8_t swap;    /* as in struct pixel_format */
-    uint8_t is_565;  /* the target's pixels are */
-    uint8_t by_ramp; /* 0: no ramp is read at pixels; else 1 and twice its `steep` */
-    uint8_t early;   /* 565 without dither: the half of the one rounding can be added in advance */
-    uint8_t forced;  /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
+    uint8_t swap;        /* as in struct pixel_format */
+    uint8_t is_565;      /* the target's pixels are */
+    uint8_t by_ramp;     /* 0: no ramp is read at pixels; else 1 and twice its `steep` */
+    uint8_t early;       /* 565 without dither: the half of the one rounding can be added in advance */
+    uint8_t stippled;    /* enum stippled */
+    uint8_t left_out[8]; /* of a stippled draw's rows, y & 7: a bit a column, x & 7, whose pixels are not drawn */
+    uint8_t forced;      /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
 };
+
+/*
+ * For draws whose pixels take loops of any target: thresholds are as the tile has them. They count as dithered greys
+ * where a set-up chooses.
+ */
+static inline void take_general_loops(struct draw *d)
+{
+    d->shades = NULL;
+    d->is_565 = d->early = 0;
+    d->dither = 1;
+    d->colour.low = d->colour.high = NO_DIFFUSE;
+}
 
 /* 1 where a way is not ruled out by another that is forced. */
 static inline int way_wanted(const struct draw *d, enum sheen_way way)

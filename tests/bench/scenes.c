@@ -18,7 +18,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
-    bench->dither = 0;
+    bench->dither = bench->transparency = 0;
     bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
@@ -80,7 +80,9 @@ static int run(struct bench *bench, int frame)
                                 .lights = &light,
                                 .light_count = 1,
                                 .shader = shader_of(bench),
-                                .pose = bench->scene->pose[frame]};
+                                .pose = bench->scene->pose[frame],
+                                .stipple = &sheen_stipple,
+                                .transparency = bench->transparency};
     int status = sheen_begin(bench->frame, &view);
 
     if (status == SHEEN_OK)

@@ -55,8 +55,9 @@ struct bench {
     struct sheen_material material;
     struct sheen_frame *frame;
     uint8_t shading;
-    uint8_t dither;  /* 0 after bench_config */
-    uint8_t texture; /* enum bench_texture, likewise */
+    uint8_t dither;       /* 0 after bench_config */
+    uint8_t texture;      /* enum bench_texture, likewise */
+    uint8_t transparency; /* likewise */
 };
 
 /* The configuration alone, for the size of its arena. */

@@ -1,0 +1,203 @@
+/*
+ * test_frame_stipple.c - draws that leave pixels out: the pixels that are left are those of the whole draw, the others
+ * stay as they were, depth and all, whatever the bands and workers.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "frame_test.h"
+
+#define WIDTH 152
+#define HEIGHT 120
+
+static unsigned picture[4][HEIGHT][WIDTH];
+
+/* The Bayer matrix, B2n = [[4 B, 4 B + 2], [4 B + 3, 4 B + 1]] from B1 = [0]. */
+static int bayer(int x, int y)
+{
+    static const int quarter[2][2] = {{0, 2}, {3, 1}};
+    int b = 0;
+
+    for (int bit = 0; bit < 3; bit++)
+        b = 4 * b + quarter[y >> bit & 1][x >> bit & 1];
+    return b;
+}
+
+/* Large and small, off the edges, behind and before the other. */
+static const struct actor cast[] = {{STAGE_TORUS, 0, SHEEN_FLAT, 0.2, 0.1, 3, 1.1, 40, 50},
+                                    {STAGE_CUBE, 1, SHEEN_FLAT, -0.4, -0.3, 2.6, 1, 25, 35},
+                                    {STAGE_BALL, 2, SHEEN_FLAT, 0.5, 0.4, 1.9, 0.9, 10, 20}};
+
+struct case_of {
+    enum sheen_pixel pixel;
+    enum sheen_shading shading;
+    unsigned rows, workers, transparency, phase;
+    int dither, affine;
+};
+
+/* What is drawn: a bit an actor, the first one with the case's transparency. */
+static void draw(const struct case_of *c, unsigned actors, unsigned to[HEIGHT][WIDTH])
+{
+    struct memory_target target;
+    struct sheen_config config;
+    struct sheen_view view;
+    struct core_frame f;
+
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, c->pixel), 0);
+    stage_config(&config, &target, 3);
+    config.band_rows = (uint16_t)c->rows;
+    config.workers = (uint8_t)c->workers;
+    config.max_shades = 3; /* which draws have them does not hang on how many there are */
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    stage_view(&view);
+    view.dither = (uint8_t)c->dither;
+    view.affine = (uint8_t)c->affine;
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    for (unsigned i = 0; i < 3; i++) {
+        struct sheen_object object;
+        struct actor actor = cast[i];
+        if ((actors >> i & 1u) == 0)
+            continue;
+        actor.shading = c->shading;
+        stage_draw(&stage, &actor, &object);
+        object.two_sided = 1;
+        object.stipple = &sheen_stipple;
+        object.transparency = (uint8_t)(i == 0 ? c->transparency : 0);
+        object.phase = (uint8_t)c->phase;
+        assert_int_equal(sheen_draw(f.frame, &object), SHEEN_OK);
+    }
+    for (unsigned band = 0; band < sheen_band_count(f.frame); band++)
+        assert_int_equal(sheen_band(f.frame, band % c->workers, band), SHEEN_OK);
+    assert_int_equal(sheen_finish(f.frame), SHEEN_OK);
+    assert_int_equal(sheen_wait(f.frame), SHEEN_OK);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            to[y][x] = memory_target_pixel(&target, x, y);
+    assert_int_equal(target.breaches, 0);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+static int is_drawn(const struct case_of *c, int x, int y)
+{
+    return bayer((x + (int)c->phase) & 7, y & 7) < 64 - (int)c->transparency;
+}
+
+/* [0]: the draw alone, whole; [1]: stippled; [2]: with the others, whole; [3]: the others alone. */
+static void check(const struct case_of *c)
+{
+    struct case_of whole = *c;
+    long drawn = 0;
+
+    whole.transparency = 0;
+    for (unsigned actors = 1; actors <= 7; actors += 6) {
+        draw(&whole, actors, picture[0]);
+        draw(&whole, actors - 1, picture[3]);
+        draw(c, actors, picture[1]);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                const unsigned expected = picture[is_drawn(c, x, y) ? 0 : 3][y][x];
+                if (picture[1][y][x] != expected)
+                    fail_msg("%d shading, %u of 64 left out, phase %u, %u rows, pixel (%d, %d): %x in place of %x",
+                             (int)c->shading, c->transparency, c->phase, c->rows, x, y, picture[1][y][x], expected);
+                drawn += picture[1][y][x] != picture[3][y][x];
+            }
+    }
+    assert_true(c->transparency == 64 ? drawn == 0 : drawn > 0);
+}
+
+static void test_left_out(void **unused)
+{
+    static const uint8_t transparency[] = {1, 13, 31, 32, 33, 48, 60, 63, 64};
+
+    (void)unused;
+    for (unsigned i = 0; i < 4 * sizeof transparency; i++) {
+        static const unsigned rows[] = {16, 120, 5, 33};
+        const struct case_of c = {.pixel = i % 3 == 2 ? SHEEN_RGB565_LE : SHEEN_RGB565_BE,
+                                  .shading = (enum sheen_shading)(i % 4),
+                                  .rows = rows[(i + i / 4) % 4],
+                                  .workers = 1 + i % 3,
+                                  .transparency = transparency[i / 4],
+                                  .phase = i * 3 % 8,
+                                  .affine = i % 5 == 4};
+        check(&c);
+    }
+}
+
+static void test_greys(void **unused)
+{
+    static const enum sheen_pixel grey[] = {SHEEN_GREY2, SHEEN_GREY16, SHEEN_GREY256};
+
+    (void)unused;
+    for (unsigned i = 0; i < 12; i++) {
+        const struct case_of c = {.pixel = grey[i % 3],
+                                  .shading = (enum sheen_shading)(i % 4),
+                                  .rows = 16,
+                                  .workers = 1,
+                                  .transparency = 8 + 4 * i,
+                                  .phase = 1};
+        check(&c);
+    }
+}
+
+/* Dithered by other thresholds than the whole draw: the same whatever the bands, and nothing where it is left out. */
+static void test_dithered(void **unused)
+{
+    (void)unused;
+    for (unsigned i = 0; i < 16; i++) {
+        struct case_of c = {.pixel = i & 4 ? SHEEN_GREY16 : SHEEN_RGB565_BE,
+                            .shading = (enum sheen_shading)(i % 4),
+                            .rows = 16,
+                            .workers = 1,
+                            .transparency = i & 8 ? 20 : 40,
+                            .dither = 1};
+        draw(&c, 7, picture[0]);
+        draw(&c, 6, picture[2]);
+        c.rows = 7;
+        c.workers = 2;
+        draw(&c, 7, picture[1]);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                assert_int_equal(picture[0][y][x], picture[1][y][x]);
+                assert_true(is_drawn(&c, x, y) || picture[0][y][x] == picture[2][y][x]);
+            }
+    }
+}
+
+static void test_arguments(void **unused)
+{
+    struct memory_target target;
+    struct sheen_config config;
+    struct sheen_view view;
+    struct core_frame f;
+    struct sheen_object good;
+
+    (void)unused;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 3);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    stage_view(&view);
+    stage_draw(&stage, &cast[0], &good);
+    good.stipple = &sheen_stipple;
+    good.transparency = 32;
+    for (int i = 0; i < 4; i++) {
+        struct sheen_object object = good;
+        object.transparency = i == 1 ? 65 : 32;
+        object.phase = i == 2 ? 8 : 7;
+        object.stipple = i == 3 ? NULL : good.stipple;
+        assert_int_equal(sheen_render(f.frame, &view, &object, 1), i > 0 ? SHEEN_ERR_ARGUMENT : SHEEN_OK);
+        if (i > 0)
+            assert_int_equal(sheen_frame_about(f.frame, NULL), SHEEN_ABOUT_TRANSPARENCY);
+    }
+    assert_string_equal(sheen_subject_name(SHEEN_ABOUT_TRANSPARENCY), "transparency");
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out), cmocka_unit_test(test_greys),
+                                       cmocka_unit_test(test_dithered), cmocka_unit_test(test_arguments)};
+
+    return cmocka_run_group_tests_name("frame_stipple", tests, make_stage, free_stage);
+}
