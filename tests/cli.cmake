@@ -46,7 +46,9 @@ foreach(n 1 7 24 127)
   sheen_baked(baked_shine_${n}.h shine:${n})
   list(APPEND shines ${baked}/baked_shine_${n}.h)
 endforeach()
-sheen_test(test_bake unit SOURCES test_bake.c ${shines} ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
+sheen_baked(baked_ramp.h ramp:gamma --ambient 0.1 --diffuse 0.7)
+sheen_baked(baked_ramp_near.h ramp:gamma:2.2000001 --ambient 1.5 --diffuse 0.25)
+sheen_test(test_bake unit SOURCES test_bake.c ${shines} ${baked}/baked_ramp.h ${baked}/baked_ramp_near.h ${baked}/baked_teapot.h ${baked}/baked_egg.h ${baked}/baked_egg_crease.h
   ${baked}/baked_box.h ${baked}/baked_crate.h ${baked}/baked_crate_565.h LIBRARIES sheen::host sheen::core m)
 target_include_directories(test_bake PRIVATE ${baked})
 

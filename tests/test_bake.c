@@ -18,6 +18,8 @@
 #include "baked_crate_565.h"
 #include "baked_egg.h"
 #include "baked_egg_crease.h"
+#include "baked_ramp.h"
+#include "baked_ramp_near.h"
 #include "baked_shine_1.h"
 #include "baked_shine_127.h"
 #include "baked_shine_24.h"
@@ -220,11 +222,32 @@ static void power_tables(void **state)
     }
 }
 
+/* gamma is the core's own table; of another exponent, as near as that to 2.2, it is the same to a step. */
+static void ramps(void **state)
+{
+    struct sheen_ramp made;
+
+    (void)state;
+    assert_int_equal(sheen_ramp_make_gamma(&made, 6554, 45875), SHEEN_OK);
+    assert_memory_equal(made.value, baked_ramp.value, sizeof made.value);
+    assert_int_equal(made.low, baked_ramp.low);
+    assert_int_equal(made.span, baked_ramp.span);
+    assert_int_equal(made.steep, baked_ramp.steep);
+    assert_ptr_equal(baked_ramp.reader, &sheen_ramp_reader);
+    assert_int_equal(sheen_ramp_make_gamma(&made, 98304, 16384), SHEEN_OK);
+    assert_true(made.low < 0);
+    for (int i = 0; i <= SHEEN_RAMP_STEPS; i++)
+        assert_in_range(made.value[i] + 1 - baked_ramp_near.value[i], 0, 2);
+    assert_in_range(made.low + 2 - baked_ramp_near.low, 0, 4);
+    assert_in_range(made.span + 2 - baked_ramp_near.span, 0, 4);
+    assert_int_equal(made.steep, baked_ramp_near.steep);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(power_tables), cmocka_unit_test(headers_are_the_files), cmocka_unit_test(groups),
-        cmocka_unit_test(textures),     cmocka_unit_test(the_same_pixels),
+        cmocka_unit_test(power_tables), cmocka_unit_test(ramps),    cmocka_unit_test(headers_are_the_files),
+        cmocka_unit_test(groups),       cmocka_unit_test(textures), cmocka_unit_test(the_same_pixels),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /*
- * bake_text.c - meshes, and power tables, as a C header.
+ * bake_text.c - meshes, textures, power tables and ramps as a C header.
  */
 #include "bake_text.h"
 
@@ -249,6 +249,21 @@ int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, con
     put_head(stream, name, source);
     put_texture(stream, name, texels);
     fputs("#endif\n", stream);
+    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
+int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char *name, const char *source)
+{
+    size_t column = 0;
+
+    put_head(stream, name, source);
+    fprintf(stream,
+            "static const struct sheen_ramp %s = {\n    .reader = &sheen_ramp_reader,\n    .low = %" PRId32
+            ",\n    .span = %" PRId32 ",\n    .value = {",
+            name, ramp->low, ramp->span);
+    for (size_t i = 0; i <= SHEEN_RAMP_STEPS; i++)
+        put(stream, ramp->value[i], &column);
+    fprintf(stream, "\n    },\n    .steep = %u,\n};\n\n#endif\n", ramp->steep);
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 

@@ -1,5 +1,5 @@
 /*
- * bake_text.h - meshes, textures and power tables as a C header: const data for flash.
+ * bake_text.h - meshes, textures, power tables and ramps as a C header: const data for flash.
  */
 #ifndef SHEEN_BAKE_TEXT_H
 #define SHEEN_BAKE_TEXT_H
@@ -36,6 +36,9 @@ int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const c
 
 /* Likewise of a texture. */
 int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, const char *name, const char *source);
+
+/* Likewise of a ramp. */
+int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char *name, const char *source);
 
 /* The identifier that a file's name gives: its base without ending, others than letters and digits as _. */
 void sheen_bake_name(char *name, size_t size, const char *path);

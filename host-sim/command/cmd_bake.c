@@ -1,5 +1,5 @@
 /*
- * cmd_bake.c - `sheen bake`: a mesh, a matcap or a power table, as const data for a firmware's flash.
+ * cmd_bake.c - `sheen bake`: a mesh, a matcap, a power table or a ramp, as const data for a firmware's flash.
  *
  * Triangles keep the file's order, so that of equal depths the same one stays as in
  * a rendered file. The core transforms each vertex once however triangles are
@@ -18,6 +18,7 @@
 #include "matcaps.h"
 #include "out_file.h"
 #include "progress.h"
+#include "ramps.h"
 #include "report.h"
 #include "scene.h"
 #include "textures_out.h"
@@ -32,7 +33,8 @@ struct baking {
     uint32_t *pictures; /* of each mesh, as its part's */
     struct sheen_texels *texels;
     struct sheen_shine shine;   /* of shine:N, where there is no mesh; */
-    struct sheen_texels matcap; /* of matcap:NAME */
+    struct sheen_texels matcap; /* of matcap:NAME; */
+    struct sheen_ramp ramp;     /* of ramp:gamma */
     char name[48];
     char source[640]; /* a file's name has at most 255 bytes, and there may be two */
 };
@@ -40,6 +42,7 @@ struct baking {
 #define PLANNED_VIEWS 12 /* of a turn */
 #define SHINE "shine:"
 #define MATCAP "matcap:"
+#define RAMP "ramp:"
 
 static int is_shine(const struct sheen_options *options)
 {
@@ -49,6 +52,22 @@ static int is_shine(const struct sheen_options *options)
 static int is_matcap(const struct sheen_options *options)
 {
     return strncmp(options->mesh, MATCAP, strlen(MATCAP)) == 0;
+}
+
+static int is_ramp(const struct sheen_options *options)
+{
+    return strncmp(options->mesh, RAMP, strlen(RAMP)) == 0;
+}
+
+/* *with: the options, with the ramp that stands in place of a mesh. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+static int read_ramp(struct sheen_options *with, const struct sheen_options *options, struct sheen_problem *problem)
+{
+    *with = *options;
+    if (sheen_ramp_read(&with->ramp, options->mesh + strlen(RAMP)) == 0 && with->ramp.kind == SHEEN_RAMP_GAMMA)
+        return sheen_ramp_check(with, problem);
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                         "%s: gamma or gamma:G, G in %g..%g; sheen_ramp_half and sheen_ramp_toon are in the core",
+                         options->mesh, SHEEN_LEAST_GAMMA, SHEEN_MOST_GAMMA);
 }
 
 /* The n of shine:N, or 0 and *problem. */
@@ -83,6 +102,10 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
         return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
     if (is_matcap(options))
         return SHEEN_OK;
+    if (is_ramp(options)) {
+        struct sheen_options with;
+        return read_ramp(&with, options, problem);
+    }
     int error = sheen_turntable_choose(choice, options, problem);
     if (error)
         return error;
@@ -242,6 +265,8 @@ static int write_text(const struct baking *baking, FILE *stream)
 
     if (is_shine(baking->options))
         return sheen_bake_shine_text(stream, &baking->shine, baking->name, baking->source);
+    if (is_ramp(baking->options))
+        return sheen_bake_ramp_text(stream, &baking->ramp, baking->name, baking->source);
     if (is_matcap(baking->options))
         return sheen_bake_texture_text(stream, &baking->matcap, baking->name, baking->source);
     return sheen_bake_text(stream, &bake);
@@ -309,6 +334,29 @@ static enum sheen_exit bake_shine(struct baking *baking)
     return SHEEN_EXIT_OK;
 }
 
+static enum sheen_exit bake_ramp(struct baking *baking)
+{
+    struct sheen_options with;
+    struct sheen_problem problem;
+
+    set_name(baking);
+    int error = read_ramp(&with, baking->options, &problem);
+    if (!error) {
+        baking->ramp = *sheen_ramp_of(&baking->ramp, &with);
+        add_source(baking, "sheen bake %s", with.mesh);
+        if (with.ambient != 0.2)
+            add_source(baking, " --ambient %g", with.ambient);
+        if (with.diffuse != 0.8)
+            add_source(baking, " --diffuse %g", with.diffuse);
+        error = write_header(baking, &problem);
+    }
+    if (error)
+        return sheen_fail(SHEEN_EXIT_FAILURE, &problem);
+    printf("%s: the ramp of gamma %g, for ambient light %g and diffuse %g\nflash: %u B\n", baking->name,
+           with.ramp.gamma, with.ambient, with.diffuse, SHEEN_RAMP_BYTES);
+    return SHEEN_EXIT_OK;
+}
+
 static enum sheen_exit bake_matcap(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
@@ -368,6 +416,8 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
         return bake_shine(&baking);
     if (is_matcap(options))
         return bake_matcap(&baking);
+    if (is_ramp(options))
+        return bake_ramp(&baking);
     int error = bake(&baking, &problem);
     if (!error) {
         report(&baking);

@@ -9,6 +9,7 @@
 #include "color_names.h"
 #include "nearest.h"
 #include "options.h"
+#include "ramps.h"
 
 static int refuse(const struct sheen_option *option, const char *text, const char *what, struct sheen_problem *problem)
 {
@@ -163,6 +164,11 @@ int sheen_option_set(struct sheen_options *options, const struct sheen_option *o
         return set_size(option, text, field, problem);
     case SHEEN_OPTION_LIGHT:
         return set_light(option, text, field, problem);
+    case SHEEN_OPTION_RAMP:
+        return sheen_ramp_read(field, text) == 0
+                   ? SHEEN_OK
+                   : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not one of %s, nor gamma:G, G in %g..%g",
+                                   option->name, text, option->argument, SHEEN_LEAST_GAMMA, SHEEN_MOST_GAMMA);
     case SHEEN_OPTION_TEXT:
         *(const char **)field = text;
         return SHEEN_OK;

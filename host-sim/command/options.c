@@ -3,6 +3,8 @@
  */
 #include "options.h"
 
+#include "ramps.h"
+
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
@@ -54,9 +56,16 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_DRAWS, AT(lights), 0, 0, 0},
     {"ambient", "K", "0.2", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(ambient), 0, 4, 0},
     {"diffuse", "K", "0.8", "light that scatters", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(diffuse), 0, 4, 0},
+    {"ambient", "K", "0.2", "the material's, which ramp:gamma is made for", SHEEN_OPTION_REAL, SHEEN_BAKE, AT(ambient),
+     0, 4, 0},
+    {"diffuse", "K", "0.8", "likewise", SHEEN_OPTION_REAL, SHEEN_BAKE, AT(diffuse), 0, 4, 0},
     {"specular", "K", "0.35", "light that mirrors: the highlight", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(specular), 0, 4,
      0},
     {"shininess", "N", "32", "its sharpness, the exponent", SHEEN_OPTION_WHOLE, SHEEN_DRAWS, AT(shininess), 1, 128, 0},
+    {"ramp", "lambert|half|gamma|toon", "lambert",
+     "light that scatters, over the angle: as the lecture has it; half-Lambert, whose dark side keeps its shape; on a "
+     "panel's own curve, gamma:G for another than 2.2; in three steps",
+     SHEEN_OPTION_RAMP, SHEEN_DRAWS, AT(ramp), 0, 0, 0},
     {"color", "COLOR|file", NULL,
      "of the mesh: rrggbb in hex or a name of CSS; or the file's materials' [d8a048, ffffff on panels of greys]",
      SHEEN_OPTION_PAINT, SHEEN_DRAWS, AT(color), 0, 0, 0},
@@ -203,7 +212,7 @@ static int check_values(const struct sheen_options *options, struct sheen_proble
 {
     if (options->palette == 1)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--palette '1': not 0, nor 2..256");
-    return SHEEN_OK;
+    return sheen_ramp_check(options, problem);
 }
 
 /* The operand: one mesh, for the command that draws one. */

@@ -28,6 +28,7 @@ enum sheen_option_kind {
     SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
     SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one */
+    SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`, gamma with :G or without */
     SHEEN_OPTION_TEXT    /* const char * */
 };
 
@@ -35,6 +36,18 @@ struct sheen_paint {
     uint8_t color[3];
     int given;     /* 0: the default, which is white on panels of greys */
     int from_file; /* 1: the file's, and the default where it has none */
+};
+
+enum sheen_ramp_kind {
+    SHEEN_RAMP_LAMBERT, /* none */
+    SHEEN_RAMP_HALF,
+    SHEEN_RAMP_GAMMA,
+    SHEEN_RAMP_TOON
+};
+
+struct sheen_ramp_choice {
+    int kind;     /* enum sheen_ramp_kind */
+    double gamma; /* of GAMMA */
 };
 
 struct sheen_light_list {
@@ -54,6 +67,7 @@ struct sheen_options {
     struct sheen_light_list lights;
     double ambient, diffuse, specular;
     int shininess;
+    struct sheen_ramp_choice ramp;
     struct sheen_paint color;
     uint8_t background[3];
     int two_sided, average, affine, ortho;

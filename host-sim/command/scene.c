@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ramps.h"
+
 #include "matcaps.h"
 
 static sheen_q16_t to_q16(double x)
@@ -53,6 +55,7 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     int error = sheen_shine_make(&scene->shine, (unsigned)scene->options->shininess);
     if (error)
         return error;
+    const struct sheen_ramp *ramp = sheen_ramp_of(&scene->ramp, scene->options);
     for (size_t i = 0; i < host->part_count; i++) {
         const struct sheen_group *group = &host->group[host->part[i].group];
         int use_group = paint->from_file && group->has_color;
@@ -61,6 +64,7 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
             return error;
         struct sheen_material *material = &scene->materials[scene->count];
         set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
+        material->ramp = ramp;
         if (host->part[i].picture)
             scene->own_texture[scene->count] = &scene->texels[host->part[i].picture - 1].texture;
         scene->own_color[scene->count++] = (uint8_t)use_group;

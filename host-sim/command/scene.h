@@ -18,6 +18,7 @@ struct sheen_scene {
     struct sheen_material *materials;
     uint8_t *own_color;       /* 1: the material's is of the file's */
     struct sheen_shine shine; /* of all of them */
+    struct sheen_ramp ramp;   /* likewise, where one is made */
     size_t count;
     struct sheen_texels *texels; /* the textures that materials point to */
     size_t texel_count;

@@ -5,6 +5,8 @@
 
 #include <inttypes.h>
 
+#include "ramps.h"
+
 #include "frame/ways.h"
 
 /* By enum sheen_way. */
@@ -53,6 +55,7 @@ int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int numb
     fprintf(stream,
             ", \"ram\": {\"arena\": %" PRIu32 ", \"vertices\": %" PRIu32 ", \"lists\": %" PRIu32 ", \"bands\": %" PRIu32
             ", \"tables\": %zu}}\n",
-            stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands, sizeof table->scene.shine);
+            stats.ram_arena, stats.ram_vertices, stats.ram_lists, stats.ram_bands,
+            sizeof table->scene.shine + (table->scene.options->ramp.kind ? SHEEN_RAMP_BYTES : 0));
     return fflush(stream) == 0 && !ferror(stream) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
 }

@@ -11,6 +11,7 @@
 #include "memory.h"
 
 #include "bake_text.h"
+#include "ramps.h"
 
 #define PANEL_STATE 128u /* struct sheen_panel, the bus and the target */
 
@@ -65,7 +66,8 @@ void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, c
         flash->textures = (uint32_t)sheen_texels_bytes(&scene->matcap);
     for (size_t i = 0; i < scene->texel_count && !is_matcap; i++)
         flash->textures += (uint32_t)sheen_texels_bytes(&scene->texels[i]);
-    flash->tables = scene->options->specular > 0 ? (uint32_t)sizeof scene->shine : 0;
+    flash->tables = (scene->options->specular > 0 ? (uint32_t)sizeof scene->shine : 0) +
+                    (scene->options->ramp.kind != SHEEN_RAMP_LAMBERT ? SHEEN_RAMP_BYTES : 0);
     flash->all = flash->core + flash->panel + flash->mesh + flash->tables + flash->textures;
     flash->small = flash->all - flash->core - flash->panel + sheen_plan_core_flash[cpu][1][shade] +
                    (record ? sheen_plan_panel_flash[cpu][1][driver_kind(record)] : 0);

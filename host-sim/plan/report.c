@@ -45,10 +45,13 @@ static void put_head(FILE *out, const struct sheen_plan *plan)
 {
     const struct sheen_options *o = plan->options;
     const int dithered = o->undithered < 0 ? plan->target.pixel != SHEEN_GREY256 : !o->undithered;
+    const char *without = plan->flash[0].textures              ? ", time without its textures"
+                          : o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", time without its ramp"
+                                                               : "";
 
     fprintf(out, "%s, %s%s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[plan->shade],
-            dithered ? ", dithered" : "", plan->flash[0].textures ? ", time without its textures" : "", plan->panel,
-            plan->target.width, plan->target.height, rows_of(plan), SHEEN_PLAN_VIEWS);
+            dithered ? ", dithered" : "", without, plan->panel, plan->target.width, plan->target.height, rows_of(plan),
+            SHEEN_PLAN_VIEWS);
     fprintf(out, "counted    mesh: %u triangles, %u vertices; a frame: at most %u triangles, %u vertices\n",
             plan->triangles, plan->vertices, plan->listed, plan->used);
 }

@@ -10,7 +10,7 @@ const SLIDERS = { // name: least, most, step, unit
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
     fov: [5, 120, 1, '°'],
 };
-const MORE = ['dither', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture',
+const MORE = ['dither', 'ramp', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture',
     'filter', 'wrap', 'texture-size', 'palette'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
