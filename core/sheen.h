@@ -234,8 +234,8 @@ extern const struct sheen_shader sheen_textured, sheen_textured_flat;
 /*
  * With a picture of a lit sphere, the material's texture, in place of lights: base times the texel at ((1 + x) / 2,
  * (1 - y) / 2) of the picture, x and y of the normal before the eye. sheen_matcap takes the normal of the pixel, as
- * phong, sheen_matcap_vertex the vertices', with coordinates linear in space between. Of the texture a bilinear one
- * MUST have clamp_u and clamp_v; of the material base and texture alone are read.
+ * phong, sheen_matcap_vertex the vertices', with coordinates linear in space between. The texture MUST clamp where it
+ * is bilinear (clamp_u, clamp_v). Of the material base and texture alone are read.
  */
 extern const struct sheen_shader sheen_matcap, sheen_matcap_vertex;
 

@@ -18,8 +18,9 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[24 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap"};
 #define TEXTURED 4
+#define MATCAP 5
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -178,12 +179,14 @@ static int print_sums(int mesh, int shading, int view, int format)
                                                                       : 1};
     struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
     struct sheen_texture texture = {.bits = 0};
-    const enum light light = shading == TEXTURED ? (enum light)mesh : LIGHT_TINTED;
+    const enum light light = shading >= TEXTURED ? (enum light)mesh : LIGHT_TINTED;
     struct sheen_object draw = {.mesh = &own};
 
     target.ctx = &target;
-    draw.shader = shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)shading);
-    if (shading == TEXTURED)
+    draw.shader = shading == MATCAP     ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
+                  : shading == TEXTURED ? &sheen_textured
+                                        : sheen_shader_of((unsigned)shading);
+    if (shading >= TEXTURED)
         hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
@@ -206,8 +209,9 @@ int main(void)
         if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
-    for (int i = 0; i < SUM_MESHES * VIEWS * 5; i++) {
-        if (print_sums(i / (5 * VIEWS), TEXTURED, i / 5 % VIEWS, i % 5) < 0)
+    for (int i = 0; i < 2 * SUM_MESHES * VIEWS * 5; i++) {
+        const int of_mesh = i % (SUM_MESHES * VIEWS * 5);
+        if (print_sums(of_mesh / (5 * VIEWS), i < SUM_MESHES * VIEWS * 5 ? TEXTURED : MATCAP, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

@@ -18,8 +18,8 @@ static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye
 #define MATCAP_LEAN 32768   /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
 #define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px and more what a quadric is off by is that of many pixels */
 
-/* |Ni - Nj|^2, UQ2.30, up to which quadratic is within 1/24 texel, of 64 texels a side or less, 128, 256 and 512. */
-static const uint32_t widest_quadratic[4] = {189000000u, 119000000u, 75000000u, 47000000u};
+/* |Ni - Nj|^2, UQ2.30, up to which quadratic is within 1/24 step, of 64 steps a side or less, 128 and so on. */
+static const uint32_t widest_quadratic[5] = {189000000u, 119000000u, 75000000u, 47000000u, 29000000u};
 
 /* The material's colour is all the light that there is. */
 static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format)
@@ -57,40 +57,35 @@ static unsigned size_of(const struct draw *d, int i)
     return i == 0 ? t->width_log2 : t->height_log2;
 }
 
-/* Texels of x and -y, inside the picture, and light. */
-static void corner_texels(const struct draw *d, int32_t cosine[2][3], struct at_corners at[4])
+/* The logarithm of the steps a side that coordinates have to be right by: texels, or to bilinear halves of them. */
+static unsigned steps_of(const struct draw *d)
 {
-    for (int i = 0; i < 2; i++) {
-        const unsigned size = size_of(d, i);
-        const int32_t most = (1 << (16 + size)) - MATCAP_EDGE;
+    const unsigned width = size_of(d, 0), height = size_of(d, 1);
+
+    return (width > height ? width : height) + (d->texel.texture->bilinear ? 1 : 0);
+}
+
+/* Texels of x and -y, `edge` from the picture's edges or more, and light. */
+static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t edge, struct at_corners at[4])
+{
+    for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
-            at[i].f[k] = max32(MATCAP_EDGE, min32((cosine[i][k] + 32768) * (1 << size) + BORDER_BIAS, most));
-    }
+            at[i].f[k] = texel_at_cosine(cosine[i][k], size_of(d, i), edge);
     for (int k = 0; k < 3; k++) {
         at[2].f[k] = texel_light(&d->texel, 0);
         at[3].f[k] = 0;
     }
 }
 
-/* No coordinate leaves the picture: what is beyond its edges does not matter, but to bilinear. */
-static enum textured_pixels matcap_pixels(const struct draw *d)
-{
-    const struct texel_terms *terms = &d->texel;
-    const struct sheen_texture *t = terms->texture;
-    const int is_usual = d->is_565 && (t->bits & 15) == 0 && !t->keyed && t->width_log2 + t->height_log2 <= 16;
-
-    return is_usual && !t->bilinear && terms->unlit ? TEXTURED_UNLIT : TEXTURED_ANY;
-}
-
 /* ---- quadratic ---- */
 
-/* 1 where the quadric might leave the picture: within the triangle it is less than a sixth of k above the corners. */
-static int may_leave(const int32_t f[3], const int32_t k[3])
+/* 1 where the quadric might come near the edges: in the triangle it is less than a sixth of k above the corners. */
+static int may_leave(const int32_t f[3], const int32_t k[3], int32_t most_cosine)
 {
     const int32_t most = max32(max32(f[0], f[1]), f[2]), least = min32(min32(f[0], f[1]), f[2]);
     const uint32_t bend = magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]);
 
-    return max32(most, -least) + (int32_t)(bend >> 1) > 32768 - 64;
+    return max32(most, -least) + (int32_t)(bend >> 1) > most_cosine;
 }
 
 /* About the largest block whose length squared times `rate` stays below 2^bits, bits <= 29. */
@@ -107,36 +102,38 @@ static uint8_t block_of(uint32_t rate, unsigned bits)
     return (uint8_t)count;
 }
 
-/* A block's middle is off by 1/8 of its length squared times the second difference: within 1/32 texel. */
-static uint8_t quadric_block(const struct quadric quadric[2], unsigned size)
+/* A block's middle is off by 1/8 of its length squared times the second difference: within 1/32 step. */
+static uint8_t quadric_block(const struct quadric quadric[2], unsigned steps)
 {
     const uint32_t u = magnitude32((int32_t)quadric[0].dxx), v = magnitude32((int32_t)quadric[1].dxx);
 
-    return block_of(u > v ? u : v, 29 - size);
+    return block_of(u > v ? u : v, 29 - steps);
 }
 
 /* 0: normals or weights are too far apart, the triangle is a needle or too small, or the picture might be left. */
-static int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
-                            int32_t cosine[2][3], const uint32_t h[3])
+static APART int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
+                                  const uint32_t h[3])
 {
     struct quadric_steps steps;
-    int32_t lean[3];
+    int32_t cosine[2][3], lean[3];
 
     if (g->bits > MAGNIFIED_MATCAP || !sheen_leans(lean, c, MATCAP_LEAN) || !sheen_quadric_steps(&steps, g))
         return 0;
+    corner_cosines(cosine, c);
     for (int i = 0; i < 2; i++) {
         const int32_t *f = cosine[i];
         const int32_t k[3] = {sheen_cosine_excess(f[0], f[1], (int32_t)(h[0] >> 14), lean[0]),
                               sheen_cosine_excess(f[0], f[2], (int32_t)(h[1] >> 14), lean[1]),
                               sheen_cosine_excess(f[1], f[2], (int32_t)(h[2] >> 14), lean[2])};
         const uint32_t bias = (uint32_t)BORDER_BIAS << (15 - size_of(m->s.draw, i));
-        if (may_leave(f, k))
+        if (may_leave(f, k, 32768 - (texel_edge(m->s.draw->texel.texture) >> size_of(m->s.draw, i)) - 64))
             return 0;
         sheen_corner_quadric(&m->quadric[i], &steps, ((uint32_t)(f[0] + 32768) << 15) + bias, (f[1] - f[0]) * 2,
                              (f[2] - f[0]) * 2, k);
     }
     m->x = (int16_t)g->origin[0];
     m->y = (int16_t)g->origin[1];
+    m->s.detail = quadric_block(m->quadric, steps_of(m->s.draw));
     m->s.way = SHEEN_WAY_MATCAP_QUADRATIC;
     m->s.rows = sheen_matcap_quadric_rows;
     return 1;
@@ -155,7 +152,7 @@ static uint32_t part_square(int32_t x)
  * lies across an obtuse angle, else a third. At that length the normal turns by |Nx| / |N| a px, whose square bounds
  * its second difference.
  */
-static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsigned size)
+static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsigned steps)
 {
     uint32_t least = UINT32_MAX, apart = 0, sum = 0, step = 0;
 
@@ -176,10 +173,10 @@ static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsig
     least = least > apart ? least - apart : 0;
     if (least >> 15 == 0)
         return 1;
-    return block_of(step / (least >> 15), 24 - size); /* of UQ.25 */
+    return block_of(step / (least >> 15), 24 - steps); /* of UQ.25 */
 }
 
-static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
+static APART void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
 {
     const struct lighting *l = &m->s.draw->light;
     const sheen_q30_t *const axis[3] = {l->to[0], l->to[1], l->view};
@@ -195,8 +192,7 @@ static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, con
         for (int k = 0; k < 3; k++)
             n[i][k] = asr32(w[k] * n[i][k], 15);
     }
-    const struct sheen_texture *t = m->s.draw->texel.texture;
-    m->s.detail = normal_block(m->normal, n, t->width_log2 > t->height_log2 ? t->width_log2 : t->height_log2);
+    m->s.detail = normal_block(m->normal, n, steps_of(m->s.draw));
     m->s.way = SHEEN_WAY_MATCAP_NORMALS;
     m->s.rows = sheen_matcap_normal_rows;
 }
@@ -209,34 +205,40 @@ static void matcap_vertex_setup(struct setup *s, struct surface_corners *c, cons
     int32_t cosine[2][3];
 
     corner_cosines(cosine, c);
-    corner_texels(s->draw, cosine, at);
+    corner_texels(s->draw, cosine, TEXEL_EDGE, at);
     sheen_setup_textured(s, c, g, at, 1);
-    s->fast = (uint8_t)matcap_pixels(s->draw);
 }
 
-/* An arc's middle lies t^2 / 8 above its chord: 1/32 texel. */
-static uint32_t widest_linear(unsigned size)
+/* An arc's middle lies t^2 / 8 above its chord: 1/32 step. */
+static uint32_t widest_linear(unsigned steps)
 {
-    return 1u << (29 - size);
+    return 1u << (29 - steps);
 }
 
-/* 0: linear is good enough. Apart: linear's way has no stack to spare. */
-static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
+/* How its texels are put; the coordinates of both other ways keep from the edges. */
+static APART void choose_pixels(struct setup *s, const struct surface_corners *c)
 {
-    struct matcap_setup *m = (struct matcap_setup *)s;
-    const unsigned size = (unsigned)max32((int32_t)size_of(s->draw, 0), (int32_t)size_of(s->draw, 1));
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
-    uint32_t h[3], apart = sheen_normals_apart(c, h);
+    struct at_corners at[4];
     int32_t cosine[2][3];
 
-    if (apart <= widest_linear(size) && !piece)
-        return 0;
-    s->fast = (uint8_t)matcap_pixels(s->draw);
     corner_cosines(cosine, c);
-    if (!piece && apart <= widest_quadratic[size > 6 ? size - 6 : 0] && quadratic_matcap(m, c, g, cosine, h))
-        s->detail = quadric_block(m->quadric, size);
-    else
-        normal_matcap(m, c, g);
+    corner_texels(s->draw, cosine, texel_edge(s->draw->texel.texture), at);
+    s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
+}
+
+/* 0: linear is good enough. Apart, as what it calls: there is no stack to spare. */
+static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    const unsigned steps = steps_of(s->draw);
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
+    uint32_t h[3], apart = sheen_normals_apart(c, h);
+
+    if (apart <= widest_linear(steps) && !piece)
+        return 0;
+    choose_pixels(s, c);
+    if (piece || apart > widest_quadratic[steps > 6 ? steps - 6 : 0] ||
+        !quadratic_matcap((struct matcap_setup *)s, c, g, h))
+        normal_matcap((struct matcap_setup *)s, c, g);
     return 1;
 }
 

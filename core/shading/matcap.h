@@ -20,8 +20,11 @@ struct matcap_setup {
 
 #define LARGEST_BLOCK 32 /* px */
 
-/* Of texels, Q16.16: steps along a run, packed or not, are off by less, and must not show the other side. */
-#define MATCAP_EDGE 1280
+/* (1 + x) / 2 of the picture's 2^size texels, Q16.16, within its edges; x: Q0.15. */
+static inline int32_t texel_at_cosine(int32_t x, unsigned size, int32_t edge)
+{
+    return max32(edge, min32((x + 32768) * (1 << size) + BORDER_BIAS, (1 << (16 + size)) - edge));
+}
 
 void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s);
 void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s);

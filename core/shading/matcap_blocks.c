@@ -11,18 +11,23 @@ struct row_left {
     struct texel_at at, step;
 };
 
+static void rows_begin(struct row_left *r, const struct tile *t, const struct setup *s)
+{
+    sheen_textured_begin(&r->run, t, s);
+    r->at = (struct texel_at){.light = (uint32_t)texel_light(&s->draw->texel, 0)};
+    r->step = (struct texel_at){.z = s->depth.dx};
+}
+
 /* 0: the row is empty. */
 static int row_begin(struct row_left *r, const struct tile *t, const struct setup *s, unsigned row)
 {
     const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
 
     r->left = t->spans[row].x1 - x;
-    sheen_textured_begin(&r->run, t, s);
-    r->run.depth = t->depth + tile_offset(t, x, y);
     r->run.x = x;
     r->run.y = y;
-    r->at = (struct texel_at){plane_at(&s->depth, x, y), 0, 0, (uint32_t)texel_light(&s->draw->texel, 0), 0};
-    r->step = (struct texel_at){s->depth.dx, 0, 0, 0, 0};
+    r->run.depth = t->depth + tile_offset(t, x, y);
+    r->at.z = plane_at(&s->depth, x, y);
     return r->left > 0;
 }
 
@@ -65,6 +70,7 @@ void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
     struct row_left r;
     struct curve u, v;
 
+    rows_begin(&r, t, s);
     for (unsigned row = 0; row < t->rows; row++, quadric_down(&qu), quadric_down(&qv)) {
         if (!row_begin(&r, t, s, row))
             continue;
@@ -89,14 +95,6 @@ struct block_end {
     uint32_t u, v;
 };
 
-/* (1 + x) / 2 of the picture's 2^size texels, Q16.16, held inside; x: Q0.15. Bilinear: at the outer texels' middles. */
-static uint32_t texel_at_cosine(int32_t x, unsigned size, unsigned bilinear)
-{
-    const int32_t edge = bilinear ? 1 << 15 : MATCAP_EDGE, at = (x + 32768) * (1 << size) + BORDER_BIAS;
-
-    return (uint32_t)max32(edge, min32(at, (1 << (16 + size)) - edge));
-}
-
 /*
  * The texel of e->n, of any length; the middle where it has none. Range: parts are below 2^15, the largest 2^14 or
  * more, so a part times half of the root is at most 2^30.
@@ -119,8 +117,8 @@ static APART void texel_of_normal(struct block_end *e, const struct sheen_textur
         x = asr32(n[0] * root, 15 - quarter / 2);
         y = asr32(n[1] * root, 15 - quarter / 2);
     }
-    e->u = texel_at_cosine(x, t->width_log2, t->bilinear);
-    e->v = texel_at_cosine(-y, t->height_log2, t->bilinear);
+    e->u = (uint32_t)texel_at_cosine(x, t->width_log2, texel_edge(t));
+    e->v = (uint32_t)texel_at_cosine(-y, t->height_log2, texel_edge(t));
 }
 
 /* 2^16 / count. */
@@ -165,6 +163,7 @@ void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s)
     const struct matcap_setup *m = (const struct matcap_setup *)s;
     struct row_left r;
 
+    rows_begin(&r, t, s);
     for (unsigned row = 0; row < t->rows; row++)
         if (row_begin(&r, t, s, row))
             normal_row(m, &r);

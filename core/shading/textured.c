@@ -34,7 +34,8 @@ static void textured_as(struct setup *s, struct surface_corners *c, const struct
 
     for (int k = 0; k < 3; k++) {
         at[2].f[k] = texel_light(&d->texel, lit[k].diffuse);
-        at[3].f[k] = texel_highlight(&d->texel, lit[k].specular);
+        at[3].f[k] = (int32_t)(d->texel.white ? lit[k].specular * d->texel.gloss >> (30 - LIGHT_BITS)
+                                              : lit[k].specular << (LIGHT_BITS - 15));
     }
     for (int k = 0; k < 2; k++) {
         diffuse[k] = (int32_t)(lit[k + 1].diffuse - lit[0].diffuse);

@@ -48,6 +48,18 @@ struct texel_run {
 /* What rounding takes off a coordinate that lies on a border must not show the texel on its other side. */
 #define BORDER_BIAS 64 /* 1/1024 texel */
 
+/*
+ * As near to a picture's edges, texels in Q16.16, a coordinate may come so that neither steps along a run, which are
+ * off by less than TEXEL_EDGE, packed or not, nor a bilinear neighbour show the other side (its share is rounded, by
+ * more than steps that are not packed are off).
+ */
+#define TEXEL_EDGE 1280
+
+static inline int32_t texel_edge(const struct sheen_texture *t)
+{
+    return t->bilinear ? 1 << 15 : TEXEL_EDGE;
+}
+
 /* Of an attribute, in the order of the gradients. */
 struct at_corners {
     int32_t f[3];
@@ -61,11 +73,8 @@ static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
     return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_BITS));
 }
 
-/* Likewise a highlight. */
-static inline int32_t texel_highlight(const struct texel_terms *t, uint32_t specular)
-{
-    return (int32_t)(t->white ? specular * t->gloss >> (30 - LIGHT_BITS) : specular << (LIGHT_BITS - 15));
-}
+/* The cheapest pixels that give what any would. at: as of sheen_setup_textured. */
+enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4]);
 
 /*
  * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light

@@ -78,7 +78,17 @@ static struct plane mean_plane(const struct at_corners *at)
     return p;
 }
 
-static enum textured_pixels pixels_of(const struct draw *d, const struct at_corners at[4])
+/* 1 where a coordinate may come near the picture's edges, where what is held there differs from what repeats. */
+static int nears_edges(const struct at_corners *at, unsigned size, int32_t edge)
+{
+    unsigned near = 0;
+
+    for (int k = 0; k < 3; k++)
+        near |= (uint32_t)(at->f[k] - edge) > (1u << (16 + size)) - 2u * (uint32_t)edge;
+    return near != 0;
+}
+
+enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
     const struct sheen_texture *t = terms->texture;
@@ -88,8 +98,11 @@ static enum textured_pixels pixels_of(const struct draw *d, const struct at_corn
 
     for (int k = 0; k < 3; k++)
         light = max32(light, at[2].f[k]);
-    if (!d->is_565 || t->clamp_u || t->clamp_v || t->width_log2 + t->height_log2 > 16 || !terms->alike ||
-        light > 1 << LIGHT_BITS || (highlight != 0 && !terms->white) || (t->bilinear && t->keyed))
+    if ((t->clamp_u && nears_edges(&at[0], t->width_log2, texel_edge(t))) ||
+        (t->clamp_v && nears_edges(&at[1], t->height_log2, texel_edge(t))))
+        return TEXTURED_ANY;
+    if (!d->is_565 || t->width_log2 + t->height_log2 > 16 || !terms->alike || light > 1 << LIGHT_BITS ||
+        (highlight != 0 && !terms->white) || (t->bilinear && t->keyed))
         return TEXTURED_ANY;
     if (t->bilinear)
         return terms->unlit && !is_other ? TEXTURED_BILINEAR : TEXTURED_BILINEAR_OTHER;
@@ -106,7 +119,7 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
 
     t->light = (struct plane){(uint32_t)at[2].f[0], 0, 0}; /* unlit it is the same everywhere */
     t->specular = (struct plane){0, 0, 0};
-    s->fast = (uint8_t)pixels_of(s->draw, at);
+    s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
     s->rows = sheen_textured_blocks;
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
     if (g != NULL && !(straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]))) {

@@ -36,9 +36,24 @@ static const struct sheen_texture nearest = {
 static const struct sheen_texture bilinear = {
     .texels = bench_texels, .width_log2 = BENCH_TEXELS_LOG2, .height_log2 = BENCH_TEXELS_LOG2, .bilinear = 1};
 
+/* As the core's matcaps are. */
+static const struct sheen_texture spheres[2] = {{.texels = bench_texels,
+                                                 .width_log2 = BENCH_TEXELS_LOG2,
+                                                 .height_log2 = BENCH_TEXELS_LOG2,
+                                                 .clamp_u = 1,
+                                                 .clamp_v = 1},
+                                                {.texels = bench_texels,
+                                                 .width_log2 = BENCH_TEXELS_LOG2,
+                                                 .height_log2 = BENCH_TEXELS_LOG2,
+                                                 .clamp_u = 1,
+                                                 .clamp_v = 1,
+                                                 .bilinear = 1}};
+
 static void show_texture(struct sheen_material *material, enum bench_texture texture)
 {
-    material->texture = texture == BENCH_BILINEAR || texture == BENCH_MATCAP_BILINEAR ? &bilinear : &nearest;
+    material->texture = texture >= BENCH_MATCAP     ? &spheres[texture == BENCH_MATCAP_BILINEAR]
+                        : texture == BENCH_BILINEAR ? &bilinear
+                                                    : &nearest;
     material->base[0] = material->base[1] = material->base[2] = 255;
     if (texture != BENCH_GLOSSY)
         material->specular = 0;

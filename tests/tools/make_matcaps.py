@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Write core/pixel/matcap_*.c into a folder, or with --check compare them: pictures of a lit sphere, of our own making.
 
-A texel is what a sphere shows where its normal is (x, y, z), z towards the eye. Nothing but sums, products, quotients and
-square roots, which IEEE 754 rounds alike everywhere, so that the files are the same bits wherever this runs.
+A texel is what a sphere shows where its normal is (x, y, z), z towards the eye. Nothing but sums, products, quotients
+and square roots, which IEEE 754 rounds alike everywhere, so that the files are the same bits wherever this runs.
 """
 import os
 import sys
@@ -69,7 +69,7 @@ def fresnel(n, least):
 
 
 def box(r, towards, up, width, height, soft):
-    """How much of a lit rectangle at distance 1 a ray r meets; towards: its middle, width and height: half of its sides."""
+    """How much of a lit rectangle at distance 1 a ray r meets; towards its middle; width, height: half of its sides."""
     side = unit(cross(up, towards))
     up = cross(towards, side)
     depth = dot(r, towards)
@@ -82,57 +82,73 @@ def box(r, towards, up, width, height, soft):
 # ---- the four ----
 
 SUN = unit((-0.45, 0.62, 0.64))
-SKY = [(0.0, (0.97, 0.97, 0.95)), (0.10, (0.80, 0.88, 0.95)), (0.35, (0.45, 0.63, 0.86)), (0.75, (0.15, 0.30, 0.60)),
-       (1.0, (0.06, 0.13, 0.34))]
-GROUND = [(0.0, (0.07, 0.05, 0.05)), (0.16, (0.20, 0.14, 0.11)), (0.55, (0.52, 0.41, 0.31)), (1.0, (0.80, 0.71, 0.58))]
+UP, AHEAD = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+SKY = [(0.0, (0.99, 0.97, 0.92)), (0.08, (0.86, 0.91, 0.95)), (0.30, (0.50, 0.68, 0.89)), (0.70, (0.16, 0.33, 0.64)),
+       (1.0, (0.05, 0.12, 0.33))]
+GROUND = [(0.0, (0.05, 0.04, 0.05)), (0.14, (0.17, 0.12, 0.10)), (0.50, (0.50, 0.39, 0.29)), (1.0, (0.86, 0.77, 0.63))]
+
+
+def bump(middle, width, x):
+    t = (x - middle) / width
+    return max(1 - t * t, 0.0) * max(1 - t * t, 0.0)
 
 
 def chrome(n):
+    """Polished metal under a clear sky, on a plain."""
     r = mirrored(n)
-    color = mix(ramp(GROUND, -r[1]), ramp(SKY, r[1]), smooth(-0.025, 0.025, r[1]))
-    color = add(color, (1.0, 0.97, 0.90), 0.9 * power(dot(r, SUN), 6) + 0.18 * power(dot(r, SUN), 3))
-    return mix(color, (0.93, 0.95, 0.97), 0.55 * fresnel(n, 0.0))
+    color = mix(ramp(GROUND, max(-r[1], 0.0)), ramp(SKY, max(r[1], 0.0)), smooth(-0.02, 0.02, r[1]))
+    color = add(color, (1.0, 0.96, 0.86), 1.1 * power(dot(r, SUN), 7) + 0.22 * power(dot(r, SUN), 3))
+    color = mix(color, (0.10, 0.12, 0.17), 0.55 * smooth(0.80, 1.0, 1 - n[2]))
+    return mix(color, (0.95, 0.96, 0.98), 0.65 * bump(1.0, 0.10, 1 - n[2]))
 
 
 def glaze(n):
+    """Cobalt under a thick clear glaze, in a room: a window at the upper left, a strip at the right, a warm floor."""
     r = mirrored(n)
     light = clamp(0.5 + 0.5 * dot(n, SUN))
-    color = ramp([(0.0, (0.00, 0.03, 0.10)), (0.45, (0.01, 0.14, 0.30)), (0.8, (0.03, 0.33, 0.52)), (1.0, (0.09, 0.47, 0.63))],
-                 light)
-    room = mix((0.10, 0.09, 0.10), (0.58, 0.66, 0.74), smooth(-0.7, 0.8, r[1]))
-    color = mix(color, room, 0.05 + 0.75 * fresnel(n, 0.0))
-    key = box(r, SUN, (0.0, 1.0, 0.0), 0.42, 0.36, 0.035)
-    strip = box(r, unit((0.93, 0.12, 0.18)), (0.0, 1.0, 0.0), 0.16, 0.95, 0.06)
-    low = box(r, unit((0.10, -0.88, 0.42)), (0.0, 0.0, 1.0), 0.75, 0.14, 0.10)
-    color = mix(color, (1.0, 0.99, 0.96), 0.92 * key)
-    color = mix(color, (0.80, 0.90, 1.0), 0.55 * strip)
-    color = mix(color, (1.0, 0.80, 0.58), 0.30 * low)
-    return add(color, (0.45, 0.60, 0.70), 0.22 * power(dot(r, SUN), 2))
+    color = ramp([(0.0, (0.00, 0.02, 0.08)), (0.45, (0.00, 0.11, 0.27)), (0.8, (0.02, 0.30, 0.50)),
+                  (1.0, (0.08, 0.46, 0.63))], light)
+    room = mix((0.12, 0.09, 0.10), (0.62, 0.70, 0.78), smooth(-0.7, 0.8, r[1]))
+    color = mix(color, room, 0.05 + 0.8 * fresnel(n, 0.0))
+    side = unit(cross(UP, SUN))
+    across, down = dot(r, side), dot(r, cross(SUN, side))
+    bars = smooth(0.012, 0.035, abs(across)) * smooth(0.012, 0.035, abs(down))
+    window = box(r, SUN, UP, 0.44, 0.40, 0.03)
+    strip = box(r, unit((0.93, 0.12, 0.18)), UP, 0.16, 0.95, 0.06)
+    floor = box(r, unit((0.10, -0.88, 0.42)), AHEAD, 0.75, 0.14, 0.10)
+    color = mix(color, (1.0, 0.99, 0.96), window * (0.25 + 0.70 * bars))
+    color = mix(color, (0.80, 0.90, 1.0), 0.60 * strip)
+    color = mix(color, (1.0, 0.80, 0.58), 0.30 * floor)
+    return add(color, (0.45, 0.62, 0.72), 0.25 * power(dot(r, SUN), 2))
 
 
 def clay(n):
-    light = 0.5 + 0.5 * dot(n, unit((-0.50, 0.70, 0.58)))
-    color = ramp([(0.0, (0.21, 0.10, 0.10)), (0.30, (0.37, 0.18, 0.15)), (0.62, (0.68, 0.37, 0.26)), (0.86, (0.88, 0.57, 0.41)),
-                  (1.0, (0.97, 0.73, 0.57))], light * light * (1.9 - 0.9 * light))
-    bounce = clamp(dot(n, unit((0.45, -0.80, 0.20))))
-    color = add(color, (0.16, 0.10, 0.13), bounce * bounce)
+    """Fired clay, matt: warm light from above, a cool bounce from below."""
+    light = 0.5 + 0.5 * dot(n, unit((-0.50, 0.72, 0.50)))
+    color = ramp([(0.0, (0.13, 0.06, 0.08)), (0.25, (0.28, 0.12, 0.11)), (0.55, (0.60, 0.30, 0.20)),
+                  (0.82, (0.87, 0.55, 0.38)), (1.0, (0.98, 0.75, 0.58))], light * light * (1.75 - 0.75 * light))
+    bounce = clamp(dot(n, unit((0.55, -0.75, 0.15))))
+    color = add(color, (0.17, 0.12, 0.17), bounce * bounce)
     rim = (1 - n[2]) * (1 - n[2])
-    color = add(color, (0.15, 0.07, 0.04), rim * clamp(0.4 + 0.6 * n[1]))
-    return add(color, (0.30, 0.25, 0.22), 0.25 * power(dot(mirrored(n), SUN), 2))
+    color = add(color, (0.22, 0.10, 0.05), rim * clamp(0.35 + 0.65 * n[1]))
+    return add(color, (0.30, 0.25, 0.22), 0.30 * power(dot(mirrored(n), SUN), 2))
 
 
 def jade(n):
+    """Polished jade: dark where it is thick, aglow where light comes through."""
     r = mirrored(n)
-    through = 1 - n[2]                                  # thin at the rim: light that comes from behind
+    thin = 1 - n[2]
     light = clamp(0.5 + 0.5 * dot(n, SUN))
-    color = ramp([(0.0, (0.02, 0.13, 0.09)), (0.4, (0.05, 0.29, 0.18)), (0.75, (0.17, 0.50, 0.32)), (1.0, (0.33, 0.66, 0.44))],
-                 light)
-    glow = clamp(0.55 - 0.45 * dot(n, SUN))             # most where the light is behind
-    color = add(color, (0.36, 0.55, 0.33), through * through * (0.35 + 1.25 * glow))
-    color = add(color, (0.12, 0.20, 0.08), clamp(through * 1.6) * glow)
+    color = ramp([(0.0, (0.01, 0.11, 0.09)), (0.4, (0.03, 0.24, 0.16)), (0.75, (0.12, 0.43, 0.28)),
+                  (1.0, (0.30, 0.63, 0.43))], light)
+    behind = clamp(0.55 - 0.45 * dot(n, SUN))           # most where the light is on the other side
+    color = add(color, (0.42, 0.58, 0.30), thin * thin * (0.45 + 1.1 * behind))
+    color = add(color, (0.16, 0.30, 0.12), smooth(0.15, 0.75, thin) * behind)
+    color = mix(color, (0.80, 0.95, 0.86), 0.45 * fresnel(n, 0.0))
     shine = power(dot(r, SUN), 5)
-    color = mix(color, (0.95, 1.0, 0.95), 0.80 * smooth(0.25, 0.85, shine) + 0.12 * power(dot(r, SUN), 3))
-    return color
+    strip = box(r, unit((0.80, 0.45, 0.25)), UP, 0.10, 0.55, 0.09)
+    color = mix(color, (0.86, 0.97, 0.88), 0.35 * strip)
+    return mix(color, (0.96, 1.0, 0.96), 0.85 * smooth(0.2, 0.85, shine) + 0.15 * power(dot(r, SUN), 3))
 
 
 MATCAPS = {"chrome": chrome, "glaze": glaze, "clay": clay, "jade": jade}
@@ -175,9 +191,10 @@ def text(name):
     log = SIZE.bit_length() - 1
     return "\n".join(
         ["/*", f" * matcap_{name}.c - a picture of a sphere, 565, written by tests/tools/make_matcaps.py", " */",
-         "/* clang-format off */", '#include "pixel.h"', "", f"static const uint16_t {name}_texels[{SIZE} * {SIZE}] = {{",
-         *rows(texels), "};", "", f"const struct sheen_texture sheen_matcap_{name} = {{",
-         f"    .texels = {name}_texels, .width_log2 = {log}, .height_log2 = {log}, .clamp_u = 1, .clamp_v = 1,", "};", ""])
+         "/* clang-format off */", '#include "pixel.h"', "",
+         f"static const uint16_t {name}_texels[{SIZE} * {SIZE}] = {{", *rows(texels), "};", "",
+         f"const struct sheen_texture sheen_matcap_{name} = {{", f"    .texels = {name}_texels,",
+         f"    .width_log2 = {log},", f"    .height_log2 = {log},", "    .clamp_u = 1,", "    .clamp_v = 1,", "};", ""])
 
 
 def main(check, folder):
