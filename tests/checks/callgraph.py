@@ -12,9 +12,9 @@ INDIRECT = "__indirect_call"
 SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours)$", r"(_light|_begin|begin_by_ramp)$"),
                 (r"(^|:)(light_corners|draw_triangle|sheen_cut_triangle|cut_halves|list_pieces|light_triangle)$", r"_light$"),
                 (r"(^|:)set_up$", r"_setup$"),
-                (r"(^|:)(sheen_facet_lit|sheen_light_back|sheen_setup_mean_normal|\w*_light)$", r"_light_by_ramp$"),
+                (r"(^|:)(light_normal|sheen_facet_lit|sheen_light_back|sheen_setup_mean_normal|\w*_light)$", r"_light_by_ramp$"),
                 (r"(^|:)sheen_shaded_run$", r"_shaded_run_by_ramp$"),
-                (r"(^|:)(sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"_normal_run_by_ramp$"),
+                (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"_normal_run_by_ramp$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$"),
                 (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
