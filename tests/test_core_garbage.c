@@ -24,6 +24,7 @@ struct garbage {
     uint8_t narrow[3 * TRIANGLES];
     struct sheen_mesh mesh;
     struct sheen_material material;
+    struct sheen_texture texture;
     struct sheen_shine shine;
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_object draw;
@@ -122,8 +123,12 @@ static void fill_draw(struct garbage *g)
                                .material = &g->material,
                                .lights = g->lights,
                                .light_count = (uint8_t)below(g, SHEEN_MAX_LIGHTS + 1),
-                               .shader = sheen_shader_of(below(g, SHEEN_SLERP + 1)),
+                               .shader = sheen_shader_of(below(g, SHEEN_ALL_SHADINGS)),
                                .two_sided = (uint8_t)below(g, 2)};
+    g->texture = sheen_matcap_jade;
+    g->texture.bilinear = (uint8_t)below(g, 2);
+    g->texture.clamp_u = (uint8_t)below(g, 2);
+    g->material.texture = below(g, 16) != 0 ? &g->texture : NULL;
     sheen_pose_orbit(&d->pose, stage_random(&g->state), stage_random(&g->state), stage_random(&g->state), 0);
     d->pose.scale = below(g, 4) == 0 ? positive(g) : 1 << (12 + below(g, 7));
     for (int k = 0; k < 3; k++)

@@ -11,7 +11,7 @@ const SLIDERS = { // name: least, most, step, unit
     fov: [5, 120, 1, '°'],
 };
 const MORE = ['dither', 'ramp', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture',
-    'filter', 'wrap', 'texture-size', 'palette'];
+    'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
     gold: ['d8a048', .18, .62, .9, 48], clay: ['c8694a', .25, .85, .05, 8], porcelain: ['f2efe8', .28, .72, .5, 96],

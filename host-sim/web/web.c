@@ -113,11 +113,13 @@ static void copy_panel(struct sheen_options *to, const struct sheen_options *fro
 /* Whether they are the same, the names by their letters. Parsed into zeroed memory, so that gaps are equal. */
 static int are_equal(struct sheen_options a, const struct sheen_options *b)
 {
-    if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0 || strcmp(a.texture, b->texture) != 0)
+    if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0 || strcmp(a.texture, b->texture) != 0 ||
+        strcmp(a.matcap, b->matcap) != 0)
         return 0;
     a.mesh = b->mesh;
     a.panel = b->panel;
     a.texture = b->texture;
+    a.matcap = b->matcap;
     return memcmp(&a, b, sizeof a) == 0;
 }
 
