@@ -23,6 +23,8 @@ for (let k = 0; k < 8; k++) {
 cases.push(['builtin:cube', '--color', '3a6fd8', '--background', 'linen', '--ortho', '--cull', 'none', '--dither', 'off'],
     ['builtin:teapot', '--distance', '1.3', '--fov', '80', '--perspective', 'affine', '--band', '7', '--buffers', '2'],
     ['builtin:teapot', '--panel', 'ideal', '--size', '101x77', '--ambient', '.05', '--specular', '1.2', '--shininess', '5']);
+for (const ramp of ['half', 'gamma', 'gamma:1.6', 'toon'])
+    cases.push(['builtin:teapot', '--ramp', ramp, '--shade', ramp === 'toon' ? 'gouraud' : 'phong']);
 
 for (const words of fault ? cases.slice(0, 8) : cases) {
     const told = fault ? [...words, '--color', '48a0d8'] : words;
