@@ -284,17 +284,33 @@ struct sheen_canvas {
     uint16_t *depth;        /* as many entries as pixels */
 };
 
+/*
+ * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
+ * m), which is linear in the depth that is stored; the unrounded colour goes to colour + f (F - colour), F the fog's
+ * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, the background
+ * is not: full fog of its colour meets it without a seam.
+ */
+struct sheen_fog_mixer;
+extern const struct sheen_fog_mixer sheen_fog_mixer;
+
+struct sheen_fog {
+    sheen_q24_t start, end;              /* m, units, 0 < start < end, at least 256 steps of depth apart */
+    uint8_t color[3];                    /* r, g, b */
+    const struct sheen_fog_mixer *mixer; /* &sheen_fog_mixer: what is named is linked */
+};
+
 /* What the eye sees, a frame long. */
 struct sheen_view {
-    struct sheen_rect viewport; /* px on the target, edges on its alignment; empty: all of it */
-    struct sheen_pose pose;     /* world to eye (sheen_pose_look_at, sheen_pose_orbit) */
-    sheen_angle_t fov;          /* vertical, 1..150 degrees (0.99..150.01 are taken); 0: 40 */
-    sheen_q24_t z_near, z_far;  /* units, 0 < z_near < z_far, z_far - z_near >= z_far / 2^15: m outside is not drawn;
+    struct sheen_rect viewport;  /* px on the target, edges on its alignment; empty: all of it */
+    struct sheen_pose pose;      /* world to eye (sheen_pose_look_at, sheen_pose_orbit) */
+    sheen_angle_t fov;           /* vertical, 1..150 degrees (0.99..150.01 are taken); 0: 40 */
+    sheen_q24_t z_near, z_far;   /* units, 0 < z_near < z_far, z_far - z_near >= z_far / 2^15: m outside is not drawn;
                                    z_far 0: 16, z_near 0: z_far / 16 */
-    sheen_q24_t orthographic;   /* 0: perspective; else the depth, units > 0, at which fov measures: m moves nothing */
-    uint8_t affine;             /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
-    uint8_t dither;             /* 1: ordered 8x8 dithering, for panels of few levels */
-    uint8_t background[3];      /* r, g, b; never dithered */
+    sheen_q24_t orthographic;    /* 0: perspective; else the depth, units > 0, at which fov measures: m moves nothing */
+    uint8_t affine;              /* 1: shading linear on the screen (the distortion that Blinn's way repairs) */
+    uint8_t dither;              /* 1: ordered 8x8 dithering, for panels of few levels */
+    uint8_t background[3];       /* r, g, b; never dithered */
+    const struct sheen_fog *fog; /* NULL: none; borrowed until sheen_end() or sheen_finish() returns */
     /*
      * A user's own 2D; each may be NULL, all get ctx. Called for each rectangle
      * of the target that this frame sends: underlay in place of clearing to the
@@ -399,7 +415,8 @@ enum sheen_subject {
     SHEEN_ABOUT_LIGHTS,
     SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
     SHEEN_ABOUT_TEXTURE,
-    SHEEN_ABOUT_TRANSPARENCY /* or phase out of range, or no stipple */
+    SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
+    SHEEN_ABOUT_FOG           /* of the view */
 };
 
 /*

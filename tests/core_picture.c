@@ -168,6 +168,15 @@ void core_view(struct sheen_view *view, const struct ref_scene *scene)
         view->background[k] = (uint8_t)lround(255 * scene->background[k]);
 }
 
+static void core_fog(struct sheen_fog *fog, const struct ref_scene *scene)
+{
+    *fog = (struct sheen_fog){.start = (sheen_q24_t)lround(scene->fog_from * 16777216),
+                              .end = (sheen_q24_t)lround(scene->fog_to * 16777216),
+                              .mixer = &sheen_fog_mixer};
+    for (int k = 0; k < 3; k++)
+        fog->color[k] = (uint8_t)lround(255 * scene->fog_color[k]);
+}
+
 void core_pose(struct sheen_pose *pose, const struct ref_scene *scene)
 {
     for (int k = 0; k < 9; k++)
@@ -314,8 +323,12 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                 .lights = lights,
                                 .light_count = (uint8_t)scene->light_count,
                                 .shader = shader_of(scene),
-                                .two_sided = scene->two_sided};
+                                .two_sided = scene->two_sided,
+                                .stipple = scene->left_out > 0 ? &sheen_stipple : NULL,
+                                .transparency = (uint8_t)scene->left_out,
+                                .phase = (uint8_t)scene->phase};
     struct core_texture texture = {.numbers = NULL};
+    struct sheen_fog fog;
     struct core_frame f;
     int status = core_frame_make(&f, &config);
 
@@ -323,6 +336,8 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
         return status;
     sheen_frame_force(f.frame, way);
     core_view(&view, scene);
+    core_fog(&fog, scene);
+    view.fog = scene->fog ? &fog : NULL;
     core_pose(&draw.pose, scene);
     core_lights(lights, scene);
     if ((status = core_material(&material, &tables, scene)) == SHEEN_OK && scene->texture) {

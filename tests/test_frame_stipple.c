@@ -1,6 +1,6 @@
 /*
- * test_frame_stipple.c - draws that leave pixels out: the pixels that are left are those of the whole draw, the others
- * stay as they were, depth and all, whatever the bands and workers.
+ * test_frame_stipple.c - fog, and draws that leave pixels out: the pixels that are left are those of the whole draw,
+ * the others stay as they were, depth and all, whatever the bands and workers.
  */
 #include <stdio.h>
 #include <string.h>
@@ -28,11 +28,13 @@ static const struct actor cast[] = {{STAGE_TORUS, 0, SHEEN_FLAT, 0.2, 0.1, 3, 1.
                                     {STAGE_CUBE, 1, SHEEN_FLAT, -0.4, -0.3, 2.6, 1, 25, 35},
                                     {STAGE_BALL, 2, SHEEN_FLAT, 0.5, 0.4, 1.9, 0.9, 10, 20}};
 
+static const struct sheen_fog fog = {SHEEN_Q24(2), SHEEN_Q24(4), {180, 190, 200}, &sheen_fog_mixer};
+
 struct case_of {
     enum sheen_pixel pixel;
     enum sheen_shading shading;
     unsigned rows, workers, transparency, phase;
-    int dither, affine;
+    int dither, affine, fog;
 };
 
 /* What is drawn: a bit an actor, the first one with the case's transparency. */
@@ -52,6 +54,7 @@ static void draw(const struct case_of *c, unsigned actors, unsigned to[HEIGHT][W
     stage_view(&view);
     view.dither = (uint8_t)c->dither;
     view.affine = (uint8_t)c->affine;
+    view.fog = c->fog ? &fog : NULL;
     assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
     for (unsigned i = 0; i < 3; i++) {
         struct sheen_object object;
@@ -119,7 +122,8 @@ static void test_left_out(void **unused)
                                   .workers = 1 + i % 3,
                                   .transparency = transparency[i / 4],
                                   .phase = i * 3 % 8,
-                                  .affine = i % 5 == 4};
+                                  .affine = i % 5 == 4,
+                                  .fog = i / 4 % 2};
         check(&c);
     }
 }
@@ -135,7 +139,8 @@ static void test_greys(void **unused)
                                   .rows = 16,
                                   .workers = 1,
                                   .transparency = 8 + 4 * i,
-                                  .phase = 1};
+                                  .phase = 1,
+                                  .fog = i / 4 % 2};
         check(&c);
     }
 }
@@ -150,7 +155,8 @@ static void test_dithered(void **unused)
                             .rows = 16,
                             .workers = 1,
                             .transparency = i & 8 ? 20 : 40,
-                            .dither = 1};
+                            .dither = 1,
+                            .fog = i / 2 % 2};
         draw(&c, 7, picture[0]);
         draw(&c, 6, picture[2]);
         c.rows = 7;
@@ -194,10 +200,71 @@ static void test_arguments(void **unused)
     memory_target_free(&target);
 }
 
+/* What lies at full fog is of its colour. */
+static void test_full_fog(void **unused)
+{
+    (void)unused;
+    for (unsigned i = 0; i < 20; i++) {
+        struct memory_target target;
+        struct sheen_config config;
+        struct sheen_view view;
+        struct core_frame f;
+        struct sheen_object object;
+        struct actor actor = cast[0];
+        assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, (enum sheen_pixel)(i / 4)), 0);
+        stage_config(&config, &target, 3);
+        assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+        stage_view(&view);
+        const struct sheen_fog near = {1, SHEEN_Q24(1.2), {77, 123, 201}, &sheen_fog_mixer};
+        view.fog = &near;
+        memcpy(view.background, near.color, sizeof view.background);
+        view.dither = i % 2;
+        actor.shading = (enum sheen_shading)(i % 4);
+        stage_draw(&stage, &actor, &object);
+        assert_int_equal(sheen_render(f.frame, &view, &object, 1), SHEEN_OK);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                assert_int_equal(memory_target_pixel(&target, x, y), memory_target_pixel(&target, 0, 0));
+        core_frame_free(&f);
+        memory_target_free(&target);
+    }
+}
+
+static void test_fog_arguments(void **unused)
+{
+    static const struct sheen_fog wrong[] = {{0, SHEEN_Q24(2), {0, 0, 0}, &sheen_fog_mixer},
+                                             {-1, SHEEN_Q24(2), {0, 0, 0}, &sheen_fog_mixer},
+                                             {SHEEN_Q24(2), SHEEN_Q24(2), {0, 0, 0}, &sheen_fog_mixer},
+                                             {SHEEN_Q24(2), SHEEN_Q24(2.01), {0, 0, 0}, &sheen_fog_mixer},
+                                             {SHEEN_Q24(100), SHEEN_Q24(127), {0, 0, 0}, &sheen_fog_mixer},
+                                             {SHEEN_Q24(2), SHEEN_Q24(4), {0, 0, 0}, NULL}};
+    struct memory_target target;
+    struct sheen_config config;
+    struct sheen_view view;
+    struct core_frame f;
+
+    (void)unused;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 3);
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    stage_view(&view);
+    for (unsigned i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        view.fog = &wrong[i];
+        assert_int_equal(sheen_begin(f.frame, &view), SHEEN_ERR_ARGUMENT);
+        assert_int_equal(sheen_frame_about(f.frame, NULL), SHEEN_ABOUT_FOG);
+    }
+    assert_string_equal(sheen_subject_name(SHEEN_ABOUT_FOG), "fog");
+    view.fog = &fog;
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out), cmocka_unit_test(test_greys),
-                                       cmocka_unit_test(test_dithered), cmocka_unit_test(test_arguments)};
+                                       cmocka_unit_test(test_dithered), cmocka_unit_test(test_arguments),
+                                       cmocka_unit_test(test_full_fog), cmocka_unit_test(test_fog_arguments)};
 
     return cmocka_run_group_tests_name("frame_stipple", tests, make_stage, free_stage);
 }

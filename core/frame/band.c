@@ -119,6 +119,8 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
         return 0;
     t->first_row = (int16_t)(s->row - (int32_t)t->rows);
     d->as.shader->setup(s, &c, c.flat ? NULL : &g);
+    if (d->as.fog != NULL)
+        d->as.fog->mixer->setup(s);
     SHEEN_TAP_SETUP(&c, &g);
     return 1;
 }

@@ -89,6 +89,10 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                             (unsigned)(viewport.y1 - viewport.y0)) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS, 0);
 
+    if (view->fog != NULL &&
+        (view->fog->mixer == NULL || view->fog->mixer->begin(&f->fog, view->fog, &projection, &f->format) < 0))
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_FOG, 0);
+
     f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);
     f->send_all_next = 0;
     f->error = 0;
@@ -312,6 +316,9 @@ static APART void begin_colours(struct sheen_frame *f, struct draw *d, const str
         d->loop.usable = 0; /* its loops know no ramp */
     if (d->shader->begin != NULL)
         d->shader->begin(d, m, &f->format);
+    d->fog = NULL;
+    if (f->view.fog != NULL)
+        f->fog.mixer->draw(d, &f->fog);
 }
 
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)

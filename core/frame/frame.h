@@ -9,6 +9,7 @@
 #define SHEEN_FRAME_H
 
 #include "../shading/shading.h"
+#include "../triangle/fog.h"
 #include "../triangle/stipple.h"
 
 #define NONE 0xffffu /* end of a list of entries */
@@ -104,6 +105,7 @@ struct sheen_frame {
     struct draw_record *draw;
     struct shades *shades; /* config.max_shades; the first `shaded_colors` have this frame's */
     unsigned shaded_colors;
+    struct fog_terms fog;                /* of the view */
     const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
     struct band *band;
     struct worker *worker; /* config.workers */

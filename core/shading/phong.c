@@ -192,7 +192,8 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && !s->draw->by_ramp && g->area >> 13 < LARGEST_BY_ROOT && square_root_way(s, c, g, &f)))
+            (!piece && !s->draw->by_ramp && !s->draw->fog && g->area >> 13 < LARGEST_BY_ROOT &&
+             square_root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);

@@ -4,7 +4,7 @@
 #ifndef SHEEN_NORMAL_H
 #define SHEEN_NORMAL_H
 
-#include "triangle.h"
+#include "fog.h"
 
 /* N.N inside the root table: UQ1.31 from 1/4 to 1 + 1/512. */
 #define ROOT_LOWEST (1u << 29)
@@ -72,7 +72,9 @@ void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_
 static inline void draw_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                                    const struct normal_run *run)
 {
-    (d->by_ramp ? d->light.ramp->reader->normal_run : sheen_normal_run)(t, d, x, x1, y, run);
+    (d->fog       ? d->fog->mixer->normal_run
+     : d->by_ramp ? d->light.ramp->reader->normal_run
+                  : sheen_normal_run)(t, d, x, x1, y, run);
 }
 
 #endif

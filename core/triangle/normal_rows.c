@@ -15,5 +15,5 @@ void put_any(const struct tile *t, const struct draw *d, struct rounding roundin
 void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct normal_run *run)
 {
-    normal_loop(t, d, x, x1, y, run, 0);
+    normal_loop(t, d, x, x1, y, run, 0, 0);
 }

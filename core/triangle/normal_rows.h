@@ -86,7 +86,7 @@ SPLIT void light_pixel(const struct draw *d, const struct pixel_normal *p, struc
 }
 
 SPLIT void normal_loop(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                       const struct normal_run *run, int by_ramp)
+                       const struct normal_run *run, int by_ramp, int is_fogged)
 {
     struct rounding rounding = rounding_of(t, &d->colour, y);
     uint32_t at = tile_offset(t, x, y), z = run->z, n0 = run->n[0], n1 = run->n[1], n2 = run->n[2];
@@ -98,7 +98,10 @@ SPLIT void normal_loop(const struct tile *t, const struct draw *d, int32_t x, in
             struct pixel_normal p;
             if (pixel_normal(normal, &p))
                 light_pixel(d, &p, &lit, by_ramp);
-            put_lit(t, d, rounding, at, x, lit);
+            if (is_fogged)
+                put_fogged_lit(t, d, rounding, at, x, z, &lit);
+            else
+                put_lit(t, d, rounding, at, x, lit);
         }
         n0 += run->dn[0];
         n1 += run->dn[1];

@@ -77,7 +77,7 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const uint16_t *shades,
 static APART void general_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                               struct shaded_run *run, unsigned second)
 {
-    general_loop(t, d, at, x, x1, y, run, (enum second)second, 0);
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, 0, 0);
 }
 
 /* 1 where there is a loop of its own: without highlight, and with one. */
@@ -96,7 +96,9 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
     else if (FAST_LOOPS && d->loop.usable)
         quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(t, 1, y) : NULL, run, second, 0);
     else
-        (d->by_ramp ? d->light.ramp->reader->shaded_run : general_run)(t, d, at, x, x1, y, run, second);
+        (d->fog       ? d->fog->mixer->shaded_run
+         : d->by_ramp ? d->light.ramp->reader->shaded_run
+                      : general_run)(t, d, at, x, x1, y, run, second);
 }
 
 #if FAST_LOOPS

@@ -4,6 +4,7 @@
 #ifndef SHEEN_QUADRIC_ROWS_H
 #define SHEEN_QUADRIC_ROWS_H
 
+#include "fog.h"
 #include "normal.h"
 #include "quadric.h"
 
@@ -22,7 +23,7 @@ SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u
 
 /* Any format, clamp and dither. */
 SPLIT void general_loop(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                        struct shaded_run *run, enum second second, int by_ramp)
+                        struct shaded_run *run, enum second second, int by_ramp, int is_fogged)
 {
     struct rounding rounding = rounding_of(t, &d->colour, y);
 
@@ -31,7 +32,10 @@ SPLIT void general_loop(const struct tile *t, const struct draw *d, uint32_t at,
             struct lit lit = lit_of(&d->loop, run->f, run->u, second);
             if (by_ramp)
                 lit.diffuse = response_at(d->light.ramp, asr32((int32_t)run->f, 15));
-            put_any(t, d, rounding, at, x, &lit);
+            if (is_fogged)
+                put_fogged_lit(t, d, rounding, at, x, run->z, &lit);
+            else
+                put_any(t, d, rounding, at, x, &lit);
         }
         run->z += run->dz;
         run->f += run->df;

@@ -1,6 +1,7 @@
 /*
  * textured_rows.c - texels in the place of a base colour.
  */
+#include "fog.h"
 #include "textured.h"
 
 /*
@@ -144,6 +145,23 @@ SPECIALISED void put_texel(const struct texel_run *r, uint32_t at, const uint32_
                     format->swap);
 }
 
+SPECIALISED void put_fogged_texel(const struct texel_run *r, uint32_t at, uint32_t z, const uint32_t channel[3],
+                                  uint32_t threshold, unsigned fraction)
+{
+    const struct pixel_format *format = r->t->format;
+    const uint16_t *grey = r->d->texel.grey;
+
+    if (format->grey) {
+        uint32_t level = 0, most = ((1u << format->level_bits) - 1) << (31u - format->level_bits);
+        for (int k = 0; k < 3; k++)
+            level += (channel[k] >> (fraction - GREY_BITS)) * grey[k];
+        put_fogged(r->t, r->d->fog, at, z, clamped(level, most) >> 15, 0, 0, threshold, 1);
+        return;
+    }
+    put_fogged(r->t, r->d->fog, at, z, channel[0] >> (fraction - 10), channel[1] >> (fraction - 10),
+               channel[2] >> (fraction - 10), threshold, 0);
+}
+
 /* A channel in 1/32 level under light. Where that may exceed 1.0 it has 4 bits less. */
 SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, uint32_t light)
 {
@@ -153,8 +171,8 @@ SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, ui
 }
 
 /* A pixel's texels are `nearest` or about (u, v). */
-SPECIALISED void any_colour(const struct texel_run *r, uint32_t offset, uint32_t threshold, const struct texel_at *at,
-                            uint32_t nearest)
+SPLIT void any_colour(const struct texel_run *r, uint32_t offset, uint32_t threshold, const struct texel_at *at,
+                      uint32_t nearest, int is_fogged)
 {
     const struct texel_terms *terms = &r->d->texel;
     const unsigned fraction = r->pixels == TEXTURED_ANY ? BRIGHT_BITS : LIGHT_BITS;
@@ -167,10 +185,13 @@ SPECIALISED void any_colour(const struct texel_run *r, uint32_t offset, uint32_t
         channel[k] = clamped(under_light(r, channel[k], channel_light(terms, light, k, fraction)) +
                                  channel_highlight(terms, specular, k, fraction),
                              (k == 1 ? 63u : 31u) << fraction);
-    put_texel(r, offset, channel, threshold, fraction);
+    if (is_fogged)
+        put_fogged_texel(r, offset, at->z, channel, threshold, fraction);
+    else
+        put_texel(r, offset, channel, threshold, fraction);
 }
 
-static APART void any_run(const struct texel_run *r, const struct texel_at *from)
+SPLIT void any_loop(const struct texel_run *r, const struct texel_at *from, int is_fogged)
 {
     const struct texel_terms *terms = &r->d->texel;
     const struct sheen_texture *t = terms->texture;
@@ -188,7 +209,7 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
         uint32_t nearest = texel_value(t, asr32((int32_t)(at.u - middle), 16), asr32((int32_t)(at.v - middle), 16));
         if (at.z >> 16 > r->t->depth[offset] && !(t->keyed && nearest == t->key)) {
             (void)nearer(r->t, r->t->depth + offset, at.z);
-            any_colour(r, offset, threshold[x & 7u], &at, nearest);
+            any_colour(r, offset, threshold[x & 7u], &at, nearest, is_fogged);
         }
         at.z += r->step.z;
         at.u += r->step.u;
@@ -197,6 +218,16 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
         at.specular += r->step.specular;
         packed += r->packed + (i % RUN == 0 ? r->mend : 0);
     }
+}
+
+static APART void any_run(const struct texel_run *r, const struct texel_at *from)
+{
+    any_loop(r, from, 0);
+}
+
+void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from)
+{
+    any_loop(r, from, 1);
 }
 
 /* ---- loops of their own: 565 that repeats on 565, light and highlight 1.0 at the most and without a hue ---- */
@@ -566,7 +597,7 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
         other_mixed_run(r, at);
         return;
     default:
-        any_run(r, at);
+        (r->d->fog ? r->d->fog->mixer->texel_run : any_run)(r, at);
     }
 }
 
@@ -574,7 +605,7 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
-    any_run(r, at);
+    (r->d->fog ? r->d->fog->mixer->texel_run : any_run)(r, at);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "ways.h"
 
 struct sheen_shader;
+struct fog_terms;
 
 /* Pixels that a draw leaves out: none, half of every row's at the most, or more. */
 enum stippled {
@@ -24,7 +25,8 @@ struct draw {
     struct lighting light;
     struct colour_terms colour;
     struct power power;
-    const uint16_t *shades; /* the first entry, a guard; NULL: there are none */
+    const uint16_t *shades;      /* the first entry, a guard; NULL: there are none */
+    const struct fog_terms *fog; /* NULL: none */
     union {
         struct loop_terms loop;
         struct texel_terms texel; /* of shadings with a texture */

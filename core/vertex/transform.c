@@ -129,6 +129,28 @@ int sheen_project_begin(struct projection *p, const struct sheen_view *view, uns
     return SHEEN_OK;
 }
 
+/* With 16 fraction bits. Range: below 2^46. */
+static int64_t scaled_value(struct scaled s)
+{
+    const int up = s.exponent - 15;
+
+    return up >= 0 ? (int64_t)s.mantissa << up : up > -32 ? (int64_t)(s.mantissa >> -up) : 0;
+}
+
+int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m)
+{
+    const int64_t away = (int64_t)p->far - m;
+    struct scaled steps = scaled_times(scaled_of(DEPTH_RANGE, 0), reciprocal_of(p->far - p->near));
+
+    if (p->orthographic != 0) {
+        const struct scaled far = scaled_times(steps, scaled_of((uint64_t)(away < 0 ? 1 - away : away + 1), 24));
+        return ((int64_t)DEPTH_FAR << 16) + (away < 0 ? -scaled_value(far) : scaled_value(far));
+    }
+    steps = scaled_times(steps, scaled_of((uint64_t)p->near * (uint64_t)p->far, 48));
+    return ((int64_t)DEPTH_FAR << 16) + scaled_value(scaled_times(steps, reciprocal_of(m))) -
+           scaled_value(scaled_times(steps, reciprocal_of(p->far)));
+}
+
 /* Row i of the rotation times a vector of lengths, in Q7.24. */
 static int64_t rotate_row(const sheen_q30_t *row, const sheen_q24_t v[3])
 {

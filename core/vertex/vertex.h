@@ -86,6 +86,8 @@ struct transform {
 /* The view's angle, or the one that 0 stands for; 0 where it is out of range. */
 sheen_angle_t sheen_fov(const struct sheen_view *view);
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
+/* z16 at any m > 0, also beyond near and far, with 16 fraction bits; m >= near / 2^14. */
+int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m);
 int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
                           const struct sheen_pose *pose);
 struct point sheen_transform_point(const struct transform *t, const int16_t position[3]);

@@ -18,7 +18,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
-    bench->dither = bench->transparency = 0;
+    bench->dither = bench->transparency = bench->fogged = 0;
     bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
@@ -88,6 +88,7 @@ static const struct sheen_shader *shader_of(const struct bench *bench)
 /* Clear, transform, light, raster, up to the target's call. */
 static int run(struct bench *bench, int frame)
 {
+    const struct sheen_fog fog = {bench->scene->near, bench->scene->far, {160, 170, 180}, &sheen_fog_mixer};
     struct sheen_view view = {
         .fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far, .dither = bench->dither};
     struct sheen_object draw = {.mesh = &bench->scene->mesh,
@@ -98,6 +99,7 @@ static int run(struct bench *bench, int frame)
                                 .pose = bench->scene->pose[frame],
                                 .stipple = &sheen_stipple,
                                 .transparency = bench->transparency};
+    view.fog = bench->fogged ? &fog : NULL;
     int status = sheen_begin(bench->frame, &view);
 
     if (status == SHEEN_OK)

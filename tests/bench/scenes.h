@@ -57,6 +57,7 @@ struct bench {
     uint8_t shading;
     uint8_t dither;       /* 0 after bench_config */
     uint8_t texture;      /* enum bench_texture, likewise */
+    uint8_t fogged;       /* likewise: from near to far */
     uint8_t transparency; /* likewise */
 };
 

@@ -197,6 +197,12 @@ static bool seen_through(const struct ref_picture *picture, int x, int y)
     return true;
 }
 
+/* By the pattern of a draw that leaves pixels out. */
+static bool is_left_out(const struct ref_scene *scene, int x, int y)
+{
+    return scene->left_out > 0 && ref_bayer8((x + scene->phase) & 7, y & 7) >= 64 - scene->left_out;
+}
+
 int ref_compare(struct ref_score *score, const struct ref_scene *scene, const struct ref_picture *picture,
                 const uint16_t *values)
 {
@@ -210,6 +216,12 @@ int ref_compare(struct ref_score *score, const struct ref_scene *scene, const st
         for (int x = 0; x < picture->width; x++) {
             const struct ref_pixel *pixel = &picture->pixels[y * picture->width + x];
             double bound;
+            if (pixel->covered && is_left_out(scene, x, y)) {
+                score->dropped++;
+                score->dropped_drawn +=
+                    values[y * picture->width + x] != ref_value(scene, scene->background, x, y, true);
+                continue;
+            }
             score->covered += pixel->covered;
             if (seen_through(picture, x, y)) {
                 score->dropped++;

@@ -21,33 +21,68 @@ int ref_bayer8(int x, int y)
     return entry;
 }
 
-static int to_level(double c, int max_level, bool dither, int x, int y)
+/* floor(max_level * c + up), clamped; c itself is clamped, then goes to a fog's level by its share. */
+static int to_level(double c, int max_level, double fog_level, double share, double up)
 {
-    double up = dither ? (ref_bayer8(x & 7, y & 7) + 0.5) / 64 : 0.5;
-    int level = (int)floor(max_level * clamp01(c) + up);
+    double fogged = max_level * clamp01(c) * (1 - share) + fog_level * share;
+    int level = (int)floor(fogged + up);
 
     return level > max_level ? max_level : level;
 }
 
 uint16_t ref_565(const double color[3])
 {
-    int r = to_level(color[0], 31, false, 0, 0);
-    int g = to_level(color[1], 63, false, 0, 0);
-    int b = to_level(color[2], 31, false, 0, 0);
+    int r = to_level(color[0], 31, 0, 0, 0.5);
+    int g = to_level(color[1], 63, 0, 0, 0.5);
+    int b = to_level(color[2], 31, 0, 0, 0.5);
 
     return (uint16_t)(r << 11 | g << 5 | b);
 }
 
-uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background)
+static double grey_of(const double color[3])
 {
-    bool dither = scene->dither && !background;
+    return 0.2126 * clamp01(color[0]) + 0.7152 * clamp01(color[1]) + 0.0722 * clamp01(color[2]);
+}
+
+double ref_fog_share(const struct ref_scene *scene, double m)
+{
+    double from = scene->fog_from, to = scene->fog_to;
+
+    if (!scene->fog)
+        return 0;
+    return clamp01(scene->ortho || scene->fog_in_m ? (m - from) / (to - from)
+                                                   : (1 / from - 1 / m) / (1 / from - 1 / to));
+}
+
+/* Draws that leave pixels out take the matrix with its digits to base 4 reversed. */
+static double threshold(const struct ref_scene *scene, int x, int y)
+{
+    int b = ref_bayer8(x & 7, y & 7);
+
+    if (!scene->dither)
+        return 0.5;
+    return ((scene->left_out > 0 ? 16 * (b % 4) + 4 * (b / 4 % 4) + b / 16 : b) + 0.5) / 64;
+}
+
+uint16_t ref_fogged_value(const struct ref_scene *scene, const double color[3], double share, int x, int y)
+{
+    static const int most[3] = {31, 63, 31};
+    double up = threshold(scene, x, y);
+    int level[3];
 
     if (scene->levels) {
-        double grey = 0.2126 * clamp01(color[0]) + 0.7152 * clamp01(color[1]) + 0.0722 * clamp01(color[2]);
-        return (uint16_t)to_level(grey, scene->levels - 1, dither, x, y);
+        double fog = to_level(grey_of(scene->fog_color), scene->levels - 1, 0, 0, 0.5);
+        return (uint16_t)to_level(grey_of(color), scene->levels - 1, fog, share, up);
     }
-    int r = to_level(color[0], 31, dither, x, y);
-    int g = to_level(color[1], 63, dither, x, y);
-    int b = to_level(color[2], 31, dither, x, y);
-    return (uint16_t)(r << 11 | g << 5 | b);
+    for (int k = 0; k < 3; k++)
+        level[k] = to_level(color[k], most[k], to_level(scene->fog_color[k], most[k], 0, 0, 0.5), share, up);
+    return (uint16_t)(level[0] << 11 | level[1] << 5 | level[2]);
+}
+
+uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background)
+{
+    struct ref_scene plain = *scene;
+
+    plain.dither &= !background;
+    return ref_fogged_value(&plain, color, 0, x, y);
 }

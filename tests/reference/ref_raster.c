@@ -187,7 +187,8 @@ int ref_render(struct ref_picture *picture, const struct ref_scene *scene)
                 color(scene, picture, pixel, x, y);
             else
                 memcpy(pixel->color, scene->background, sizeof pixel->color);
-            pixel->value = ref_value(scene, pixel->color, x, y, !pixel->covered);
+            pixel->value = pixel->covered ? ref_fogged_value(scene, pixel->color, ref_fog_share(scene, pixel->m), x, y)
+                                          : ref_value(scene, pixel->color, x, y, true);
         }
     }
     return 0;

@@ -121,6 +121,10 @@ struct ref_scene {
     double ambient, diffuse, specular, shininess;
     enum ref_ramp ramp;
     double base[3], highlight[3], background[3];
+    int left_out, phase; /* of 64 pixels, by the matrix moved by phase columns; 0: all are drawn */
+    bool fog;            /* from m = fog_from to fog_to */
+    bool fog_in_m;       /* a fault: linear in m where it has to be in 1/m */
+    double fog_from, fog_to, fog_color[3];
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
     const struct ref_texture *texture; /* NULL: none; by uv: flat or Gouraud, the mesh has uv; else Phong */
@@ -210,6 +214,9 @@ bool ref_inside(const struct ref_piece *piece, double x, double y);
 double ref_side_distance(const struct ref_piece *piece, int side, double x, double y);
 uint16_t ref_565(const double color[3]);
 int ref_bayer8(int x, int y);
+double ref_fog_share(const struct ref_scene *scene, double m);
+/* Of a colour that is drawn, under so much fog; of any without. */
+uint16_t ref_fogged_value(const struct ref_scene *scene, const double color[3], double share, int x, int y);
 uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background);
 
 /* ---- comparison ---- */

@@ -1,0 +1,206 @@
+/*
+ * fog_rows.c - pixels under fog: of each unrounded colour a share that is linear in z16 goes over to the fog's.
+ */
+#include "normal_rows.h"
+#include "quadric_rows.h"
+#include "quotient.h"
+
+/* ---- colours linear on the screen, or one ---- */
+
+/*
+ * Along a run: `left` is what of the colour is left, UQ2.30, and `apart` what the fog's level has more than a channel,
+ * with the draw's fraction.
+ */
+struct fog_at {
+    uint32_t z;
+    int32_t left, apart[3];
+};
+
+/* A channel under fog, 24 fraction bits. Range: |apart| < 2^16 with 10 of them, so the product is below 2^30. */
+SPECIALISED uint32_t under_fog(uint32_t level, int32_t apart, int32_t share)
+{
+    return level - (uint32_t)(asr32(apart, LOOP_FRACTION - 10) * share);
+}
+
+/* 565, nothing to clamp. */
+SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
+                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap)
+{
+    const intptr_t to_pixel = t->to_pixel;
+    const uint16_t *end = depth + count;
+    const uint16_t *level = d->fog->level;
+    const uint32_t half = threshold == NULL ? 1u << 9 : 0;
+    const uint32_t r = (level[0] + half) << 14, g = (level[1] + half) << 14, b = (level[2] + half) << 14;
+
+    do {
+        if (nearer(t, depth, at.z)) {
+            const uint32_t up = threshold == NULL ? 0 : (uint32_t)threshold[x & 7u] << 17;
+            const int32_t share = asr32(at.left, 16);
+            *pixel_at(depth, to_pixel) =
+                fast_pixel(under_fog(r, at.apart[0], share) + up, under_fog(g, at.apart[1], share) + up,
+                           under_fog(b, at.apart[2], share) + up, 24, swap);
+        }
+        at.z += step.z;
+        at.left += step.left;
+        at.apart[0] += step.apart[0];
+        at.apart[1] += step.apart[1];
+        at.apart[2] += step.apart[2];
+        if (threshold != NULL)
+            x++;
+    } while (++depth != end);
+}
+
+/* Both in 0..most: what is linear between then is, too. */
+static inline int within(uint32_t a, uint32_t b, uint32_t most)
+{
+    return a <= most && b <= most;
+}
+
+#define FOG_MARGIN 4 /* of 2^15: more than 640 steps are off by, 2^-23 each */
+
+/* 1 where neither fog's share nor a channel has to be held in its range over `last` px more. */
+static int is_clear(const struct draw *d, const struct fog_at *at, const struct fog_at *step, int32_t last)
+{
+    const struct fog_terms *fog = d->fog;
+    const uint32_t near = (uint32_t)fog->start - FOG_MARGIN, end = at->z + (uint32_t)last * step->z;
+    int clear = d->colour.fraction == LOOP_FRACTION &&
+                within(near - (at->z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
+
+    for (int k = 0; k < 3; k++) {
+        const uint32_t channel = ((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - (uint32_t)at->apart[k];
+        clear &= within(channel, channel - ((uint32_t)last * (uint32_t)step->apart[k]), d->colour.top[k]);
+    }
+    return clear;
+}
+
+static void fog_steps(const struct linear_setup *l, struct fog_at *step)
+{
+    const struct fog_terms *fog = l->s.draw->fog;
+
+    step->z = l->s.depth.dx;
+    const int32_t left = mul_16_32(fog->scale, (int32_t)l->s.depth.dx);
+    step->left = fog->shift < 16 ? (int32_t)((uint32_t)left << (16 - fog->shift)) : asr32(left, fog->shift - 16u);
+    for (int k = 0; k < 3; k++)
+        step->apart[k] = (int32_t)(0u - l->channel[k].dx);
+}
+
+static void fog_run(const struct linear_setup *l, int32_t x, int32_t y, struct fog_at *at)
+{
+    const struct fog_terms *fog = l->s.draw->fog;
+
+    at->z = plane_at(&l->s.depth, x, y);
+    at->left = (int32_t)((1u << 30) - ((uint32_t)fog->start - (at->z >> fog->shift)) * fog->scale);
+    for (int k = 0; k < 3; k++)
+        at->apart[k] = (int32_t)(((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - plane_at(&l->channel[k], x, y));
+}
+
+SPECIALISED void held_row(const struct tile *t, const struct linear_setup *l, int32_t x, int32_t x1, int32_t y)
+{
+    const struct plane *c = l->channel;
+    const uint8_t *threshold = threshold_row(t, t->dither, y);
+    uint32_t at = tile_offset(t, x, y), z = plane_at(&l->s.depth, x, y);
+    uint32_t r = plane_at(&c[0], x, y), g = plane_at(&c[1], x, y), b = plane_at(&c[2], x, y);
+
+    for (; x < x1; x++, at++, z += l->s.depth.dx, r += c[0].dx, g += c[1].dx, b += c[2].dx)
+        if (nearer(t, t->depth + at, z))
+            put_fogged_terms(t, l->s.draw, at, z, not_negative(r), not_negative(g), not_negative(b),
+                             threshold[(uint32_t)x & 7u], t->format->grey);
+}
+
+static void fogged_rows(const struct tile *t, const struct setup *s)
+{
+    const struct linear_setup *l = (const struct linear_setup *)s;
+    struct fog_at at, step;
+
+    fog_steps(l, &step);
+    for (unsigned row = 0; row < t->rows; row++) {
+        const int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        const uint8_t *threshold = t->dither ? threshold_row(t, 1, y) : NULL;
+        if (x >= x1)
+            continue;
+        fog_run(l, x, y, &at);
+        if (t->format->grey || !is_clear(s->draw, &at, &step, x1 - 1 - x)) {
+            held_row(t, l, x, x1, y);
+            continue;
+        }
+        uint16_t *depth = t->depth + tile_offset(t, x, y);
+        if (FAST_LOOPS && threshold == NULL && t->format->swap)
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1);
+        else
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap);
+    }
+}
+
+static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
+{
+    quotient_rows(t, (const struct quotient_setup *)s, 1);
+}
+
+/* ---- intensities, normals ---- */
+
+void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                             struct shaded_run *run, unsigned second)
+{
+    if (d->by_ramp)
+        general_loop(t, d, at, x, x1, y, run, (enum second)second, 1, 1);
+    else
+        general_loop(t, d, at, x, x1, y, run, (enum second)second, 0, 1);
+}
+
+void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                             const struct normal_run *run)
+{
+    if (d->by_ramp)
+        normal_loop(t, d, x, x1, y, run, 1, 1);
+    else
+        normal_loop(t, d, x, x1, y, run, 0, 1);
+}
+
+/* ---- what is fogged ---- */
+
+static int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
+                     const struct pixel_format *format)
+{
+    if (fog->start <= 0 || fog->end <= fog->start)
+        return SHEEN_ERR_ARGUMENT;
+    /* from 2^-14 of near on what starts still nearer differs by less than 2^-14 */
+    const int64_t start = sheen_depth_beyond(p, max32(fog->start, max32(p->near >> 14, 1)));
+    const int64_t reach = start - sheen_depth_beyond(p, fog->end);
+    if (reach < (int64_t)256 << 16)
+        return SHEEN_ERR_ARGUMENT;
+    const unsigned shift = 48 - clz64((uint64_t)reach);
+    const int64_t from = asr64(start, shift), most = 1 << 30;
+    terms->mixer = fog->mixer;
+    terms->shift = (uint8_t)min32((int32_t)shift, 31); /* z is nothing there */
+    terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
+    terms->reach = (uint16_t)asr64(reach, shift);
+    terms->scale = (uint16_t)((sheen_reciprocal((uint32_t)terms->reach << 16) >> 17) + 1);
+    const uint32_t value = sheen_colour_bytes(format, fog->color), rgb = pixel_order(value, format->swap);
+    const unsigned fraction = 16u - format->level_bits;
+    terms->level[0] = (uint16_t)((format->grey ? value : rgb >> 11) << fraction);
+    terms->level[1] = (uint16_t)((rgb >> 5 & 63u) << fraction);
+    terms->level[2] = (uint16_t)((rgb & 31u) << fraction);
+    return SHEEN_OK;
+}
+
+static void fog_draw(struct draw *d, const struct fog_terms *terms)
+{
+    take_general_loops(d);
+    d->loop.usable = 0;
+    d->fog = terms;
+}
+
+static void fog_setup(struct setup *s)
+{
+    if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
+        s->rows = fogged_rows;
+    else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT)
+        s->rows = fogged_quotient_rows;
+}
+
+const struct sheen_fog_mixer sheen_fog_mixer = {.begin = fog_begin,
+                                                .draw = fog_draw,
+                                                .setup = fog_setup,
+                                                .shaded_run = sheen_fogged_shaded_run,
+                                                .normal_run = sheen_fogged_normal_run,
+                                                .texel_run = sheen_fogged_texel_run};
