@@ -268,6 +268,11 @@ struct sheen_object {
     const struct sheen_stipple *stipple;   /* &sheen_stipple: MUST be there where transparency is not 0 */
     uint8_t transparency;                  /* 1/64 of the pixels left out, 0..64 (64: nothing is drawn) */
     uint8_t phase;                         /* of the pattern, 0..7 */
+    /*
+     * Steps of 16-bit depth added to what is tested and left, -4096..4095, larger is nearer: what lies in another's
+     * plane (a decal, an outline) shows. At each corner the sum is held to the depths from z_far to z_near.
+     */
+    int16_t depth_bias;
 };
 
 /*
@@ -416,7 +421,8 @@ enum sheen_subject {
     SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
     SHEEN_ABOUT_TEXTURE,
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
-    SHEEN_ABOUT_FOG           /* of the view */
+    SHEEN_ABOUT_FOG,          /* of the view */
+    SHEEN_ABOUT_DEPTH_BIAS
 };
 
 /*

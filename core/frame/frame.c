@@ -223,6 +223,8 @@ static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
         return refuse(f, SHEEN_ERR_ARGUMENT, material, 0);
     if ((shader = shader_problem(o)) != SHEEN_ABOUT_NOTHING)
         return refuse(f, SHEEN_ERR_ARGUMENT, shader, 0);
+    if (o->depth_bias < -4096 || o->depth_bias > 4095)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTH_BIAS, 0);
     if (f->draws == f->config.max_draws)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_DRAWS, f->draws + 1);
     if (f->vertices + mesh->vertices > f->config.max_vertices)
@@ -346,6 +348,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
     d->as.forced = f->forced;
     d->as.stippled = STIPPLED_NOT;
+    d->as.depth_bias = object->depth_bias;
     d->first_vertex = f->vertices;
     begin_colours(f, &d->as, object);
     if (object->transparency != 0) {

@@ -83,7 +83,12 @@ static APART void mend_depth(struct plane *depth, const struct gradients *g, int
 
 static void depth_plane(struct setup *s, const struct surface_corners *c, const struct gradients *g, int flat)
 {
-    const int32_t z[3] = {c->at.v[0]->z, c->at.v[1]->z, c->at.v[2]->z}, d1 = z[1] - z[0], d2 = z[2] - z[0];
+    const int32_t bias = s->draw->depth_bias;
+    int32_t z[3] = {c->at.v[0]->z, c->at.v[1]->z, c->at.v[2]->z};
+
+    for (int k = 0; k < 3 && bias != 0; k++)
+        z[k] = max32(DEPTH_FAR, min32(z[k] + bias, DEPTH_FAR + DEPTH_RANGE));
+    const int32_t d1 = z[1] - z[0], d2 = z[2] - z[0];
     const uint32_t steep = magnitude32(d1) + magnitude32(d2);
 
     if (flat) {
