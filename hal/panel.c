@@ -130,6 +130,12 @@ unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record
     return record->glass_h > record->glass_w;
 }
 
+/* Pixels in a byte; 0 where one has 16 bits. */
+static unsigned byte_pixels(unsigned pixel)
+{
+    return pixel <= SHEEN_RGB565_LE ? 0 : pixel == SHEEN_GREY256 ? 1 : pixel == SHEEN_GREY16 ? 2 : 8;
+}
+
 /*
  * The glass lies inside the RAM, and no driver ever meets half a byte: rows and
  * columns of whole bytes in every orientation, and the gap on a byte's edge (2 px
@@ -137,7 +143,7 @@ unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record
  */
 static int record_fits(const struct sheen_panel_record *record)
 {
-    unsigned per_byte = 8 / sheen_pixel_bits((enum sheen_pixel)record->pixel); /* 0 for 16 bits */
+    unsigned per_byte = byte_pixels(record->pixel);
     unsigned align = record->driver->align_x > per_byte ? record->driver->align_x : per_byte;
     unsigned gap = per_byte == 8 ? record->gap_y : record->gap_x;
 

@@ -24,7 +24,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
     c->band_rows = (uint16_t)or_default(c->band_rows, 16);
     if (c->band_rows > c->target->height)
         c->band_rows = c->target->height;
-    c->band_rows = (uint16_t)((c->band_rows + align - 1) / align * align);
+    c->band_rows = (uint16_t)((c->band_rows + align - 1) & ~(align - 1));
     c->buffers = (uint8_t)or_default(c->buffers, 1);
     c->workers = (uint8_t)or_default(c->workers, 1);
     c->max_used = (uint16_t)min32((int32_t)or_default(c->max_used, c->max_vertices), c->max_vertices);

@@ -37,13 +37,14 @@ static int refuse(struct sheen_frame *f, int error, enum sheen_subject subject, 
 static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
 {
     const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
-    int x = (int)or_default(t->align_x, 1), y = (int)or_default(t->align_y, 1);
+    int x = (int)or_default(t->align_x, 1) - 1, y = (int)or_default(t->align_y, 1) - 1; /* powers of two, less 1 */
 
     *viewport = rect_empty(asked) ? all : asked;
     if (!same_rect(sheen_rect_intersection(*viewport, all), *viewport))
         return SHEEN_ERR_ARGUMENT;
-    int aligned = viewport->x0 % x == 0 && viewport->y0 % y == 0 && (viewport->x1 % x == 0 || viewport->x1 == all.x1) &&
-                  (viewport->y1 % y == 0 || viewport->y1 == all.y1);
+    int aligned = (viewport->x0 & x) == 0 && (viewport->y0 & y) == 0 &&
+                  ((viewport->x1 & x) == 0 || viewport->x1 == all.x1) &&
+                  ((viewport->y1 & y) == 0 || viewport->y1 == all.y1);
     return aligned ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
 }
 
@@ -60,8 +61,9 @@ static void workers_begin(struct sheen_frame *f)
 /* What the last frame touched becomes stale; it has to be drawn over. */
 static void bands_begin(struct sheen_frame *f)
 {
-    unsigned rows = f->config.band_rows;
+    uint32_t rows = f->config.band_rows;
 
+    OPAQUE(rows); /* else gcc divides with signs here, by a routine that nothing else links */
     f->bands = ((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1) / rows;
     f->bands_left = f->bands;
     f->band_scale = ((1u << 20) + rows - 1) / rows;

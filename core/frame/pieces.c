@@ -30,7 +30,7 @@ static void light_triangle(const struct draw_record *d, const int16_t *const nor
     }
 }
 
-static int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
+static APART int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
 {
     return (int32_t)round_shift64((int64_t)share[0] * a + (int64_t)share[1] * b + (int64_t)share[2] * c, 30);
 }

@@ -51,7 +51,7 @@ static void push_tile(struct sheen_frame *f, unsigned worker, const struct tile 
         return;
     }
     f->flying = (uint8_t)worker;
-    w->buffer = (uint8_t)((w->buffer + 1u) % f->config.buffers);
+    w->buffer = (uint8_t)((w->buffer + 1u) & (f->config.buffers - 1u));
     w->stats.rectangles++;
     w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
 }

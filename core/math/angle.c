@@ -22,13 +22,13 @@ sheen_q30_t sheen_sin(sheen_angle_t angle)
 {
     uint32_t nearest = (angle + 0x00800000u) >> 24;    /* 0..256; 256 is 0 again */
     int32_t rest = (int32_t)(angle - (nearest << 24)); /* turns, Q0.32, |rest| <= 2^23 */
-    int32_t d = mul_round(rest, 1686629713, 30);       /* 2 pi in Q2.28: d in Q1.30, radians, |d| < 2^24 */
-    int32_t square = mul_round(d, d, 30);              /* Q1.30 */
-    int32_t sine = d - mul_round(mul_round(square, d, 30), 178956971, 30); /* 1/6 */
-    int32_t versine = square / 2 - mul_round(square, square, 30) / 24;     /* 1 - cos d */
+    int32_t d = sheen_mul_round(rest, 1686629713, 30); /* 2 pi in Q2.28: d in Q1.30, radians, |d| < 2^24 */
+    int32_t square = sheen_mul_round(d, d, 30);        /* Q1.30 */
+    int32_t sine = d - sheen_mul_round(sheen_mul_round(square, d, 30), 178956971, 30);             /* 1/6 */
+    int32_t versine = square / 2 - (int32_t)((uint32_t)sheen_mul_round(square, square, 30) / 24u); /* 1 - cos d */
     int32_t table_cos = table_sine(nearest + 64u), table_sin = table_sine(nearest);
 
-    return table_sin - mul_round(table_sin, versine, 30) + mul_round(table_cos, sine, 30);
+    return table_sin - sheen_mul_round(table_sin, versine, 30) + sheen_mul_round(table_cos, sine, 30);
 }
 
 sheen_q30_t sheen_cos(sheen_angle_t angle)
@@ -44,9 +44,9 @@ sheen_q30_t sheen_cos(sheen_angle_t angle)
 uint32_t sheen_arc_sine(int32_t x)
 {
     static const int32_t term[8] = {683565268, 113929534, 51185443, 31782325, 11375414, 51836299, -61898811, 75167749};
-    int32_t square = mul_round(x, x, 30), sum = term[7];
+    int32_t square = sheen_mul_round(x, x, 30), sum = term[7];
 
     for (int k = 6; k >= 0; k--)
-        sum = term[k] + mul_round(sum, square, 30);
-    return (uint32_t)mul_round(sum, x, 30);
+        sum = term[k] + sheen_mul_round(sum, square, 30);
+    return (uint32_t)sheen_mul_round(sum, x, 30);
 }

@@ -16,6 +16,13 @@
 #define IN_REGISTER(x) ((void)0)
 #endif
 
+/* Kept out of its callers: of their stack, of which there is 1 KB, or of their size. */
+#ifdef __GNUC__
+#define APART __attribute__((noinline))
+#else
+#define APART
+#endif
+
 /*
  * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative as
  * arithmetic; elsewhere the complement of a non-negative number is shifted.
@@ -50,6 +57,9 @@ static inline int32_t mul_round(int32_t a, int32_t b, unsigned n)
 {
     return (int32_t)round_shift64((int64_t)a * b, n);
 }
+
+/* The same once for all who have the time: what is done a draw. */
+int32_t sheen_mul_round(int32_t a, int32_t b, unsigned n);
 
 /* High word of the product: floor(a * b / 2^32). */
 static inline uint32_t mul_high(uint32_t a, uint32_t b)

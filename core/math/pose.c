@@ -59,7 +59,7 @@ static void complete(const struct sheen_pose *from, struct sheen_pose *to)
 }
 
 /* Row of a rotation times a vector of any format, Q.30 more. Range: |row| <= 1.001, so |result| < 2^61.8. */
-static int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
+static APART int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
 {
     return (int64_t)row[0] * v[0] + (int64_t)row[1] * v[stride] + (int64_t)row[2] * v[2 * stride];
 }
@@ -226,18 +226,18 @@ void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t 
     int32_t sy = sheen_sin(yaw), cy = sheen_cos(yaw);
     int32_t sx = sheen_sin(pitch), cx = sheen_cos(pitch);
     int32_t sz = sheen_sin(roll), cz = sheen_cos(roll);
-    int32_t sxsy = mul_round(sx, sy, 30), sxcy = mul_round(sx, cy, 30);
+    int32_t sxsy = sheen_mul_round(sx, sy, 30), sxcy = sheen_mul_round(sx, cy, 30);
     int32_t *r = pose->rotation;
 
-    r[0] = mul_round(cz, cy, 30) - mul_round(sz, sxsy, 30);
-    r[1] = -mul_round(sz, cx, 30);
-    r[2] = mul_round(cz, sy, 30) + mul_round(sz, sxcy, 30);
-    r[3] = mul_round(sz, cy, 30) + mul_round(cz, sxsy, 30);
-    r[4] = mul_round(cz, cx, 30);
-    r[5] = mul_round(sz, sy, 30) - mul_round(cz, sxcy, 30);
-    r[6] = -mul_round(cx, sy, 30);
+    r[0] = sheen_mul_round(cz, cy, 30) - sheen_mul_round(sz, sxsy, 30);
+    r[1] = -sheen_mul_round(sz, cx, 30);
+    r[2] = sheen_mul_round(cz, sy, 30) + sheen_mul_round(sz, sxcy, 30);
+    r[3] = sheen_mul_round(sz, cy, 30) + sheen_mul_round(cz, sxsy, 30);
+    r[4] = sheen_mul_round(cz, cx, 30);
+    r[5] = sheen_mul_round(sz, sy, 30) - sheen_mul_round(cz, sxcy, 30);
+    r[6] = -sheen_mul_round(cx, sy, 30);
     r[7] = sx;
-    r[8] = mul_round(cx, cy, 30);
+    r[8] = sheen_mul_round(cx, cy, 30);
 
     pose->scale = 1 << 16;
     pose->translation[0] = 0;

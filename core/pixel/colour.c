@@ -198,17 +198,17 @@ const uint16_t sheen_dither_rows[8][DITHER_RUN + 8] = {
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)
 {
-    unsigned bits = format->pixel_bits, per_byte = 8 / bits;
+    const unsigned bits = format->pixel_bits;
     const uint8_t *in = pixels;
     uint8_t *out = pixels;
 
-    if (per_byte == 1)
+    if (bits == 8)
         return;
     for (unsigned y = 0; y < rows; y++) {
-        for (unsigned x = 0; x < width; x += per_byte) {
+        for (unsigned x = 0; x < width;) {
             unsigned byte = 0;
-            for (unsigned i = 0; i < per_byte; i++)
-                byte = byte << bits | (x + i < width ? *in++ : 0u);
+            for (unsigned filled = 0; filled < 8; filled += bits, x++)
+                byte = byte << bits | (x < width ? *in++ : 0u);
             *out++ = (uint8_t)byte;
         }
     }

@@ -27,13 +27,6 @@
 #endif
 #endif
 
-/* Kept out of its caller, whose stack it would stay on: the limit is 1 KB. */
-#ifdef __GNUC__
-#define APART __attribute__((noinline))
-#else
-#define APART
-#endif
-
 /*
  * Taps of a build that counts what its frames are made of: SHEEN_TAPS names the header that defines them
  * (host-sim/plan/taps.h). SHEEN_TAP_ROWS draws a set-up's rows in a tile; the others cost nothing.

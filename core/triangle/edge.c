@@ -29,13 +29,10 @@ struct course {
  */
 static inline struct course by_division(int32_t width, int32_t height, int32_t rest)
 {
-    int32_t whole = width / height, part = width - whole * height;
-
-    if (part < 0) {
-        whole--;
-        part += height;
-    }
-    uint32_t size = (uint32_t)height, high = ((uint32_t)part << 16) / size;
+    const uint32_t size = (uint32_t)height, wide = magnitude32(width);
+    int32_t whole = width >= 0 ? (int32_t)(wide / size) : -(int32_t)((wide + size - 1) / size),
+            part = width - whole * height;
+    uint32_t high = ((uint32_t)part << 16) / size;
     uint32_t low = ((((uint32_t)part << 16) - high * size) << 16) / size;
     uint32_t part_of_px = high << 16 | low;
     int64_t start = (int64_t)(((uint64_t)(uint32_t)(rest * whole) << 32) + (uint64_t)part_of_px * (uint32_t)rest);

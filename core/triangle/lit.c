@@ -1,35 +1,26 @@
 /*
  * lit.c - what light a triangle's set-up begins with: at its corners, or at the polygon that it is of.
  */
+#include "../math/vector.h"
 #include "triangle.h"
 
 /*
- * The normal of a triangle from its corners, for meshes that have none: the cross
- * product of two edges. Range: differences < 2^17, so its parts are below 2^35 and
- * 32 bits of the largest are kept.
+ * The normal of a triangle from its corners, for meshes that have none: the cross product of two edges. Range:
+ * differences < 2^17, so its parts are below 2^35.
  */
 static int corner_normal(const struct sheen_mesh *mesh, uint32_t triangle, sheen_q30_t normal[3])
 {
     const int16_t *p[3];
     int64_t cross[3];
-    int32_t kept[3], a[3], b[3];
-    uint64_t all = 0;
 
     for (uint32_t k = 0; k < 3; k++)
         p[k] = mesh->positions + 3 * mesh_index(mesh, 3 * triangle + k);
     for (int i = 0; i < 3; i++) {
-        a[i] = p[1][i] - p[0][i];
-        b[i] = p[2][i] - p[0][i];
-    }
-    for (int i = 0; i < 3; i++) {
         int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
-        cross[i] = (int64_t)a[j] * b[k] - (int64_t)a[k] * b[j];
-        all |= (uint64_t)(cross[i] < 0 ? -cross[i] : cross[i]);
+        cross[i] =
+            (int64_t)(p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (int64_t)(p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
     }
-    unsigned zeros = clz64(all);
-    for (int i = 0; i < 3; i++)
-        kept[i] = (int32_t)asr64(cross[i], zeros < 33 ? 33 - zeros : 0);
-    return sheen_normalize(kept, normal);
+    return sheen_normalize_wide(cross, normal);
 }
 
 /* Unit normal of the polygon that a triangle is of; zero where it has no area. */

@@ -41,7 +41,7 @@ static int64_t inside(const struct clip_job *job, struct point point, unsigned p
     return (plane & 1u) == 0 ? side + across : side - across;
 }
 
-static int32_t between(int32_t a, int32_t b, int32_t t)
+static APART int32_t between(int32_t a, int32_t b, int32_t t)
 {
     return (int32_t)(a + round_shift64(((int64_t)b - a) * t, 30));
 }

@@ -11,7 +11,8 @@
 static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t out[3])
 {
     for (int k = 0; k < 3; k++)
-        out[k] = mul_round(r[k], v[0], 30) + mul_round(r[3 + k], v[1], 30) + mul_round(r[6 + k], v[2], 30);
+        out[k] =
+            sheen_mul_round(r[k], v[0], 30) + sheen_mul_round(r[3 + k], v[1], 30) + sheen_mul_round(r[6 + k], v[2], 30);
 }
 
 /*
@@ -35,8 +36,8 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, s
     for (int k = 0; k < 3 && error == SHEEN_OK; k++)
         to[k] = view == NULL || light->with_eye
                     ? unit[k]
-                    : mul_round(view[3 * k], unit[0], 30) + mul_round(view[3 * k + 1], unit[1], 30) +
-                          mul_round(view[3 * k + 2], unit[2], 30);
+                    : sheen_mul_round(view[3 * k], unit[0], 30) + sheen_mul_round(view[3 * k + 1], unit[1], 30) +
+                          sheen_mul_round(view[3 * k + 2], unit[2], 30);
     return error;
 }
 

@@ -8,7 +8,7 @@
 #include "vertex.h"
 
 /* value / 2^fraction as mantissa and exponent. value > 0. */
-static struct scaled scaled_of(uint64_t value, int fraction)
+static APART struct scaled scaled_of(uint64_t value, int fraction)
 {
     unsigned zeros = clz64(value);
     struct scaled s = {(uint32_t)((value << zeros) >> 32), 63 - fraction - (int)zeros};
@@ -26,7 +26,7 @@ static struct scaled reciprocal_of(sheen_q24_t m)
 }
 
 /* The product of two. */
-static struct scaled scaled_times(struct scaled a, struct scaled b)
+static APART struct scaled scaled_times(struct scaled a, struct scaled b)
 {
     uint64_t product = (uint64_t)a.mantissa * b.mantissa; /* in [2^62, 2^64) */
     unsigned zeros = clz64(product);
@@ -192,11 +192,11 @@ int sheen_transform_begin(struct transform *t, const struct projection *p, const
     const int32_t most_part = (1 << 29) - 1; /* met by what rotations are off by alone */
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++) {
-            int32_t part = mul_round(pose->rotation[3 * k + i], (int32_t)(scale << zeros), 31);
-            part = mul_round(part, factor[k], 32);
+            int32_t part = sheen_mul_round(pose->rotation[3 * k + i], (int32_t)(scale << zeros), 31);
+            part = sheen_mul_round(part, factor[k], 32);
             PRODUCT_FORM(row_set)(&t->row[k], i, max32(-most_part, min32(part, most_part)));
         }
-        t->t[k] = mul_round(moved[k] * (1 << (k < 2 ? t->fine : 0)), factor[k], 31);
+        t->t[k] = sheen_mul_round(moved[k] * (1 << (k < 2 ? t->fine : 0)), factor[k], 31);
     }
     return SHEEN_OK;
 }
