@@ -61,9 +61,9 @@ static const struct sheen_panel_step init_gc9a01[] = {
 
 /* The rating is not published; 40 to 80 MHz are in use, so the lower end. */
 const struct sheen_panel_record sheen_panel_gc9a01 = {
-    .name = "gc9a01-240x240",
-    .controller = "GC9A01",
-    .note = "clock rating unpublished, 40 to 80 MHz in use",
+    .name = TEXT("gc9a01-240x240"),
+    .controller = TEXT("GC9A01"),
+    .note = TEXT("clock rating unpublished, 40 to 80 MHz in use"),
     DCS,
     WRDISBV,
     INIT(init_gc9a01),

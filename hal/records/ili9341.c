@@ -13,9 +13,9 @@ static const struct sheen_panel_step init_ili9341[] = {
 
 /* Clock: write cycle 100 ns (ILI9341 data sheet, 4-line serial interface, twc). */
 const struct sheen_panel_record sheen_panel_ili9341 = {
-    .name = "ili9341-240x320",
-    .controller = "ILI9341",
-    .note = "commonly run at 40 MHz and above",
+    .name = TEXT("ili9341-240x320"),
+    .controller = TEXT("ILI9341"),
+    .note = TEXT("commonly run at 40 MHz and above"),
     DCS,
     WRDISBV,
     INIT(init_ili9341),
@@ -34,9 +34,9 @@ static const struct sheen_panel_step init_ili9488[] = {
 
 /* Clock: write cycle 66 ns is the ILI9486's, the nearest that is published. */
 const struct sheen_panel_record sheen_panel_ili9488 = {
-    .name = "ili9488-320x480",
-    .controller = "ILI9488",
-    .note = "three bytes a pixel; 27 to 40 MHz in use",
+    .name = TEXT("ili9488-320x480"),
+    .controller = TEXT("ILI9488"),
+    .note = TEXT("three bytes a pixel; 27 to 40 MHz in use"),
     DCS,
     WRDISBV,
     .bits_18 = 1,

@@ -10,6 +10,9 @@
 #define BARE 0, NULL
 #define BYTES SHEEN_BYTES
 
+/* A string of its own section: string literals of a file are linked together, whichever of its records is named. */
+#define TEXT(string) ((const char[]){string})
+
 #define INIT(table) .init = table, .steps = sizeof table / sizeof table[0]
 #define GLASS(w, h) .glass_w = w, .glass_h = h
 #define RAM(w, h) .ram_w = w, .ram_h = h

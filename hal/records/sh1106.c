@@ -25,10 +25,10 @@ static const struct sheen_panel_step init_sh1106[] = {
 
 /* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). */
 #define SH1106                                                                                                         \
-    .controller = "SH1106", .driver = &sheen_driver_sh1106, .brightness_command = 0x81, .pixel = SHEEN_GREY2, OLED,    \
-    I2C, INIT(init_sh1106), .clock_hz = 4000000, GLASS(128, 64), RAM(132, 64)
+    .controller = TEXT("SH1106"), .driver = &sheen_driver_sh1106, .brightness_command = 0x81, .pixel = SHEEN_GREY2,    \
+    OLED, I2C, INIT(init_sh1106), .clock_hz = 4000000, GLASS(128, 64), RAM(132, 64)
 
 const struct sheen_panel_record sheen_panel_sh1106 = {
-    .name = "sh1106-128x64", SH1106, .gap_x = 2, .note = "the glass in the middle of 132 columns"};
+    .name = TEXT("sh1106-128x64"), SH1106, .gap_x = 2, .note = TEXT("the glass in the middle of 132 columns")};
 const struct sheen_panel_record sheen_panel_sh1106_nogap = {
-    .name = "sh1106-128x64-nogap", SH1106, .note = "the glass at column 0"};
+    .name = TEXT("sh1106-128x64-nogap"), SH1106, .note = TEXT("the glass at column 0")};

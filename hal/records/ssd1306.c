@@ -35,14 +35,14 @@ static const struct sheen_panel_step init_72x40[] = INIT_SSD1306(0x27, 0x12, 0xA
 
 /* Clock: cycle 100 ns (SSD1306 data sheet, table 13-4). */
 #define SSD1306                                                                                                        \
-    .controller = "SSD1306", .driver = &sheen_driver_ssd1306, .brightness_command = 0x81, .pixel = SHEEN_GREY2, OLED,  \
-    I2C, .clock_hz = 10000000, RAM(128, 64)
+    .controller = TEXT("SSD1306"), .driver = &sheen_driver_ssd1306, .brightness_command = 0x81, .pixel = SHEEN_GREY2,  \
+    OLED, I2C, .clock_hz = 10000000, RAM(128, 64)
 
 const struct sheen_panel_record sheen_panel_ssd1306_128x64 = {
-    .name = "ssd1306-128x64", SSD1306, INIT(init_128x64), GLASS(128, 64)};
+    .name = TEXT("ssd1306-128x64"), SSD1306, INIT(init_128x64), GLASS(128, 64)};
 const struct sheen_panel_record sheen_panel_ssd1306_128x32 = {
-    .name = "ssd1306-128x32", SSD1306, INIT(init_128x32), GLASS(128, 32)};
+    .name = TEXT("ssd1306-128x32"), SSD1306, INIT(init_128x32), GLASS(128, 32)};
 const struct sheen_panel_record sheen_panel_ssd1306_72x40 = {
-    .name = "ssd1306-72x40", SSD1306, INIT(init_72x40), GLASS(72, 40), .gap_x = 28};
+    .name = TEXT("ssd1306-72x40"), SSD1306, INIT(init_72x40), GLASS(72, 40), .gap_x = 28};
 const struct sheen_panel_record sheen_panel_ssd1306_64x48 = {
-    .name = "ssd1306-64x48", SSD1306, INIT(init_64x48), GLASS(64, 48), .gap_x = 32};
+    .name = TEXT("ssd1306-64x48"), SSD1306, INIT(init_64x48), GLASS(64, 48), .gap_x = 32};

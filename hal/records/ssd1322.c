@@ -31,8 +31,8 @@ static const struct sheen_panel_step init_ssd1322[] = {
 
 /* Clock: cycle 100 ns, as u8g2 has it from the data sheet. */
 const struct sheen_panel_record sheen_panel_ssd1322 = {
-    .name = "ssd1322-256x64",
-    .controller = "SSD1322",
+    .name = TEXT("ssd1322-256x64"),
+    .controller = TEXT("SSD1322"),
     .driver = &sheen_driver_ssd1322,
     .pixel = SHEEN_GREY16,
     OLED,

@@ -36,7 +36,10 @@ static const struct sheen_panel_step init_ssd1325[] = INIT_SSD1325(0x4C);
     .driver = &sheen_driver_grey, .brightness_command = 0x81, .brightness_shift = 1, .pixel = SHEEN_GREY16,            \
     .clock_hz = 4000000, RAM(128, 80), GLASS(128, 64), OLED, .scan = {0x52}
 
-const struct sheen_panel_record sheen_panel_ssd0323 = {
-    .name = "ssd0323-128x64", .controller = "SSD0323", SSD1325, INIT(init_ssd0323), .note = "QEMU's lm3s6965evb"};
+const struct sheen_panel_record sheen_panel_ssd0323 = {.name = TEXT("ssd0323-128x64"),
+                                                       .controller = TEXT("SSD0323"),
+                                                       SSD1325,
+                                                       INIT(init_ssd0323),
+                                                       .note = TEXT("QEMU's lm3s6965evb")};
 const struct sheen_panel_record sheen_panel_ssd1325 = {
-    .name = "ssd1325-128x64", .controller = "SSD1325", SSD1325, INIT(init_ssd1325)};
+    .name = TEXT("ssd1325-128x64"), .controller = TEXT("SSD1325"), SSD1325, INIT(init_ssd1325)};

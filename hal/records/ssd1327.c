@@ -35,10 +35,10 @@ static const struct sheen_panel_step init_ssd1327_96[] = INIT_SSD1327(0x5F, 0x20
  * that the left pixel is the high nibble; COM split.
  */
 #define SSD1327                                                                                                        \
-    .controller = "SSD1327", .driver = &sheen_driver_grey, .brightness_command = 0x81, .pixel = SHEEN_GREY16,          \
+    .controller = TEXT("SSD1327"), .driver = &sheen_driver_grey, .brightness_command = 0x81, .pixel = SHEEN_GREY16,    \
     .clock_hz = 4000000, RAM(128, 128), OLED, I2C, .scan = {0x51}
 
 const struct sheen_panel_record sheen_panel_ssd1327_128x128 = {
-    .name = "ssd1327-128x128", SSD1327, INIT(init_ssd1327), GLASS(128, 128)};
+    .name = TEXT("ssd1327-128x128"), SSD1327, INIT(init_ssd1327), GLASS(128, 128)};
 const struct sheen_panel_record sheen_panel_ssd1327_96x96 = {
-    .name = "ssd1327-96x96", SSD1327, INIT(init_ssd1327_96), GLASS(96, 96), .gap_x = 16};
+    .name = TEXT("ssd1327-96x96"), SSD1327, INIT(init_ssd1327_96), GLASS(96, 96), .gap_x = 16};

@@ -30,9 +30,10 @@ static const struct sheen_panel_step init_ssd1351[] = {
  * split; + 01 vertical, 02 columns and 10 COM lines from the last (ibid., A0h).
  */
 #define SSD1351                                                                                                        \
-    .controller = "SSD1351", .driver = &sheen_driver_ssd1351, .brightness_command = 0xC7, .brightness_shift = 4,       \
+    .controller = TEXT("SSD1351"), .driver = &sheen_driver_ssd1351, .brightness_command = 0xC7, .brightness_shift = 4, \
     .pixel = SHEEN_RGB565_BE, INIT(init_ssd1351), .clock_hz = 20000000, RAM(128, 128), OLED,                           \
     .scan = {0x70, 0x73, 0x62, 0x61}, .bgr = 1
 
-const struct sheen_panel_record sheen_panel_ssd1351_128x128 = {.name = "ssd1351-128x128", SSD1351, GLASS(128, 128)};
-const struct sheen_panel_record sheen_panel_ssd1351_128x96 = {.name = "ssd1351-128x96", SSD1351, GLASS(128, 96)};
+const struct sheen_panel_record sheen_panel_ssd1351_128x128 = {
+    .name = TEXT("ssd1351-128x128"), SSD1351, GLASS(128, 128)};
+const struct sheen_panel_record sheen_panel_ssd1351_128x96 = {.name = TEXT("ssd1351-128x96"), SSD1351, GLASS(128, 96)};

@@ -33,37 +33,41 @@ static const struct sheen_panel_step init_st7735[] = {
 
 /* Clock: write cycle 66 ns (ST7735R data sheet, 4-line serial interface, TSCYCW). */
 #define ST7735                                                                                                         \
-    .controller = "ST7735", DCS, INIT(init_st7735), .clock_hz = 15151515, .scan = {MX | MY, MY | MV, 0, MX | MV}
+    .controller = TEXT("ST7735"), DCS, INIT(init_st7735), .clock_hz = 15151515, .scan = {MX | MY, MY | MV, 0, MX | MV}
 
 const struct sheen_panel_record sheen_panel_st7735_128x160 = {
-    .name = "st7735-128x160", ST7735, GLASS(128, 160), RAM(128, 160), .note = "black tab"};
+    .name = TEXT("st7735-128x160"), ST7735, GLASS(128, 160), RAM(128, 160), .note = TEXT("black tab")};
 
 const struct sheen_panel_record sheen_panel_st7735_128x160_red = {
-    .name = "st7735-128x160-red", ST7735, GLASS(128, 160), RAM(128, 160), .bgr = 1, .note = "red tab"};
+    .name = TEXT("st7735-128x160-red"), ST7735, GLASS(128, 160), RAM(128, 160), .bgr = 1, .note = TEXT("red tab")};
 
-const struct sheen_panel_record sheen_panel_st7735_128x160_green = {.name = "st7735-128x160-green",
+const struct sheen_panel_record sheen_panel_st7735_128x160_green = {.name = TEXT("st7735-128x160-green"),
                                                                     ST7735,
                                                                     GLASS(128, 160),
                                                                     RAM(132, 162),
                                                                     .gap_x = 2,
                                                                     .gap_y = 1,
                                                                     .bgr = 1,
-                                                                    .note = "green tab"};
+                                                                    .note = TEXT("green tab")};
 
-const struct sheen_panel_record sheen_panel_st7735_128x128 = {
-    .name = "st7735-128x128", ST7735, GLASS(128, 128), RAM(128, 160), .bgr = 1, .note = "32 rows of RAM unused"};
+const struct sheen_panel_record sheen_panel_st7735_128x128 = {.name = TEXT("st7735-128x128"),
+                                                              ST7735,
+                                                              GLASS(128, 128),
+                                                              RAM(128, 160),
+                                                              .bgr = 1,
+                                                              .note = TEXT("32 rows of RAM unused")};
 
 const struct sheen_panel_record sheen_panel_st7735_128x128_green = {
-    .name = "st7735-128x128-green",
+    .name = TEXT("st7735-128x128-green"),
     ST7735,
     GLASS(128, 128),
     RAM(132, 132),
     .gap_x = 2,
     .gap_y = 1,
     .bgr = 1,
-    .note = "green tab; keeps the gap rule only as strapped to 132x132"};
+    .note = TEXT("green tab; keeps the gap rule only as strapped to 132x132")};
 
-const struct sheen_panel_record sheen_panel_st7735_80x160_green = {.name = "st7735-80x160-green",
+const struct sheen_panel_record sheen_panel_st7735_80x160_green = {.name = TEXT("st7735-80x160-green"),
                                                                    ST7735,
                                                                    GLASS(80, 160),
                                                                    RAM(132, 162),
@@ -71,7 +75,12 @@ const struct sheen_panel_record sheen_panel_st7735_80x160_green = {.name = "st77
                                                                    .gap_y = 1,
                                                                    .bgr = 1,
                                                                    .inverted = 1,
-                                                                   .note = "IPS, 0.96 in"};
+                                                                   .note = TEXT("IPS, 0.96 in")};
 
-const struct sheen_panel_record sheen_panel_st7735_80x160_red = {
-    .name = "st7735-80x160-red", ST7735, GLASS(80, 160), RAM(128, 160), .gap_x = 24, .bgr = 1, .note = "red tab"};
+const struct sheen_panel_record sheen_panel_st7735_80x160_red = {.name = TEXT("st7735-80x160-red"),
+                                                                 ST7735,
+                                                                 GLASS(80, 160),
+                                                                 RAM(128, 160),
+                                                                 .gap_x = 24,
+                                                                 .bgr = 1,
+                                                                 .note = TEXT("red tab")};

@@ -17,37 +17,50 @@ static const struct sheen_panel_step init_st7789[] = {
 
 /* Clock: write cycle 16 ns (ST7789V data sheet, 4-line serial interface, TSCYCW). All of these are IPS: inverted. */
 #define ST7789                                                                                                         \
-    .controller = "ST7789", DCS, WRDISBV, INIT(init_st7789), .clock_hz = 62500000, RAM(240, 320),                      \
+    .controller = TEXT("ST7789"), DCS, WRDISBV, INIT(init_st7789), .clock_hz = 62500000, RAM(240, 320),                \
     .scan = {0, MX | MV, MX | MY, MV | MY}, .inverted = 1
 
 const struct sheen_panel_record sheen_panel_st7789_240x320 = {
-    .name = "st7789-240x320", ST7789, GLASS(240, 320), .note = "TN glass (2.8 in) is not inverted"};
+    .name = TEXT("st7789-240x320"), ST7789, GLASS(240, 320), .note = TEXT("TN glass (2.8 in) is not inverted")};
 
 /* Modules without CS hold the clock high between bytes, else they lose count: mode 3. It suits those with CS too. */
-const struct sheen_panel_record sheen_panel_st7789_240x240 = {
-    .name = "st7789-240x240", ST7789, GLASS(240, 240), .spi_mode = 3, .note = "mode 3 for modules without CS"};
+const struct sheen_panel_record sheen_panel_st7789_240x240 = {.name = TEXT("st7789-240x240"),
+                                                              ST7789,
+                                                              GLASS(240, 240),
+                                                              .spi_mode = 3,
+                                                              .note = TEXT("mode 3 for modules without CS")};
 
 const struct sheen_panel_record sheen_panel_st7789_240x240_round = {
-    .name = "st7789-240x240-round", ST7789, GLASS(240, 240), .gap_y = 40, .round = 1};
+    .name = TEXT("st7789-240x240-round"), ST7789, GLASS(240, 240), .gap_y = 40, .round = 1};
 
-const struct sheen_panel_record sheen_panel_st7789_240x280 = {
-    .name = "st7789-240x280", ST7789, GLASS(240, 280), .gap_y = 20, .note = "rounded corners hide some pixels"};
+const struct sheen_panel_record sheen_panel_st7789_240x280 = {.name = TEXT("st7789-240x280"),
+                                                              ST7789,
+                                                              GLASS(240, 280),
+                                                              .gap_y = 20,
+                                                              .note = TEXT("rounded corners hide some pixels")};
 
 const struct sheen_panel_record sheen_panel_st7789_135x240 = {
-    .name = "st7789-135x240", ST7789, GLASS(135, 240), .gap_x = 52, .gap_y = 40};
+    .name = TEXT("st7789-135x240"), ST7789, GLASS(135, 240), .gap_x = 52, .gap_y = 40};
 
 const struct sheen_panel_record sheen_panel_st7789_170x320 = {
-    .name = "st7789-170x320", ST7789, GLASS(170, 320), .gap_x = 35};
+    .name = TEXT("st7789-170x320"), ST7789, GLASS(170, 320), .gap_x = 35};
 
-const struct sheen_panel_record sheen_panel_st7789_172x320 = {
-    .name = "st7789-172x320", ST7789, GLASS(172, 320), .gap_x = 34, .note = "rounded corners hide some pixels"};
+const struct sheen_panel_record sheen_panel_st7789_172x320 = {.name = TEXT("st7789-172x320"),
+                                                              ST7789,
+                                                              GLASS(172, 320),
+                                                              .gap_x = 34,
+                                                              .note = TEXT("rounded corners hide some pixels")};
 
-const struct sheen_panel_record sheen_panel_st7789_76x284 = {.name = "st7789-76x284",
+const struct sheen_panel_record sheen_panel_st7789_76x284 = {.name = TEXT("st7789-76x284"),
                                                              ST7789,
                                                              GLASS(76, 284),
                                                              .gap_x = 82,
                                                              .gap_y = 18,
-                                                             .note = "quarter turns by rule, not confirmed on glass"};
+                                                             .note =
+                                                                 TEXT("quarter turns by rule, not confirmed on glass")};
 
 const struct sheen_panel_record sheen_panel_st7789_128x128 = {
-    .name = "st7789-128x128", ST7789, GLASS(128, 128), .note = "modules differ in their gap, and in inversion"};
+    .name = TEXT("st7789-128x128"),
+    ST7789,
+    GLASS(128, 128),
+    .note = TEXT("modules differ in their gap, and in inversion")};

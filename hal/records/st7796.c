@@ -10,8 +10,8 @@ static const struct sheen_panel_step init_st7796[] = {
 
 /* Clock: write cycle 16 ns (ST7796S data sheet, serial interface, as reported in MicroPythonOS issue 303). */
 const struct sheen_panel_record sheen_panel_st7796 = {
-    .name = "st7796-320x480",
-    .controller = "ST7796S",
+    .name = TEXT("st7796-320x480"),
+    .controller = TEXT("ST7796S"),
     DCS,
     WRDISBV,
     INIT(init_st7796),
