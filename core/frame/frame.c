@@ -284,20 +284,21 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 /* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
 static const uint16_t *shades_of(struct sheen_frame *f, const struct draw *d)
 {
+    const struct shades_maker *maker = d->shader->shades;
     const struct colour_terms *terms = &d->colour;
     unsigned i = 0;
 
     /* where a ramp makes areas of one colour, 1024 shades are not enough */
-    if (f->format.grey || f->view.dither || d->shader->needs_texture || d->light.ramp != NULL)
+    if (maker == NULL || f->format.grey || f->view.dither || d->light.ramp != NULL)
         return NULL;
-    while (i < f->shaded_colors && !sheen_shades_is_of(&f->shades[i], terms))
+    while (i < f->shaded_colors && !maker->is_of(&f->shades[i], terms))
         i++;
     if (i == f->shaded_colors) {
         if (f->shaded_colors == f->config.max_shades)
             return NULL;
         f->shaded_colors++;
-        if (!sheen_shades_is_of(&f->shades[i], terms)) /* it often is, from the last frame */
-            sheen_shades_make(&f->shades[i], terms, &f->format);
+        if (!maker->is_of(&f->shades[i], terms)) /* it often is, from the last frame */
+            maker->make(&f->shades[i], terms, &f->format);
     }
     return f->shades[i].pixel;
 }

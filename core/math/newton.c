@@ -1,5 +1,5 @@
 /*
- * newton.c - one Newton step on a table's seed; no division anywhere.
+ * newton.c - Newton's steps on a table's seed, or on a line; no division anywhere.
  *
  * Lecture, "Newton's Method": for f(r) = 1/r - x the step is r (2 - x r), for
  * f(r) = 1/r^2 - x it is r (3 - x r^2) / 2. A seed off by the relative error e
@@ -26,13 +26,23 @@ uint32_t sheen_ratio(uint32_t a, uint32_t b)
     return q > UINT32_MAX ? UINT32_MAX : (uint32_t)q;
 }
 
-uint32_t sheen_reciprocal_root(uint32_t x)
+uint32_t sheen_root_step(uint32_t x, uint32_t root)
 {
-    uint32_t seed = root_seed(x >> 1) << 16;    /* UQ1.31 */
-    uint32_t square = mul_high(seed, seed);     /* UQ2.30, in [1, 4] */
+    uint32_t square = mul_high(root, root);     /* UQ2.30, in [1, 4] */
     uint32_t product = mul_high(x, square);     /* UQ2.30, near 1.0 */
     uint32_t correction = (3u << 30) - product; /* UQ2.30: 3 - x r^2, near 2.0 */
-    uint64_t result = ((uint64_t)seed * correction) >> 31;
+    uint64_t result = ((uint64_t)root * correction) >> 31;
 
     return result > UINT32_MAX ? UINT32_MAX : (uint32_t)result;
+}
+
+/* From a line that is off by less than 9 %: 2^-3.5, 2^-6.4, 2^-12, 2^-23, 2^-29. */
+uint32_t sheen_reciprocal_root(uint32_t x)
+{
+    const uint32_t high = x >> 16;
+    uint32_t root = 70000 - (40000 * high >> 16); /* UQ1.15 */
+
+    for (int step = 0; step < 2; step++)
+        root = root * ((3u << 15) - (high * (root * root >> 16) >> 15)) >> 16;
+    return sheen_root_step(x, sheen_root_step(x, root << 16));
 }

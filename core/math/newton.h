@@ -56,7 +56,13 @@ uint32_t sheen_reciprocal(uint32_t x);
 /* a / b for 0 <= a <= b, b > 0, any common scale: UQ0.32, within 2^-28; 1.0 comes as 0xffffffff. */
 uint32_t sheen_ratio(uint32_t a, uint32_t b);
 
-/* 1/sqrt(x) for x: UQ0.32 in [1/4, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */
+/*
+ * Newton's step on 1/sqrt(x) for x: UQ0.32 in [1/4, 1), UQ1.31; 2.0 comes as 0xffffffff. From root_seed(x >> 1) << 16
+ * it comes within 2^-29 relative.
+ */
+uint32_t sheen_root_step(uint32_t x, uint32_t root);
+
+/* The same precision without the table, for who has the time: what is done a draw, or with a mesh. */
 uint32_t sheen_reciprocal_root(uint32_t x);
 
 #endif

@@ -261,8 +261,13 @@ struct shades {
 
 /* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
 uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
-int sheen_shades_is_of(const struct shades *shades, const struct colour_terms *t);
-void sheen_shades_make(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format);
+
+/* How shades are made: a shading that takes them points to it, so what takes none does not link it. */
+struct shades_maker {
+    int (*is_of)(const struct shades *shades, const struct colour_terms *t);
+    void (*make)(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format);
+};
+extern const struct shades_maker sheen_shades_maker;
 
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,

@@ -17,7 +17,7 @@ uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned 
                        swap);
 }
 
-int sheen_shades_is_of(const struct shades *shades, const struct colour_terms *t)
+static int shades_is_of(const struct shades *shades, const struct colour_terms *t)
 {
     int same = shades->fraction == t->fraction;
 
@@ -26,7 +26,7 @@ int sheen_shades_is_of(const struct shades *shades, const struct colour_terms *t
     return same;
 }
 
-void sheen_shades_make(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format)
+static void shades_make(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format)
 {
     SHEEN_TAP(SHADES_MADE, 1);
     for (int i = 0; i < SHADES_PIXELS; i++) {
@@ -41,3 +41,5 @@ void sheen_shades_make(struct shades *shades, const struct colour_terms *t, cons
     memcpy(shades->b, t->b, sizeof t->b);
     shades->fraction = t->fraction;
 }
+
+const struct shades_maker sheen_shades_maker = {shades_is_of, shades_make};

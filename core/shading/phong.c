@@ -199,5 +199,8 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
     (void)normal_planes(s, c, g, NULL);
 }
 
-const struct sheen_shader sheen_phong = {
-    .light = sheen_keep_cosines, .setup = phong_setup, .needs_normals = 1, .at_pixels = 1};
+const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines,
+                                         .setup = phong_setup,
+                                         .shades = &sheen_shades_maker,
+                                         .needs_normals = 1,
+                                         .at_pixels = 1};

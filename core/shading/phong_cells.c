@@ -67,7 +67,7 @@ static struct node node_at(const struct phong_normals_setup *p, int32_t x, int32
     if (square < 1u << 8)
         return node;
     unsigned up = clz32(square) / 2; /* N.N / 4 * 4^up lies in [1/4, 1) */
-    uint32_t root = sheen_reciprocal_root(square << 2 * up);
+    uint32_t root = sheen_root_step(square << 2 * up, root_seed(square << 2 * up >> 1) << 16);
     int32_t ln = unit_dot(n, light->to[0], root, up), nv = unit_dot(n, light->view, root, up);
     node.f = min32(max32(ln, -most), most) + (1 << 14);
     /* halves on the way, so that nothing overflows */

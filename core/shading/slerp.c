@@ -93,5 +93,9 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
     setup->rows = sheen_slerp_rows;
 }
 
-const struct sheen_shader sheen_slerp = {
-    .light = sheen_keep_cosines, .setup = slerp_setup, .needs_normals = 1, .unit_normals = 1, .at_pixels = 1};
+const struct sheen_shader sheen_slerp = {.light = sheen_keep_cosines,
+                                         .setup = slerp_setup,
+                                         .shades = &sheen_shades_maker,
+                                         .needs_normals = 1,
+                                         .unit_normals = 1,
+                                         .at_pixels = 1};

@@ -22,7 +22,7 @@ void sheen_setup_constant(struct setup *s, const struct lit *lit)
         return;
     }
     s->fast = d->is_565;
-    s->rows = sheen_linear_rows;
+    s->rows = sheen_dithered_constant_rows;
     for (int k = 0; k < 3; k++)
         linear->channel[k] = (struct plane){channel[k], 0, 0};
 }

@@ -1,5 +1,5 @@
 /*
- * constant_rows.c - one colour a triangle (lecture, "Uniform Shading"), finished at set-up.
+ * constant_rows.c - one colour a triangle (lecture, "Uniform Shading"), finished at set-up or by a pixel's threshold.
  */
 #include "triangle.h"
 
@@ -33,4 +33,44 @@ void sheen_constant_rows(const struct tile *t, const struct setup *s)
         constant_rows(t, (const struct constant_setup *)s, 0);
     else
         constant_rows(t, (const struct constant_setup *)s, t->format->grey);
+}
+
+/* A set-up of planes without steps. */
+SPECIALISED void constant_dithered(const struct tile *t, const struct linear_setup *s, unsigned fast)
+{
+    const struct colour_terms *terms = &s->s.draw->colour;
+    const struct plane depth = s->s.depth;
+    const unsigned fraction = terms->fraction, swap = t->format->swap, grey = t->format->grey;
+    const uint32_t c[3] = {s->channel[0].base, s->channel[1].base, s->channel[2].base};
+    const struct packed colour = pack_channels(c, fraction);
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        const struct rounding rounding = rounding_of(t, terms, y);
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&depth, x, y);
+        for (; x < x1; x++, at++, z += depth.dx) {
+            if (!nearer(t, t->depth + at, z))
+                continue;
+            const uint32_t threshold = rounding.threshold[(uint32_t)x & 7u];
+            if (fast) {
+                struct packed p = colour;
+                SHEEN_TEST_TAP(t, at, p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
+                p.red_blue += threshold * 0x100010u;
+                p.green += threshold << 19;
+                ((uint16_t *)t->pixels)[at] = packed_565(p, swap);
+            } else {
+                put_clamped(t, terms, threshold << rounding.shift, at, c[0], c[1], c[2], grey, fraction, swap);
+            }
+        }
+    }
+}
+
+void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
+{
+    const struct linear_setup *planes = (const struct linear_setup *)s;
+
+    if (FAST_LOOPS && s->fast)
+        constant_dithered(t, planes, 1);
+    else
+        constant_dithered(t, planes, s->fast);
 }

@@ -58,14 +58,6 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
 
 _Static_assert(COLUMN <= DITHER_RUN, "a run is longer than its thresholds");
 
-/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
-SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
-{
-    uint32_t red_blue = p.red_blue & 0xf800f800u;
-
-    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
-}
-
 /* What changes along a run, and its steps. */
 struct packed_at {
     uint32_t z;

@@ -250,6 +250,7 @@ struct constant_setup {
 void sheen_setup_constant(struct setup *s, const struct lit *lit);
 void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c);
 void sheen_constant_rows(const struct tile *t, const struct setup *s);
+void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s);
 
 /* linear.c: channels, or the diffuse intensity, that are linear on the screen. */
 struct linear_setup {
@@ -275,6 +276,14 @@ static inline struct packed pack_channels(const uint32_t channel[3], unsigned fr
     struct packed p = {((uint32_t)asr32(red, down) << 16) + (uint32_t)asr32(blue, down), channel[1] << (26 - fraction)};
 
     return p;
+}
+
+/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
+SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
+{
+    uint32_t red_blue = p.red_blue & 0xf800f800u;
+
+    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
 }
 
 /* Channels of a triangle within COLUMN px: struct packed as planes, 1/2 added where nothing is dithered. */

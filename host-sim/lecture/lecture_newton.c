@@ -47,7 +47,8 @@ static void core_steps(struct core_bits *core)
             uint32_t x = (uint32_t)((0.25 + 0.75 * (bin + (i + 0.37) / SAMPLES) / BINS) * 4294967296.0);
             double root = sqrt(x / 4294967296.0);
             core->seed[bin] = fmin(core->seed[bin], bits_of(root_seed(x >> 1) / 32768.0 * root));
-            core->step[bin] = fmin(core->step[bin], bits_of(sheen_reciprocal_root(x) / 2147483648.0 * root));
+            core->step[bin] =
+                fmin(core->step[bin], bits_of(sheen_root_step(x, root_seed(x >> 1) << 16) / 2147483648.0 * root));
         }
         core->worst_seed = fmin(core->worst_seed, core->seed[bin]);
         core->worst_step = fmin(core->worst_step, core->step[bin]);
