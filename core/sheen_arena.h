@@ -16,12 +16,12 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 552
+#define SHEEN_BYTES_FRAME 560
 #define SHEEN_BYTES_DRAW 304
 #define SHEEN_BYTES_WORKER 176
 #define SHEEN_BYTES_SETUP 184
 #else
-#define SHEEN_BYTES_FRAME 440
+#define SHEEN_BYTES_FRAME 436
 #define SHEEN_BYTES_DRAW 260
 #define SHEEN_BYTES_WORKER 148
 #define SHEEN_BYTES_SETUP 168

@@ -75,40 +75,42 @@ enum frame_state {
 
 #define NOBODY MAX_WORKERS
 
+/* What is small stands first, within reach of one instruction; and what is used much before what is not. */
 struct sheen_frame {
-    struct sheen_config config;
-    const struct sheen_target *target;
-    struct sheen_view view;
-    struct sheen_rect viewport;
-    struct pixel_format format;
-    struct projection projection;
-    struct screen screen;
     uint8_t state;         /* enum frame_state */
     uint8_t send_all;      /* this frame sends every band whole */
     uint8_t send_all_next; /* so will the next one: a push or a wait failed, a band was left out, or sheen_invalidate */
     uint8_t forced;        /* for the draws to come, as in struct draw */
-    uint8_t about;         /* enum sheen_subject of the last error, */
-    uint32_t needed;       /* and how much would have done */
+    uint8_t about;         /* enum sheen_subject of the last error, see `needed` */
     uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
-    int error;             /* the first of this frame's pushes and waits */
-    unsigned bands, max_bands, bands_left;
-    uint32_t *done;      /* a bit a band of this frame that has begun */
-    uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
+    struct sheen_config config;
+    const struct sheen_target *target;
     uint32_t vertices, used, entries, pieces, draws;
-    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
     uint16_t *place; /* of each vertex of the drawn meshes its place in `vertex`; config.max_used and more: none */
     struct vertex *vertex; /* the used ones: transformed */
     struct entry *entry;
     uint32_t *cut; /* a bit an entry: its triangle is a piece */
     struct piece *piece;
-    void *scratch; /* of worker 0: two polygons of MAX_CLIP_CORNERS */
     struct draw_record *draw;
+    struct band *band;
+    struct worker *worker; /* config.workers */
+    int error;             /* the first of this frame's pushes and waits */
+    unsigned bands, bands_left;
+    uint32_t *done;      /* a bit a band of this frame that has begun */
+    uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
+    struct sheen_rect viewport;
+    struct pixel_format format;
+    struct screen screen;
+    struct projection projection;
+    struct sheen_view view;
+    uint32_t needed; /* how much would have done, for the last error */
+    unsigned max_bands;
+    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
+    void *scratch;                                    /* of worker 0: two polygons of MAX_CLIP_CORNERS */
     struct shades *shades; /* config.max_shades; the first `shaded_colors` have this frame's */
     unsigned shaded_colors;
     struct fog_terms fog;                /* of the view */
     const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
-    struct band *band;
-    struct worker *worker; /* config.workers */
     struct sheen_stats stats;
     size_t arena_bytes;
 };

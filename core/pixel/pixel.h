@@ -156,16 +156,16 @@ struct pixel_format {
 #define NO_DIFFUSE 0xffffu /* of low and high, where there is none such */
 
 struct colour_terms {
+    uint8_t fraction;
+    uint8_t clamp;   /* some normal may give more */
+    uint8_t unit;    /* logarithm of a 64th of 1.0, with the fraction */
+    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see FAINT_DITHERED */
+    uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
+    uint16_t low;    /* from this diffuse one on to */
+    uint16_t high;   /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
     uint32_t a[3];
     uint16_t b[3], c[3];
     uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
-    uint8_t fraction;
-    uint8_t clamp;   /* some normal may give more */
-    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see FAINT_DITHERED */
-    uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
-    uint8_t unit;    /* logarithm of a 64th of 1.0, with the fraction */
-    uint16_t low;    /* from this diffuse one on to */
-    uint16_t high;   /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
 };
 
 /*

@@ -20,17 +20,6 @@ enum stippled {
 
 /* What a draw call left behind for its triangles. */
 struct draw {
-    const struct sheen_mesh *mesh;
-    const struct sheen_shader *shader;
-    struct lighting light;
-    struct colour_terms colour;
-    struct power power;
-    const uint16_t *shades;      /* the first entry, a guard; NULL: there are none */
-    const struct fog_terms *fog; /* NULL: none */
-    union {
-        struct loop_terms loop;
-        struct texel_terms texel; /* of shadings with a texture */
-    };
     uint8_t two_sided;
     uint8_t strong; /* the highlight gives more than 1/2 */
     uint8_t dither;
@@ -42,6 +31,17 @@ struct draw {
     uint8_t left_out[8]; /* of a stippled draw's rows, y & 7: a bit a column, x & 7, whose pixels are not drawn */
     uint8_t forced;      /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
     int16_t depth_bias;  /* steps of z16, -4096..4095 */
+    const struct sheen_mesh *mesh;
+    const struct sheen_shader *shader;
+    struct power power;
+    const uint16_t *shades;      /* the first entry, a guard; NULL: there are none */
+    const struct fog_terms *fog; /* NULL: none */
+    struct colour_terms colour;
+    struct lighting light;
+    union {
+        struct loop_terms loop;
+        struct texel_terms texel; /* of shadings with a texture */
+    };
 };
 
 /*

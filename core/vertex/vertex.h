@@ -144,14 +144,14 @@ uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen
 
 /* Lights and the eye in model space, so that dot products come straight from the mesh's normals. */
 struct lighting {
+    uint8_t count;
+    const struct sheen_ramp *ramp;              /* of the material; NULL: none */
+    sheen_q16_t diffuse_sum, specular_sum;      /* of the lights' intensities */
+    uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
+    uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
     sheen_q30_t view[3];                        /* V */
     sheen_q30_t to[SHEEN_MAX_LIGHTS][3];        /* L */
     int32_t lv1[SHEEN_MAX_LIGHTS];              /* 1 + L.V, Q2.29 */
-    uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
-    uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
-    sheen_q16_t diffuse_sum, specular_sum;      /* of the lights' intensities */
-    const struct sheen_ramp *ramp;              /* of the material; NULL: none */
-    uint8_t count;
 };
 
 /* rotation: model to eye; view: world to eye, NULL where they are one. There is no ramp then. */
