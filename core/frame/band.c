@@ -114,7 +114,7 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
     sheen_entry_corners(f, d, e, &c.at);
     s->entry = (uint16_t)e;
     s->draw = &d->as;
-    t->rows = sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);
+    t->rows = (uint16_t)sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);
     if (t->rows == 0)
         return 0;
     t->first_row = (int16_t)(s->row - (int32_t)t->rows);
@@ -154,7 +154,7 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
     if (carried) {
         s = slot_of(w, slot);
         t->first_row = s->row;
-        t->rows = sheen_spans(s, t->rect, w->spans);
+        t->rows = (uint16_t)sheen_spans(s, t->rect, w->spans);
     } else {
         slot = w->first_free;
         uint8_t next_free = NO_SLOT;
@@ -215,19 +215,22 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
     if (error < 0)
         return error;
     struct tile t = {.rect = rect,
-                     .pitch = (unsigned)(rect.x1 - rect.x0),
+                     .pitch = (uint16_t)(rect.x1 - rect.x0),
                      .pixels = w->pixels[w->buffer],
                      .depth = w->depth,
                      .to_pixel = (char *)w->pixels[w->buffer] - (char *)w->depth,
                      .format = &f->format,
                      .dither = f->view.dither,
                      .thresholds = sheen_thresholds,
+                     .dither_rows = w->dither_rows,
                      .centre_x = target_x(f, 0),
                      .centre_y = target_y(f, 0),
                      .spans = w->spans};
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;
 #endif
+    if (t.dither)
+        sheen_dither_begin(&t, w->dither_rows);
     collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);

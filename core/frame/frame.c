@@ -282,25 +282,26 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 }
 
 /* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
-static const uint16_t *shades_of(struct sheen_frame *f, const struct draw *d)
+static const struct shades *shades_of(struct sheen_frame *f, const struct draw *d)
 {
     const struct shades_maker *maker = d->shader->shades;
     const struct colour_terms *terms = &d->colour;
+    const unsigned dither = d->dither;
     unsigned i = 0;
 
     /* where a ramp makes areas of one colour, 1024 shades are not enough */
-    if (maker == NULL || f->format.grey || f->view.dither || d->light.ramp != NULL)
+    if (maker == NULL || f->format.grey || d->light.ramp != NULL || !maker->fit(terms, dither))
         return NULL;
-    while (i < f->shaded_colors && !maker->is_of(&f->shades[i], terms))
+    while (i < f->shaded_colors && !maker->is_of(&f->shades[i], terms, dither))
         i++;
     if (i == f->shaded_colors) {
         if (f->shaded_colors == f->config.max_shades)
             return NULL;
         f->shaded_colors++;
-        if (!maker->is_of(&f->shades[i], terms)) /* it often is, from the last frame */
-            maker->make(&f->shades[i], terms, &f->format);
+        if (!maker->is_of(&f->shades[i], terms, dither)) /* it often is, from the last frame */
+            maker->make(&f->shades[i], terms, &f->format, dither);
     }
-    return f->shades[i].pixel;
+    return &f->shades[i];
 }
 
 /* What a draw keeps of its material and how it is lit, where its lights are known. */

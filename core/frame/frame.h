@@ -51,9 +51,10 @@ struct band {
 struct worker {
     void *pixels[2];
     uint16_t *depth;
-    struct span *spans; /* band_rows */
-    uint32_t *pending;  /* a bit an entry: begun, not done */
-    uint8_t *carried;   /* SETUP_BYTES each: max_carried slots and a spare one */
+    struct span *spans;                /* band_rows */
+    uint32_t *pending;                 /* a bit an entry: begun, not done */
+    const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
+    uint8_t *carried;                  /* SETUP_BYTES each: max_carried slots and a spare one */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
     int32_t last_band; /* -2 before the first */

@@ -50,13 +50,14 @@ static uint16_t intensity_of(uint32_t level, uint32_t factor)
     return (uint16_t)(intensity < 2047 ? intensity : 2047);
 }
 
-/* Of diffuse intensities; hardly any where there are none. */
+/* Of diffuse intensities; hardly any where there are none, and for other fractions than the loops'. */
 static void diffuse_range(struct colour_terms *t, int grey)
 {
+    const int some = !grey && t->fraction == LOOP_FRACTION;
     const uint32_t margin = 1u << (t->fraction - 5);
-    uint32_t low = 0, high = grey ? 0 : 32768;
+    uint32_t low = 0, high = some ? 32768 : 0;
 
-    for (int k = 0; k < 3 && !grey; k++) {
+    for (int k = 0; k < 3 && some; k++) {
         uint32_t a = t->a[k], b = t->b[k], most = t->top[k] - margin;
         if (a > most) {
             high = 0;
@@ -125,8 +126,7 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither)
 {
-    const uint32_t faint = 1u << (t->unit - 5 - (dither ? FAINT_DITHERED : 0)),
-                   half = dither ? 0 : 1u << (t->fraction - 1);
+    const uint32_t faint = faint_highlight(1u << (t->unit - 5), dither), half = dither ? 0 : 1u << (t->fraction - 1);
     uint32_t most = 0, low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
 
     for (int k = 0; k < 3; k++)
@@ -178,22 +178,27 @@ const uint8_t sheen_reversed_thresholds[9][8] = {
     {121, 125, 105, 109, 57, 61, 41, 45}, {127, 123, 111, 107, 63, 59, 47, 43}, {64, 64, 64, 64, 64, 64, 64, 64},
 };
 
-#if FAST_LOOPS
-/* A row of the thresholds over and over. */
-#define DITHER_8(a, b, c, d, e, f, g, h) 16 * (a), 16 * (b), 16 * (c), 16 * (d), 16 * (e), 16 * (f), 16 * (g), 16 * (h)
-#define DITHER_ROW(...)                                                                                                \
+#define ROW(a, b, c, d, e, f, g, h)                                                                                    \
+    THRESHOLD(a), THRESHOLD(b), THRESHOLD(c), THRESHOLD(d), THRESHOLD(e), THRESHOLD(f), THRESHOLD(g), THRESHOLD(h)
+#define TWICE(...)                                                                                                     \
     {                                                                                                                  \
-        DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__), DITHER_8(__VA_ARGS__),                    \
-            DITHER_8(__VA_ARGS__)                                                                                      \
+        ROW(__VA_ARGS__), ROW(__VA_ARGS__)                                                                             \
     }
 
-const uint16_t sheen_dither_rows[8][DITHER_RUN + 8] = {
-    DITHER_ROW(1, 65, 17, 81, 5, 69, 21, 85),   DITHER_ROW(97, 33, 113, 49, 101, 37, 117, 53),
-    DITHER_ROW(25, 89, 9, 73, 29, 93, 13, 77),  DITHER_ROW(121, 57, 105, 41, 125, 61, 109, 45),
-    DITHER_ROW(7, 71, 23, 87, 3, 67, 19, 83),   DITHER_ROW(103, 39, 119, 55, 99, 35, 115, 51),
-    DITHER_ROW(31, 95, 15, 79, 27, 91, 11, 75), DITHER_ROW(127, 63, 111, 47, 123, 59, 107, 43),
+const threshold_t sheen_dither_rows[8][16] = {
+    TWICE(1, 65, 17, 81, 5, 69, 21, 85),   TWICE(97, 33, 113, 49, 101, 37, 117, 53),
+    TWICE(25, 89, 9, 73, 29, 93, 13, 77),  TWICE(121, 57, 105, 41, 125, 61, 109, 45),
+    TWICE(7, 71, 23, 87, 3, 67, 19, 83),   TWICE(103, 39, 119, 55, 99, 35, 115, 51),
+    TWICE(31, 95, 15, 79, 27, 91, 11, 75), TWICE(127, 63, 111, 47, 123, 59, 107, 43),
 };
-#endif
+
+void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8])
+{
+    for (uint32_t i = 0; i < 8; i++) {
+        const uint32_t y = (uint32_t)t->rect.y0 + i, place = (uint32_t)((uintptr_t)(t->depth + i * t->pitch) >> 1);
+        thresholds[y & 7u] = &sheen_dither_rows[y & 7u][((uint32_t)t->rect.x0 - place) & 7u];
+    }
+}
 
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)

@@ -159,7 +159,7 @@ struct colour_terms {
     uint8_t fraction;
     uint8_t clamp;   /* some normal may give more */
     uint8_t unit;    /* logarithm of a 64th of 1.0, with the fraction */
-    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see FAINT_DITHERED */
+    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see faint_highlight */
     uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
     uint16_t low;    /* from this diffuse one on to */
     uint16_t high;   /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
@@ -181,8 +181,14 @@ struct loop_terms {
     uint8_t usable;        /* 1: the target and the colours are such */
 };
 
-/* Thresholds are 1/64 level apart: over an area of one colour each that is crossed is 1/64 of its pixels a channel. */
-#define FAINT_DITHERED 2 /* dithered a highlight may be left out where it gives so many powers of two less */
+/*
+ * Up to which a highlight is left out. Dithered, over an area of one colour 1/64 of its pixels change for each 1/64
+ * level of each channel: 3/256 level of green and half of that of red and blue are 1.5 in 64.
+ */
+static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
+{
+    return dither ? 3 * least >> 3 : least;
+}
 
 /*
  * Light on texels, for draws with a texture: of channel k it is a + b * diffuse, in [0, 20], and c * specular is added
@@ -240,32 +246,78 @@ extern const uint8_t sheen_thresholds[9][8];
  */
 extern const uint8_t sheen_reversed_thresholds[9][8];
 
-/* The thresholds in 1/2048 level, as wide as a pixel and its depth: for runs of at most DITHER_RUN px from x & 7 on. */
-#define DITHER_RUN 32
-extern const uint16_t sheen_dither_rows[8][DITHER_RUN + 8];
+/*
+ * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Loops
+ * that count no columns find a pixel's by where its depth stands, from an entry on that holds for the row of a tile.
+ */
+#if FAST_LOOPS
+typedef uint32_t threshold_t;
+#define THRESHOLD(t) ((t)*0x100010u)
+#else
+typedef uint8_t threshold_t;
+#define THRESHOLD(t) (t)
+#endif
+extern const threshold_t sheen_dither_rows[8][16];
+
+static inline uint32_t threshold_pair(const threshold_t *row, const uint16_t *depth)
+{
+#if !FAST_LOOPS
+    return row[(uintptr_t)depth >> 1 & 7u] * 0x100010u;
+#elif defined(__ARM_ARCH_6M__) /* two shifts */
+    return *(const uint32_t *)((const char *)row + ((uint32_t)(uintptr_t)depth << 28 >> 27));
+#else
+    return row[(uintptr_t)depth >> 1 & 7u];
+#endif
+}
 
 /*
- * Finished pixels of a 565 target over the diffuse intensity, without highlight or dither: entry i + SHADES_GUARD is
- * the middle of i / 2^SHADES_BITS and the next; the guards take what rounding puts below 0 or above 1.
+ * Channels in two words: 2^16 red + blue, each UQ5.11, as an exact sum, so that what blue borrows red gives back; green
+ * is UQ6.26.
+ */
+struct packed {
+    uint32_t red_blue, green;
+};
+
+/*
+ * Of a 565 target over the diffuse intensity, without highlight. Finished pixels: entry i + SHADES_GUARD is the middle
+ * of i / 2^SHADES_BITS and the next; the guards take what rounding puts below 0 or above 1. Or, dithered, the channels
+ * where segment i of 2^-SEGMENT_BITS begins, and what every 2^-SEGMENT_STEPS_BITS of it adds; there are two more.
  */
 #define SHADES_BITS 10
 #define SHADES_GUARD 8
 #define SHADES_PIXELS (SHADES_GUARD + (1 << SHADES_BITS) + SHADES_GUARD)
 
+#define SEGMENT_BITS 7
+#define SEGMENT_STEPS_BITS 5
+#define SEGMENTS ((1 << SEGMENT_BITS) + 2)
+
+struct shade_segment {
+    struct packed at, step;
+};
+
 struct shades {
-    uint16_t pixel[SHADES_PIXELS]; /* in the target's order */
-    uint32_t a[3];                 /* what it was made from, of struct colour_terms */
+    union {
+        uint16_t pixel[SHADES_PIXELS]; /* in the target's order */
+        struct shade_segment segment[SEGMENTS];
+    };
+    uint32_t a[3]; /* what it was made from, of struct colour_terms */
     uint16_t b[3];
-    uint16_t fraction; /* 0: not made yet */
+    uint8_t fraction; /* 0: not made yet */
+    uint8_t dither;   /* 1: segments */
 };
 
 /* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
 uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
 
-/* How shades are made: a shading that takes them points to it, so what takes none does not link it. */
+/*
+ * How shades are made: a shading that takes them points to it, so what takes none does not link it.
+ * fit: 1 where there can be: what is dithered is linear from end to end.
+ */
 struct shades_maker {
-    int (*is_of)(const struct shades *shades, const struct colour_terms *t);
-    void (*make)(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format);
+    int (*fit)(const struct colour_terms *t, unsigned dither);
+    int (*is_of)(const struct shades *shades, const struct colour_terms *t, unsigned dither);
+    void (*make)(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format,
+                 unsigned dither);
 };
 extern const struct shades_maker sheen_shades_maker;
 
@@ -292,17 +344,18 @@ struct span {
 /* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */
 struct tile {
     struct sheen_rect rect; /* px on the target */
-    unsigned pitch;         /* px */
-    void *pixels;           /* uint16_t, or uint8_t on grey */
+    uint16_t pitch;         /* px */
+    uint8_t dither;
+    void *pixels; /* uint16_t, or uint8_t on grey */
     uint16_t *depth;
     intptr_t to_pixel; /* on 565: bytes from a pixel's depth to its colour */
     const struct pixel_format *format;
-    const uint8_t (*thresholds)[8]; /* as sheen_thresholds */
-    int32_t centre_x, centre_y;     /* the viewport's, 1/64 px on the target: where struct vertex counts from */
+    const uint8_t (*thresholds)[8];        /* as sheen_thresholds */
+    const threshold_t *const *dither_rows; /* by y & 7, where something dithers: of sheen_dither_rows */
+    int32_t centre_x, centre_y;            /* the viewport's, 1/64 px on the target: where struct vertex counts from */
     const struct span *spans;
     int16_t first_row; /* of the spans */
-    uint8_t dither;
-    unsigned rows;
+    uint16_t rows;
 #if SHEEN_STATS
     uint32_t *shaded;
 #endif
@@ -328,6 +381,9 @@ struct tile {
 #else
 #define COUNT_SHADED(t) ((void)0)
 #endif
+
+/* Of a tile's rows: from which entry on a depth's place finds its threshold. */
+void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8]);
 
 /* Where a span's first pixel stands in the tile. */
 SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
@@ -360,6 +416,31 @@ static inline const uint8_t *threshold_row(const struct tile *t, unsigned dither
     return t->thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
 }
 
+/* What the dithering test compares with: a test build defines it and sees each pixel's unrounded channels. */
+#ifndef SHEEN_TEST_TAP
+#define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
+#endif
+
+/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
+SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
+{
+    uint32_t red_blue = p.red_blue & 0xf800f800u;
+
+    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
+}
+
+/* pair: of the pixel, threshold_pair's. */
+SPECIALISED uint16_t dithered_565(const struct tile *t, const uint16_t *depth, struct packed p, uint32_t pair,
+                                  unsigned swap)
+{
+    (void)t;
+    (void)depth;
+    SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
+    p.red_blue += pair;
+    p.green += pair << 15; /* what is in the high half falls off */
+    return packed_565(p, swap);
+}
+
 /* A row's thresholds, and what they are shifted by to the draw's fraction. */
 struct rounding {
     const uint8_t *threshold;
@@ -372,11 +453,6 @@ SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colou
 
     return r;
 }
-
-/* What the dithering test compares with: a test build defines it and sees each pixel's unrounded channels. */
-#ifndef SHEEN_TEST_TAP
-#define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
-#endif
 
 /* The one rounding: floor(channel + threshold), each channel at most 1.0; what is constant of a draw is given. */
 SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
@@ -410,7 +486,7 @@ SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fra
 
 /*
  * A 565 pixel in the machine's order: L.N in UQ1.15, the highlight's intensity or none (a constant 0), and what is
- * added to each channel before the one rounding. Range: channels stay below 2^32: below 2.0 and a threshold.
+ * added to each channel before the one rounding. Range: channels stay below 2^31: below 2.0 and a threshold.
  */
 SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
                                 uint32_t specular, uint32_t threshold)
@@ -427,6 +503,11 @@ SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, con
     (void)depth;
     if (threshold != 0)
         SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r - threshold, g - threshold, b - threshold, LOOP_FRACTION);
+#ifdef __ARM_FEATURE_SAT /* a core that shifts and saturates in one instruction does so */
+    r = (uint32_t)max32(min32(asr32((int32_t)r, LOOP_FRACTION), 31), 0);
+    g = (uint32_t)max32(min32(asr32((int32_t)g, LOOP_FRACTION), 63), 0);
+    b = (uint32_t)max32(min32(asr32((int32_t)b, LOOP_FRACTION), 31), 0);
+#else
     r >>= LOOP_FRACTION;
     g >>= LOOP_FRACTION;
     b >>= LOOP_FRACTION;
@@ -435,6 +516,7 @@ SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, con
         g = g < 63 ? g : 63;
         b = b < 31 ? b : 31;
     }
+#endif
     return (r << 6 | g) << 5 | b;
 }
 

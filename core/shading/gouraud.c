@@ -163,13 +163,13 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
         return;
     }
     s->way = SHEEN_WAY_GOURAUD_LINEAR;
-    if (specular > (uint32_t)d->colour.dim >> (d->dither ? FAINT_DITHERED : 0)) {
+    if (specular > faint_highlight(d->colour.dim, d->dither)) {
         glossy(s, c, g, lit);
         return;
     }
     int32_t d1 = (int32_t)(lit[1].diffuse - lit[0].diffuse), d2 = (int32_t)(lit[2].diffuse - lit[0].diffuse);
     int straight = way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth);
-    if (straight && d->shades != NULL)
+    if (straight && d->shades != NULL && !d->dither)
         sheen_setup_shades(s, g, lit[0].diffuse, d1, d2);
     else if (!straight || !sheen_setup_diffuse(s, g, lit[0].diffuse, d1, d2))
         glossy(s, c, g, lit);

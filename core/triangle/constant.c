@@ -5,7 +5,7 @@
 
 SETUP_FITS(struct constant_setup);
 
-/* Dithered a colour is a plane without steps, else it is finished here. */
+/* Dithered a colour is planes without steps, else it is finished here. */
 void sheen_setup_constant(struct setup *s, const struct lit *lit)
 {
     const struct draw *d = s->draw;

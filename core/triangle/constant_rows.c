@@ -53,11 +53,7 @@ SPECIALISED void constant_dithered(const struct tile *t, const struct linear_set
                 continue;
             const uint32_t threshold = rounding.threshold[(uint32_t)x & 7u];
             if (fast) {
-                struct packed p = colour;
-                SHEEN_TEST_TAP(t, at, p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
-                p.red_blue += threshold * 0x100010u;
-                p.green += threshold << 19;
-                ((uint16_t *)t->pixels)[at] = packed_565(p, swap);
+                ((uint16_t *)t->pixels)[at] = dithered_565(t, t->depth + at, colour, threshold * 0x100010u, swap);
             } else {
                 put_clamped(t, terms, threshold << rounding.shift, at, c[0], c[1], c[2], grey, fraction, swap);
             }

@@ -53,61 +53,65 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
     return leave != 0;
 }
 
-/* Steps of 11 fraction bits do for 64 px, a row of thresholds for COLUMN: corners lie on both sides of corner 0. */
-static int packable(const struct draw *d, const struct gradients *g)
+/* Steps of 11 fraction bits do for 64 px: corners lie on both sides of corner 0. */
+static int packable(const struct gradients *g)
 {
-    const int32_t x1 = g->to1[0], x2 = g->to2[0];
-
-    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS &&
-           (!d->dither || max32(max32(x1, x2), 0) - min32(min32(x1, x2), 0) < COLUMN * SUBPIXEL_ONE);
+    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS;
 }
 
-/* value: of the channels at the origin pixel; dx, dy: their steps. Exact there, whatever band is drawn. */
-static void pack_planes(struct packed_setup *p, const struct gradients *g, uint32_t value[3], const uint32_t dx[3],
-                        const uint32_t dy[3])
-{
-    const struct draw *d = p->s.draw;
-    const unsigned fraction = d->colour.fraction;
-    const uint32_t x = (uint32_t)g->origin[0], y = (uint32_t)g->origin[1];
+/*
+ * c: channels with `fraction` bits modulo 2^32. Exact at the origin pixel, whatever band is drawn: there red and blue
+ * are taken about MIDDLE, from which they are not farther than 2^31.
+ */
+#define MIDDLE 16u /* level */
 
-    for (int i = 0; i < 3; i++)
-        value[i] += d->dither ? 0 : 1u << (fraction - 1);
-    const struct packed at = pack_channels(value, fraction), by_x = pack_channels(dx, fraction);
-    const struct packed by_y = pack_channels(dy, fraction);
-    p->red_blue.dx = by_x.red_blue;
-    p->red_blue.dy = by_y.red_blue;
-    p->red_blue.base = at.red_blue - x * by_x.red_blue - y * by_y.red_blue;
-    p->green.dx = by_x.green;
-    p->green.dy = by_y.green;
-    p->green.base = at.green - x * by_x.green - y * by_y.green;
+SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, const struct plane c[3],
+                             unsigned fraction)
+{
+    const int32_t x = g->origin[0], y = g->origin[1];
+    const unsigned up = 26 - fraction;
+    const uint32_t early = p->s.draw->dither ? 0 : 1u << 10; /* half of a level */
+    struct plane *rb = &p->red_blue;
+
+    rb->dx = pack_red_blue(c[0].dx, c[2].dx, fraction);
+    rb->dy = pack_red_blue(c[0].dy, c[2].dy, fraction);
+    rb->base = pack_red_blue(plane_at(&c[0], x, y) - (MIDDLE << fraction), plane_at(&c[2], x, y) - (MIDDLE << fraction),
+                             fraction) +
+               ((MIDDLE << 11) + early) * 0x10001u - (uint32_t)x * rb->dx - (uint32_t)y * rb->dy;
+    p->green = (struct plane){(c[1].base << up) + (early << 15), c[1].dx << up, c[1].dy << up};
     p->s.fast = 1;
     p->s.rows = sheen_packed_rows;
 }
 
+/* Of the intensity's, with 2 more fraction bits. */
+SPECIALISED struct plane diffuse_channel(const struct colour_terms *terms, int k, const struct plane *l)
+{
+    const uint32_t b = terms->b[k];
+
+    return (struct plane){4 * terms->a[k] + b * l->base, b * l->dx, b * l->dy};
+}
+
 /*
  * The intensity in 2^-17, from which the channels follow: a step counts up to 1/4 a px, and between `low` and `high` no
- * channel comes near 0 or 1.0.
+ * channel comes near 0 or 1.0. Range: at the origin pixel, at most half a px each way beyond the triangle, red and blue
+ * are within -8 and 39 levels.
  */
 int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
     const struct colour_terms *terms = &s->draw->colour;
     const uint32_t low = terms->low, range = (uint32_t)terms->high - low;
-    uint32_t value[3], dx[3], dy[3];
+    struct plane c[3];
 
-    if (!packable(s->draw, g) || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
+    if (!packable(g) || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
         diffuse + (uint32_t)d2 - low > range)
         return 0;
-    struct plane l = sheen_plane(g, diffuse << 2, d1, d2, 2);
+    const struct plane l = sheen_plane(g, diffuse << 2, d1, d2, 2);
     if (l.dx + 32768u > 65535u || l.dy + 32768u > 65535u)
         return 0;
-    int32_t at = (int32_t)plane_at(&l, g->origin[0], g->origin[1]), whole = asr32(at, 2), rest = at & 3;
-    for (int i = 0; i < 3; i++) {
-        int32_t b = terms->b[i];
-        value[i] = terms->a[i] + (uint32_t)(b * whole) + (uint32_t)(b * rest >> 2);
-        dx[i] = (uint32_t)asr32(b * (int32_t)l.dx, 2);
-        dy[i] = (uint32_t)asr32(b * (int32_t)l.dy, 2);
-    }
-    pack_planes((struct packed_setup *)s, g, value, dx, dy);
+    c[0] = diffuse_channel(terms, 0, &l);
+    c[1] = diffuse_channel(terms, 1, &l);
+    c[2] = diffuse_channel(terms, 2, &l);
+    pack_planes((struct packed_setup *)s, g, c, LOOP_FRACTION + 2);
     return 1;
 }
 
@@ -127,12 +131,8 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
         plane[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
     }
     s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
-    if (s->fast && packable(s->draw, g)) {
-        const uint32_t dx[3] = {plane[0].dx, plane[1].dx, plane[2].dx}, dy[3] = {plane[0].dy, plane[1].dy, plane[2].dy};
-        uint32_t value[3];
-        for (int i = 0; i < 3; i++)
-            value[i] = plane_at(&plane[i], g->origin[0], g->origin[1]);
-        pack_planes((struct packed_setup *)s, g, value, dx, dy);
+    if (s->fast && packable(g)) {
+        pack_planes((struct packed_setup *)s, g, plane, terms->fraction);
         return;
     }
     memcpy(((struct linear_setup *)s)->channel, plane, sizeof plane);

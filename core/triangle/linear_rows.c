@@ -37,7 +37,7 @@ SPECIALISED void shades_run(const struct tile *t, uint16_t *depth, int32_t count
 void sheen_shades_rows(const struct tile *t, const struct setup *s)
 {
     const struct shades_setup *r = (const struct shades_setup *)s;
-    const uint16_t *shades = s->draw->shades;
+    const uint16_t *shades = s->draw->shades->pixel;
     const struct plane depth = s->depth, diffuse = r->diffuse;
     const struct span *span = t->spans, *end = span + t->rows;
     uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy, f = diffuse.base + y * diffuse.dy;
@@ -56,8 +56,6 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
 
 /* ---- three channels in two words ---- */
 
-_Static_assert(COLUMN <= DITHER_RUN, "a run is longer than its thresholds");
-
 /* What changes along a run, and its steps. */
 struct packed_at {
     uint32_t z;
@@ -68,88 +66,50 @@ struct packed_at {
 struct packed_way {
     intptr_t to_pixel;
     unsigned dither, swap;
-#if FAST_LOOPS
-    intptr_t to_threshold; /* bytes from a pixel's depth */
-#else
-    const uint8_t *thresholds;                  /* of the row */
-    const uint16_t *row;                        /* the depth in column 0, or any other that is a multiple of 8 */
-#endif
 };
 
-/* The way of a run that begins in pixel (x, y). */
-SPECIALISED void packed_begin(struct packed_way *way, const uint16_t *depth, uint32_t x, uint32_t y)
-{
-    if (!way->dither)
-        return;
-#if FAST_LOOPS
-    way->to_threshold = (intptr_t)&sheen_dither_rows[y & 7u][x & 7u] - (intptr_t)depth;
-#else
-    way->thresholds = sheen_thresholds[y & 7u]; /* draws whose thresholds are others come not here */
-    way->row = depth - (x & 7u);
-#endif
-}
-
-/* In 1/2048 level. */
-SPECIALISED uint32_t packed_threshold(const uint16_t *depth, const struct packed_way *way)
-{
-#if FAST_LOOPS
-    return *(const uint16_t *)((intptr_t)depth + way->to_threshold);
-#else
-    return (uint32_t)way->thresholds[(depth - way->row) & 7] << 4;
-#endif
-}
-
 SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
-                              const struct packed_way *way)
+                              const struct packed_way *way, const threshold_t *thresholds)
 {
     if (nearer(t, depth, at->z)) {
-        struct packed p = at->colour;
-        if (way->dither) {
-            SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
-            uint32_t threshold = packed_threshold(depth, way);
-            p.red_blue += (threshold << 16) + threshold;
-            p.green += threshold << 15;
-        }
-        *pixel_at(depth, way->to_pixel) = packed_565(p, way->swap);
+        *pixel_at(depth, way->to_pixel) =
+            way->dither ? dithered_565(t, depth, at->colour, threshold_pair(thresholds, depth), way->swap)
+                        : packed_565(at->colour, way->swap);
     }
     at->z += step->z;
     at->colour.red_blue += step->colour.red_blue;
     at->colour.green += step->colour.green;
 }
 
-/* From pixel (x, y) on. */
-SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, uint32_t x, uint32_t y, int32_t count,
-                            struct packed_at at, struct packed_at step, struct packed_way way)
+/* thresholds: of the row, where the way dithers. */
+SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, int32_t count, struct packed_at at,
+                            struct packed_at step, struct packed_way way, const threshold_t *thresholds)
 {
     const uint16_t *end = depth + count;
 
-    packed_begin(&way, depth, x, y);
     do
-        packed_pixel(t, depth, &at, &step, &way);
+        packed_pixel(t, depth, &at, &step, &way, thresholds);
     while (++depth != end);
 }
 
 SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s, unsigned dither, unsigned swap)
 {
-    const struct plane depth = s->s.depth, red_blue = s->red_blue, green = s->green;
-    const struct packed_at step = {depth.dx, {red_blue.dx, green.dx}};
     const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
     const struct span *span = t->spans, *end = span + t->rows;
-    uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy;
-    struct packed row = {red_blue.base + y * red_blue.dy, green.base + y * green.dy};
+    int32_t y = t->first_row;
     uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
 
     do {
-        int32_t count = span->x1 - span->x0;
-        uint32_t x = (uint32_t)(int32_t)span->x0;
-        const struct packed_at at = {z + x * depth.dx, {row.red_blue + x * red_blue.dx, row.green + x * green.dx}};
-        if (count > 0)
-            packed_run(t, line + span->x0, x, y, count, at, step, way);
+        int32_t x = span->x0, count = span->x1 - x;
+        OPAQUE(s); /* the pixels' loop has the registers */
+        if (count > 0) {
+            const struct packed_at step = {s->s.depth.dx, {s->red_blue.dx, s->green.dx}};
+            const struct packed_at at = {plane_at(&s->s.depth, x, y),
+                                         {plane_at(&s->red_blue, x, y), plane_at(&s->green, x, y)}};
+            packed_run(t, line + x, count, at, step, way, t->dither_rows[y & 7]);
+        }
         line += t->pitch;
         y++;
-        z += depth.dy;
-        row.red_blue += red_blue.dy;
-        row.green += green.dy;
     } while (++span != end);
 }
 
@@ -182,7 +142,7 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
             uint32_t channel[3] = {plane_at(&c[0], x, y) + half, plane_at(&c[1], x, y) + half,
                                    plane_at(&c[2], x, y) + half};
             const struct packed_at at = {plane_at(&l->s.depth, x, y), pack_channels(channel, fraction)};
-            packed_run(t, t->depth + tile_offset(t, x, y), (uint32_t)x, (uint32_t)y, end - x, at, step, way);
+            packed_run(t, t->depth + tile_offset(t, x, y), end - x, at, step, way, t->dither_rows[y & 7]);
             x = end;
         }
     }

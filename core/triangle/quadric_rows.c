@@ -7,42 +7,53 @@
  */
 #include "quadric_rows.h"
 
-/* A pixel in a highlight that is not dithered. On M0+ a function of its own has the registers that it takes. */
+/* On M0+ a pixel in a highlight is a function of its own: it has the registers that it takes. */
 #if defined(__ARM_ARCH_6M__)
-static APART
+#define PIXEL static APART
 #else
-SPECIALISED
+#define PIXEL SPECIALISED
 #endif
-    uint32_t
-    plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, const struct tile *t, const uint16_t *depth)
+
+PIXEL uint32_t plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, const struct tile *t,
+                           const uint16_t *depth)
 {
     struct lit lit = lit_of(q, f, u, SECOND_POWER);
 
-    return pixel_order(loop_pixel(t, depth, q, lit.diffuse, lit.specular, 0), 1);
+    return loop_pixel(t, depth, q, lit.diffuse, lit.specular, 0);
 }
 
-/* 565 with the loop's terms; `plain`: neither dithered nor in this machine's order. */
+PIXEL uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
+                              const struct tile *t, const uint16_t *depth)
+{
+    struct lit lit = lit_of(q, f, u, SECOND_POWER);
+
+    return loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
+}
+
+/* 565 with the loop's terms, from (x, y) on. */
 SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, int32_t x, int32_t x1,
-                           const uint8_t *thresholds, const struct shaded_run *run, enum second second, int plain)
+                           int32_t y, const struct shaded_run *run, enum second second, unsigned dither, unsigned swap)
 {
     const struct loop_terms *q = &d->loop;
     const intptr_t to_pixel = t->to_pixel;
+    const uint16_t *end = depth + (x1 - x);
+    const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
     const uint32_t dz = run->dz, ddf = run->ddf, ddu = run->ddu;
-    const unsigned swap = t->format->swap;
     uint32_t z = run->z, f = run->f, df = run->df, u = run->u, du = run->du;
 
     do {
         if (nearer(t, depth, z)) {
             OPAQUE(q); /* the loop's numbers have the registers */
-            uint32_t value;
-            if (plain) {
+            uint32_t value, threshold = dither ? threshold_pair(thresholds, depth) >> 20 << (LOOP_FRACTION - 7) : 0;
+            if (second == SECOND_POWER && dither) {
+                value = dithered_pixel(q, f, u, threshold, t, depth);
+            } else if (second == SECOND_POWER) {
                 value = plain_pixel(q, f, u, t, depth);
             } else {
                 struct lit lit = lit_of(q, f, u, second);
-                uint32_t threshold = thresholds == NULL ? 0 : (uint32_t)thresholds[x & 7] << (LOOP_FRACTION - 7);
-                value = pixel_order(loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold), swap);
+                value = loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
             }
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = (uint16_t)value;
+            *pixel_at(depth, to_pixel) = pixel_order(value, swap);
         }
         depth++;
         z += dz;
@@ -52,21 +63,39 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
             u += du;
             du += ddu;
         }
-    } while (++x != x1);
+    } while (depth != end);
 }
 
-/* The draw's shades: L.N alone, not dithered. */
-SPECIALISED void cosine_shades_run(const struct tile *t, const uint16_t *shades, uint16_t *depth, int32_t count,
-                                   const struct shaded_run *run)
+/* f: Q1.30, its steps within a segment are cut. */
+PIXEL uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
+                             const uint16_t *depth)
 {
+    const uint32_t lit = not_negative(f) >> (30 - SEGMENT_BITS - SEGMENT_STEPS_BITS);
+    const uint32_t n = lit & ((1u << SEGMENT_STEPS_BITS) - 1);
+    const struct shade_segment *s = &segments[lit >> SEGMENT_STEPS_BITS];
+    OPAQUE(s); /* one address for all that is loaded */
+
+    return dithered_565(
+        t, depth, (struct packed){s->at.red_blue + n * s->step.red_blue, s->at.green + n * s->step.green}, pair, 0);
+}
+
+/* The draw's shades: L.N alone, from (x, y) on. */
+SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth, int32_t x,
+                                   int32_t x1, int32_t y, const struct shaded_run *run, unsigned dither, unsigned swap)
+{
+    const uint16_t *pixels = shades->pixel + SHADES_GUARD;
+    const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
     const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
-    const uint16_t *end = depth + count;
+    const uint16_t *end = depth + (x1 - x);
     uint32_t z = run->z, f = run->f, df = run->df;
 
     do {
         if (nearer(t, depth, z))
-            *(uint16_t *)(void *)((char *)depth + to_pixel) = shades[not_negative(f) >> (30 - SHADES_BITS)];
+            *pixel_at(depth, to_pixel) =
+                dither
+                    ? pixel_order(segment_pixel(shades->segment, f, threshold_pair(thresholds, depth), t, depth), swap)
+                    : pixels[not_negative(f) >> (30 - SHADES_BITS)];
         depth++;
         z += dz;
         f += df;
@@ -91,10 +120,15 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 {
     const uint32_t at = tile_offset(t, x, y);
 
+    if (second == SECOND_NONE)
+        run->u = run->du = run->ddu = 0; /* a specular intensity of none */
     if (shades_will_do(d, second))
-        cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + at, x1 - x, run);
-    else if (FAST_LOOPS && d->loop.usable)
-        quick_run(t, d, t->depth + at, x, x1, t->dither ? threshold_row(t, 1, y) : NULL, run, second, 0);
+        t->dither ? cosine_shades_run(t, d->shades, t->depth + at, x, x1, y, run, 1, t->format->swap)
+                  : cosine_shades_run(t, d->shades, t->depth + at, x, x1, y, run, 0, 0);
+    else if (FAST_LOOPS && d->is_565 && d->loop.usable && second == SECOND_POWER)
+        quick_run(t, d, t->depth + at, x, x1, y, run, SECOND_POWER, t->dither, t->format->swap);
+    else if (FAST_LOOPS && d->is_565 && d->loop.usable)
+        quick_run(t, d, t->depth + at, x, x1, y, run, SECOND_SPECULAR, t->dither, t->format->swap);
     else
         (d->fog       ? d->fog->mixer->shaded_run
          : d->by_ramp ? d->light.ramp->reader->shaded_run
@@ -102,7 +136,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 }
 
 #if FAST_LOOPS
-SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second, int dither)
+SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second, unsigned dither)
 {
     struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y), u = f;
     struct quadric *stepped = &f, *second_stepped = &u;
@@ -120,22 +154,15 @@ SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, e
             quadric_run(stepped, x - q->x, &run.f, &run.df, &run.ddf);
             if (second != SECOND_NONE)
                 quadric_run(second_stepped, x - q->x, &run.u, &run.du, &run.ddu);
-            if (dither)
-                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, threshold_row(t, 1, y), &run, second, 0);
-            else if (second == SECOND_NONE)
-                cosine_shades_run(t, d->shades + SHADES_GUARD, t->depth + tile_offset(t, x, y), x1 - x, &run);
+            if (second != SECOND_NONE)
+                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, y, &run, second, dither, 1);
             else
-                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, NULL, &run, second, 1);
+                cosine_shades_run(t, d->shades, t->depth + tile_offset(t, x, y), x, x1, y, &run, dither, 1);
         }
         quadric_down(stepped);
         if (second != SECOND_NONE)
             quadric_down(second_stepped);
     }
-}
-
-static int plain_will_do(const struct tile *t, const struct draw *d, enum second second)
-{
-    return second == SECOND_POWER && d->loop.usable && !t->dither && t->format->swap;
 }
 
 static APART void cosine_shades_rows(const struct tile *t, const struct quadric_setup *q)
@@ -158,18 +185,15 @@ static APART void dithered_power_rows(const struct tile *t, const struct quadric
     own_rows(t, q, SECOND_POWER, 1);
 }
 
+/* Loops of their own are in the order of a panel's bus. */
 int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
 {
     const enum second second = (enum second)q->s.detail;
 
-    if (plain_will_do(t, q->s.draw, second))
-        plain_rows(t, q);
-    else if (shades_will_do(q->s.draw, second))
-        cosine_shades_rows(t, q);
-    else if (t->dither && q->s.draw->loop.usable && second == SECOND_NONE)
-        dithered_rows(t, q);
-    else if (t->dither && q->s.draw->loop.usable && second == SECOND_POWER)
-        dithered_power_rows(t, q);
+    if (t->format->swap && shades_will_do(q->s.draw, second))
+        t->dither ? dithered_rows(t, q) : cosine_shades_rows(t, q);
+    else if (t->format->swap && q->s.draw->is_565 && q->s.draw->loop.usable && second == SECOND_POWER)
+        t->dither ? dithered_power_rows(t, q) : plain_rows(t, q);
     else
         return 0;
     return 1;

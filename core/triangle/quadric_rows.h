@@ -11,7 +11,7 @@
 /* Intensities at a pixel. */
 SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u, enum second second)
 {
-    struct lit lit = {not_negative(f) >> 15, 0};
+    struct lit lit = {(uint32_t)max32(min32(asr32((int32_t)f, 15), 65535), 0), 0};
 
     if (second == SECOND_SPECULAR)
         lit.specular = not_negative(u) >> 15;

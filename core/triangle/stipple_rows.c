@@ -135,7 +135,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
         t->thresholds = sheen_thresholds;
         return 0;
     }
-    t->rows = take_rows(r, t, s, strip);
+    t->rows = (uint16_t)take_rows(r, t, s, strip);
     swap_rows(r, t, s->draw, 0);
     return 1;
 }

@@ -10,7 +10,7 @@
  * 2^-6 texel at the most, it is mended. Else U and V as they are.
  */
 #define PACKED_BITS 10
-#define RUN DITHER_RUN
+#define RUN 32
 
 /* Held to -width/2 .. width/2: a step to the left must not carry. */
 static uint32_t packed_step(uint32_t du, uint32_t dv, unsigned width)
@@ -244,11 +244,11 @@ void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *fr
 /* All but the last ones are constant. */
 struct way {
     unsigned packed, lit, glossy, dither, swap;
-    unsigned other;        /* palettes, and a colour that is transparent */
-    intptr_t to_pixel;     /* bytes from a pixel's depth */
-    intptr_t to_threshold; /* likewise */
-    uint32_t half;         /* of rounding, with LIGHT_BITS */
-    uint32_t spread;       /* the mask of three channels in 1/32 level */
+    unsigned other;                /* palettes, and a colour that is transparent */
+    intptr_t to_pixel;             /* bytes from a pixel's depth */
+    const threshold_t *thresholds; /* of the row, where something dithers */
+    uint32_t half;                 /* of rounding, with LIGHT_BITS */
+    uint32_t spread;               /* the mask of three channels in 1/32 level */
     const struct sheen_texture *texture;
 };
 
@@ -267,13 +267,12 @@ SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
     OPAQUE(way->half); /* else they are made at every pixel */
     OPAQUE(way->spread);
     way->to_pixel = r->t->to_pixel;
-    way->to_threshold = (intptr_t)&sheen_dither_rows[(uint32_t)r->y & 7u][(uint32_t)r->x & 7u] - (intptr_t)r->depth;
+    way->thresholds = r->t->dither_rows[(uint32_t)r->y & 7u];
 }
 
 SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
 {
-    return way->dither ? (uint32_t) * (const uint16_t *)((intptr_t)depth + way->to_threshold) << (LIGHT_BITS - 11)
-                       : way->half;
+    return way->dither ? threshold_pair(way->thresholds, depth) >> 16 << (LIGHT_BITS - 11) : way->half;
 }
 
 /* Of channels, with LIGHT_BITS, to which the threshold was added; glossy: they may exceed the highest level. */
@@ -394,7 +393,6 @@ SPECIALISED void nearest_run(const struct texel_run *r, const struct texel_at *f
         if (end == last)
             return;
         at.u += mend;
-        way.to_threshold -= RUN * (intptr_t)sizeof *depth; /* the row of thresholds repeats */
     }
 }
 
@@ -508,7 +506,6 @@ SPECIALISED void bilinear_run(const struct texel_run *r, const struct texel_at *
         if (end == last)
             return;
         at.u += way.packed ? r->mend : 0;
-        way.to_threshold -= RUN * (intptr_t)sizeof *depth;
     }
 }
 

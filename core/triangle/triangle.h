@@ -34,7 +34,7 @@ struct draw {
     const struct sheen_mesh *mesh;
     const struct sheen_shader *shader;
     struct power power;
-    const uint16_t *shades;      /* the first entry, a guard; NULL: there are none */
+    const struct shades *shades; /* NULL: there are none */
     const struct fog_terms *fog; /* NULL: none */
     struct colour_terms colour;
     struct lighting light;
@@ -258,32 +258,21 @@ struct linear_setup {
     struct plane channel[3]; /* with the draw's fraction; fast: 565 whose corners do not exceed 1.0 */
 };
 
-/*
- * Red and blue share a word: 2^16 red + blue, each UQ5.11, as an exact sum, so that what blue borrows red
- * gives back; green is UQ6.26. Steps of 11 fraction bits are off by 2^-12 a px: good for COLUMN px.
- */
+/* Steps of 11 fraction bits are off by 2^-12 a px: good for COLUMN px. */
 #define COLUMN_BITS 5
 #define COLUMN (1 << COLUMN_BITS)
 
-struct packed {
-    uint32_t red_blue, green;
-};
+static inline uint32_t pack_red_blue(uint32_t red, uint32_t blue, unsigned fraction)
+{
+    const unsigned down = fraction - 11;
+    const uint32_t half = 1u << (down - 1);
+
+    return ((uint32_t)asr32((int32_t)(red + half), down) << 16) + (uint32_t)asr32((int32_t)(blue + half), down);
+}
 
 static inline struct packed pack_channels(const uint32_t channel[3], unsigned fraction)
 {
-    const unsigned down = fraction - 11;
-    const int32_t half = 1 << (down - 1), red = (int32_t)channel[0] + half, blue = (int32_t)channel[2] + half;
-    struct packed p = {((uint32_t)asr32(red, down) << 16) + (uint32_t)asr32(blue, down), channel[1] << (26 - fraction)};
-
-    return p;
-}
-
-/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
-SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
-{
-    uint32_t red_blue = p.red_blue & 0xf800f800u;
-
-    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
+    return (struct packed){pack_red_blue(channel[0], channel[2], fraction), channel[1] << (26 - fraction)};
 }
 
 /* Channels of a triangle within COLUMN px: struct packed as planes, 1/2 added where nothing is dithered. */
