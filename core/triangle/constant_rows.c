@@ -35,29 +35,43 @@ void sheen_constant_rows(const struct tile *t, const struct setup *s)
         constant_rows(t, (const struct constant_setup *)s, t->format->grey);
 }
 
-/* A set-up of planes without steps. */
-SPECIALISED void constant_dithered(const struct tile *t, const struct linear_setup *s, unsigned fast)
+#if FAST_LOOPS
+/* 565 whose thresholds are the frame's. A set-up of planes without steps, here and below. */
+SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_setup *s, unsigned swap)
+{
+    const uint32_t c[3] = {s->channel[0].base, s->channel[1].base, s->channel[2].base}, dz = s->s.depth.dx;
+    const struct packed colour = pack_channels(c, s->s.draw->colour.fraction);
+    const intptr_t to_pixel = t->to_pixel;
+
+    for (unsigned row = 0; row < t->rows; row++) {
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x >= x1)
+            continue;
+        const threshold_t *thresholds = t->dither_rows[y & 7];
+        uint16_t *depth = t->depth + tile_offset(t, x, y);
+        const uint16_t *end = depth + (x1 - x);
+        uint32_t z = plane_at(&s->s.depth, x, y);
+        do {
+            if (nearer(t, depth, z))
+                *pixel_at(depth, to_pixel) = dithered_565(t, depth, colour, threshold_pair(thresholds, depth), swap);
+            z += dz;
+        } while (++depth != end);
+    }
+}
+#endif
+
+static void general_constant_rows(const struct tile *t, const struct linear_setup *s)
 {
     const struct colour_terms *terms = &s->s.draw->colour;
-    const struct plane depth = s->s.depth;
-    const unsigned fraction = terms->fraction, swap = t->format->swap, grey = t->format->grey;
-    const uint32_t c[3] = {s->channel[0].base, s->channel[1].base, s->channel[2].base};
-    const struct packed colour = pack_channels(c, fraction);
+    const struct plane *c = s->channel;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         const struct rounding rounding = rounding_of(t, terms, y);
-        uint32_t at = tile_offset(t, x, y), z = plane_at(&depth, x, y);
-        for (; x < x1; x++, at++, z += depth.dx) {
-            if (!nearer(t, t->depth + at, z))
-                continue;
-            const uint32_t threshold = rounding.threshold[(uint32_t)x & 7u];
-            if (fast) {
-                ((uint16_t *)t->pixels)[at] = dithered_565(t, t->depth + at, colour, threshold * 0x100010u, swap);
-            } else {
-                put_clamped(t, terms, threshold << rounding.shift, at, c[0], c[1], c[2], grey, fraction, swap);
-            }
-        }
+        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->s.depth, x, y);
+        for (; x < x1; x++, at++, z += s->s.depth.dx)
+            if (nearer(t, t->depth + at, z))
+                put_general(t, terms, rounding, at, x, c[0].base, c[1].base, c[2].base);
     }
 }
 
@@ -65,8 +79,14 @@ void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *planes = (const struct linear_setup *)s;
 
-    if (FAST_LOOPS && s->fast)
-        constant_dithered(t, planes, 1);
-    else
-        constant_dithered(t, planes, s->fast);
+#if FAST_LOOPS
+    if (s->fast) {
+        if (t->format->swap)
+            packed_constant_rows(t, planes, 1);
+        else
+            packed_constant_rows(t, planes, 0);
+        return;
+    }
+#endif
+    general_constant_rows(t, planes);
 }

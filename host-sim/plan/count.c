@@ -28,11 +28,21 @@ enum {
 
 static unsigned linear_kind(const struct tile *t, const struct setup *s)
 {
-    if (s->way == SHEEN_WAY_FLAT)
-        return t->format->grey ? SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_DITHERED_SETUP;
     if (!s->fast)
         return t->format->grey ? SHEEN_PLAN_CLAMPED_GREY_SETUP : SHEEN_PLAN_CLAMPED_SETUP;
     return t->dither ? SHEEN_PLAN_COLUMNS_DITHERED_SETUP : SHEEN_PLAN_COLUMNS_SETUP;
+}
+
+static unsigned dithered_constant_kind(const struct tile *t, const struct setup *s)
+{
+    (void)s;
+    return t->format->grey ? SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_DITHERED_SETUP;
+}
+
+static unsigned shades_kind(const struct tile *t, const struct setup *s)
+{
+    (void)s;
+    return t->dither ? SHEEN_PLAN_SHADES_DITHERED_SETUP : SHEEN_PLAN_SHADES_SETUP;
 }
 
 static unsigned packed_kind(const struct tile *t, const struct setup *s)
@@ -51,7 +61,7 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
 static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
     if (s->detail == SECOND_NONE && s->draw->shades != NULL)
-        return SHEEN_PLAN_CURVED_SHADES_SETUP;
+        return t->dither ? SHEEN_PLAN_CURVED_SHADES_DITHERED_SETUP : SHEEN_PLAN_CURVED_SHADES_SETUP;
     if (!s->draw->loop.usable)
         return s->detail == SECOND_NONE ? SHEEN_PLAN_CURVED_GENERAL_SETUP : SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP;
     if (s->detail == SECOND_SPECULAR)
@@ -95,11 +105,17 @@ static const struct rows_kind {
     unsigned (*choose)(const struct tile *t, const struct setup *s);
     unsigned kind;
 } rows_kinds[] = {
-    {sheen_constant_rows, constant_kind, 0},   {sheen_shades_rows, NULL, SHEEN_PLAN_SHADES_SETUP},
-    {sheen_packed_rows, packed_kind, 0},       {sheen_linear_rows, linear_kind, 0},
-    {sheen_quadric_rows, quadric_kind, 0},     {sheen_quotient_rows, quotient_kind, 0},
-    {sheen_phong_cell_rows, cells_kind, 0},    {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},
-    {sheen_phong_lights_rows, lights_kind, 0}, {sheen_slerp_rows, slerp_kind, 0},
+    {sheen_constant_rows, constant_kind, 0},
+    {sheen_dithered_constant_rows, dithered_constant_kind, 0},
+    {sheen_shades_rows, shades_kind, 0},
+    {sheen_packed_rows, packed_kind, 0},
+    {sheen_linear_rows, linear_kind, 0},
+    {sheen_quadric_rows, quadric_kind, 0},
+    {sheen_quotient_rows, quotient_kind, 0},
+    {sheen_phong_cell_rows, cells_kind, 0},
+    {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},
+    {sheen_phong_lights_rows, lights_kind, 0},
+    {sheen_slerp_rows, slerp_kind, 0},
 };
 
 static unsigned kind_of(const struct tile *t, const struct setup *s)

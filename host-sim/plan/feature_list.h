@@ -69,13 +69,15 @@ enum sheen_plan_stage {
     K(CONSTANT_DITHERED)                                                                                               \
     K(CONSTANT_GREY_DITHERED)                                                                                          \
     K(SHADES) /* one intensity, finished pixels from its shades */                                                     \
+    K(SHADES_DITHERED)                                                                                                 \
     K(PACKED) /* channels in two words */                                                                              \
     K(PACKED_DITHERED)                                                                                                 \
     K(COLUMNS) /* channels in two words, packed anew every 32 px */                                                    \
     K(COLUMNS_DITHERED)                                                                                                \
     K(CLAMPED) /* channels, clamped */                                                                                 \
     K(CLAMPED_GREY)                                                                                                    \
-    K(CURVED_SHADES)   /* one quadratic intensity, its shades */                                                       \
+    K(CURVED_SHADES) /* one quadratic intensity, its shades */                                                         \
+    K(CURVED_SHADES_DITHERED)                                                                                          \
     K(CURVED_DITHERED) /* one, dithered */                                                                             \
     K(CURVED_POWER)    /* two, a power table */                                                                        \
     K(CURVED_POWER_DITHERED)                                                                                           \
