@@ -130,11 +130,8 @@ unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record
     return record->glass_h > record->glass_w;
 }
 
-/* Pixels in a byte; 0 where one has 16 bits. */
-static unsigned byte_pixels(unsigned pixel)
-{
-    return pixel <= SHEEN_RGB565_LE ? 0 : pixel == SHEEN_GREY256 ? 1 : pixel == SHEEN_GREY16 ? 2 : 8;
-}
+/* Pixels in a byte, by enum sheen_pixel; 0 where one has 16 bits. */
+static const uint8_t byte_pixels[] = {0, 0, 8, 2, 1};
 
 /*
  * The glass lies inside the RAM, and no driver ever meets half a byte: rows and
@@ -143,7 +140,7 @@ static unsigned byte_pixels(unsigned pixel)
  */
 static int record_fits(const struct sheen_panel_record *record)
 {
-    unsigned per_byte = byte_pixels(record->pixel);
+    unsigned per_byte = byte_pixels[record->pixel];
     unsigned align = record->driver->align_x > per_byte ? record->driver->align_x : per_byte;
     unsigned gap = per_byte == 8 ? record->gap_y : record->gap_x;
 

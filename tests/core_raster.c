@@ -81,6 +81,7 @@ void core_raster_depths(struct core_raster *r, uint16_t *depth)
 void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels)
 {
     static struct span spans[480];
+    static const threshold_t *dither_rows[8];
     const struct sheen_rect all = r->screen.viewport;
     struct tile tile = {.rect = all,
                         .pitch = (unsigned)all.x1,
@@ -88,10 +89,14 @@ void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels)
                         .depth = depth,
                         .to_pixel = (char *)pixels - (char *)depth,
                         .format = &r->format,
+                        .thresholds = sheen_thresholds,
+                        .dither_rows = dither_rows,
                         .centre_x = r->screen.centre_x,
                         .centre_y = r->screen.centre_y,
                         .spans = spans};
     struct core_setup setup;
+
+    sheen_dither_begin(&tile, dither_rows);
 #if SHEEN_STATS
     uint32_t shaded = 0;
     tile.shaded = &shaded;

@@ -229,8 +229,7 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;
 #endif
-    if (t.dither)
-        sheen_dither_begin(&t, w->dither_rows);
+    sheen_dither_begin(&t, w->dither_rows);
     collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);

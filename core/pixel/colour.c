@@ -194,10 +194,10 @@ const threshold_t sheen_dither_rows[8][16] = {
 
 void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8])
 {
-    for (uint32_t i = 0; i < 8; i++) {
-        const uint32_t y = (uint32_t)t->rect.y0 + i, place = (uint32_t)((uintptr_t)(t->depth + i * t->pitch) >> 1);
-        thresholds[y & 7u] = &sheen_dither_rows[y & 7u][((uint32_t)t->rect.x0 - place) & 7u];
-    }
+    uint32_t at = (uint32_t)t->rect.x0 - (uint32_t)((uintptr_t)t->depth >> 1); /* of column 0, modulo 8 */
+
+    for (uint32_t y = (uint32_t)t->rect.y0, end = y + 8; y != end; y++, at -= t->pitch)
+        thresholds[y & 7u] = &sheen_dither_rows[y & 7u][at & 7u];
 }
 
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */

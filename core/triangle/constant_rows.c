@@ -63,15 +63,16 @@ SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_
 static void general_constant_rows(const struct tile *t, const struct linear_setup *s)
 {
     const struct colour_terms *terms = &s->s.draw->colour;
-    const struct plane *c = s->channel;
+    const struct span *span = t->spans, *end = span + t->rows;
 
-    for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+    for (int32_t y = t->first_row; span != end; span++, y++) {
         const struct rounding rounding = rounding_of(t, terms, y);
-        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->s.depth, x, y);
-        for (; x < x1; x++, at++, z += s->s.depth.dx)
+        uint32_t at = tile_offset(t, span->x0, y), z = plane_at(&s->s.depth, span->x0, y);
+        for (int32_t x = span->x0; x < span->x1; x++, at++, z += s->s.depth.dx)
             if (nearer(t, t->depth + at, z))
-                put_general(t, terms, rounding, at, x, c[0].base, c[1].base, c[2].base);
+                put_clamped(t, terms, (uint32_t)rounding.threshold[(uint32_t)x & 7u] << rounding.shift, at,
+                            s->channel[0].base, s->channel[1].base, s->channel[2].base, t->format->grey,
+                            terms->fraction, t->format->swap);
     }
 }
 

@@ -37,7 +37,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     const struct loop_terms *q = &d->loop;
     const intptr_t to_pixel = t->to_pixel;
     const uint16_t *end = depth + (x1 - x);
-    const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
+    const threshold_t *thresholds = t->dither_rows[y & 7];
     const uint32_t dz = run->dz, ddf = run->ddf, ddu = run->ddu;
     uint32_t z = run->z, f = run->f, df = run->df, u = run->u, du = run->du;
 
@@ -84,7 +84,7 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
                                    int32_t x1, int32_t y, const struct shaded_run *run, unsigned dither, unsigned swap)
 {
     const uint16_t *pixels = shades->pixel + SHADES_GUARD;
-    const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
+    const threshold_t *thresholds = t->dither_rows[y & 7];
     const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
     const uint16_t *end = depth + (x1 - x);
