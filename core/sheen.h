@@ -245,6 +245,8 @@ extern const struct sheen_shader sheen_matcap, sheen_matcap_vertex;
  */
 extern const struct sheen_texture sheen_matcap_chrome, sheen_matcap_glaze, sheen_matcap_clay, sheen_matcap_jade;
 
+struct sheen_stipple;
+
 /*
  * Opacity without sorting or blending: pixels that are left out, in an ordered pattern, so that what lies behind shows
  * between. B is the 8x8 Bayer matrix of dithering, B2n = [[4 Bn, 4 Bn + 2], [4 Bn + 3, 4 Bn + 1]], B1 = [0]. A pixel
@@ -253,7 +255,6 @@ extern const struct sheen_texture sheen_matcap_chrome, sheen_matcap_glaze, sheen
  * digits to base 4 reversed, 16 (B mod 4) + 4 (floor(B / 4) mod 4) + floor(B / 16), for where B is low all of its
  * thresholds are. What does that is linked where it is named.
  */
-struct sheen_stipple;
 extern const struct sheen_stipple sheen_stipple;
 
 /* What is drawn. Mesh, material and shader MUST be there. */
@@ -289,15 +290,17 @@ struct sheen_canvas {
     uint16_t *depth;        /* as many entries as pixels */
 };
 
+struct sheen_fog_mixer;
+
+/* What fogs. */
+extern const struct sheen_fog_mixer sheen_fog_mixer;
+
 /*
  * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
  * m), which is linear in the depth that is stored; the unrounded colour goes to colour + f (F - colour), F the fog's
  * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, the background
  * is not: full fog of its colour meets it without a seam.
  */
-struct sheen_fog_mixer;
-extern const struct sheen_fog_mixer sheen_fog_mixer;
-
 struct sheen_fog {
     sheen_q24_t start, end;              /* m, units, 0 < start < end, at least 256 steps of depth apart */
     uint8_t color[3];                    /* r, g, b */
