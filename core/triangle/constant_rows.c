@@ -39,8 +39,11 @@ void sheen_constant_rows(const struct tile *t, const struct setup *s)
 /* 565 whose thresholds are the frame's. A set-up of planes without steps, here and below. */
 SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_setup *s, unsigned swap)
 {
-    const uint32_t c[3] = {s->channel[0].base, s->channel[1].base, s->channel[2].base}, dz = s->s.depth.dx;
-    const struct packed colour = pack_channels(c, s->s.draw->colour.fraction);
+    const struct plane *c = s->channel;
+    const unsigned fraction = s->s.draw->colour.fraction, down = fraction - 11;
+    const uint32_t dz = s->s.depth.dx;
+    /* cut to 1/2048 level, of which a threshold is a multiple: no sum reaches a level that it would not */
+    const struct packed colour = {(c[0].base >> down << 16) + (c[2].base >> down), c[1].base << (26 - fraction)};
     const intptr_t to_pixel = t->to_pixel;
 
     for (unsigned row = 0; row < t->rows; row++) {

@@ -126,6 +126,10 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
         textured_quotients(t, c, g, at);
         return;
     }
-    for (int i = 0; i < (s->draw->texel.unlit ? 2 : 4); i++)
-        *plane[i] = g == NULL ? mean_plane(&at[i]) : screen_plane(g, &at[i], i > 1);
+    for (int i = 0; i < (s->draw->texel.unlit ? 2 : 4); i++) {
+        if (g == NULL)
+            *plane[i] = mean_plane(&at[i]);
+        else
+            *plane[i] = screen_plane(g, &at[i], i > 1);
+    }
 }
