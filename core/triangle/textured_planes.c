@@ -127,9 +127,11 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
         return;
     }
     for (int i = 0; i < (s->draw->texel.unlit ? 2 : 4); i++) {
+        struct plane p;
         if (g == NULL)
-            *plane[i] = mean_plane(&at[i]);
+            p = mean_plane(&at[i]);
         else
-            *plane[i] = screen_plane(g, &at[i], i > 1);
+            p = screen_plane(g, &at[i], i > 1);
+        *plane[i] = p;
     }
 }
