@@ -43,9 +43,11 @@ SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_
     const unsigned fraction = s->s.draw->colour.fraction, down = fraction - 11;
     const uint32_t dz = s->s.depth.dx;
     /* cut to 1/2048 level, of which a threshold is a multiple: no sum reaches a level that it would not */
-    const struct packed colour = {(c[0].base >> down << 16) + (c[2].base >> down), c[1].base << (26 - fraction)};
+    struct packed colour = {(c[0].base >> down << 16) + (c[2].base >> down), c[1].base << (26 - fraction)};
     const intptr_t to_pixel = t->to_pixel;
 
+    OPAQUE(colour.red_blue); /* else gcc makes it anew a row */
+    OPAQUE(colour.green);
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x >= x1)
