@@ -326,7 +326,8 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                 .two_sided = scene->two_sided,
                                 .stipple = scene->left_out > 0 ? &sheen_stipple : NULL,
                                 .transparency = (uint8_t)scene->left_out,
-                                .phase = (uint8_t)scene->phase};
+                                .phase = (uint8_t)scene->phase,
+                                .depth_bias = (int16_t)scene->bias};
     struct core_texture texture = {.numbers = NULL};
     struct sheen_fog fog;
     struct core_frame f;
