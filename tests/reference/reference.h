@@ -126,7 +126,7 @@ struct ref_scene {
     bool fog;            /* from m = fog_from to fog_to */
     bool fog_in_m;       /* a fault: linear in m where it has to be in 1/m */
     double fog_from, fog_to, fog_color[3];
-    int bias; /* steps, REF_STEPS from far to near, that a pixel lies nearer in the fog */
+    int bias;   /* steps, REF_STEPS from far to near, that a pixel lies nearer in the fog */
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
     const struct ref_texture *texture; /* NULL: none; by uv: flat or Gouraud, the mesh has uv; else Phong */
