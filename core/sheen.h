@@ -116,6 +116,7 @@ struct sheen_mesh {
     const int16_t *uvs;       /* 2 a vertex: u = uv_offset[0] + raw / 2^uv_bits, v likewise; NULL: none */
     uint8_t uv_bits;          /* 0..15 */
     sheen_q16_t uv_offset[2]; /* of u and v */
+    const uint8_t *colors;    /* 3 a vertex: r, g, b, 255 = 1.0, for shaders that are colored; NULL: white */
 };
 
 #define SHEEN_POWER_ENTRIES 256 /* steps of a power table */
@@ -223,6 +224,13 @@ struct sheen_shader;
  * method: it depends on the triangle's orientation on the screen.
  */
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
+
+/*
+ * With the mesh's colours: at a corner, base times the vertex's colour takes the place of base, and what that gives is
+ * linear in space between (affine: on the screen); the highlight is as without. Light is one a polygon, as flat's, or
+ * of the vertices, as gouraud's. The others do not read colors.
+ */
+extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
 
 /*
  * With the material's texture, for meshes with uvs: base times the texel takes the place of base; the highlight is as

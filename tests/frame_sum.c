@@ -18,9 +18,10 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[24 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
 #define TEXTURED 4
 #define MATCAP 5
+#define COLORED 6
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -119,6 +120,16 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     texture->clamp_v = view == 4;
 }
 
+/* Each vertex by where it is. */
+static void paint_vertices(struct sheen_mesh *mesh)
+{
+    static uint8_t colors[3 * 1400];
+
+    for (uint32_t i = 0; i < 3u * mesh->vertices && i < 3 * 1400; i++)
+        colors[i] = (uint8_t)((mesh->positions[i] + 32768) >> 8);
+    mesh->colors = colors;
+}
+
 /* On a texture, by mesh. */
 enum light {
     LIGHT_TINTED,
@@ -209,14 +220,17 @@ static int print_sums(int mesh, int shading, int view, int format)
                                                                       : 1};
     struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
     struct sheen_texture texture = {.bits = 0};
-    const enum light light = shading >= TEXTURED ? (enum light)mesh : LIGHT_TINTED;
+    const enum light light = shading == TEXTURED || shading == MATCAP ? (enum light)mesh : LIGHT_TINTED;
     struct sheen_object draw = {.mesh = &own};
 
     target.ctx = &target;
-    draw.shader = shading == MATCAP     ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
+    draw.shader = shading == COLORED    ? ((mesh + view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored)
+                  : shading == MATCAP   ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
                   : shading == TEXTURED ? &sheen_textured
                                         : sheen_shader_of((unsigned)shading);
-    if (shading >= TEXTURED)
+    if (shading == COLORED)
+        paint_vertices(&own);
+    else if (shading >= TEXTURED)
         hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
@@ -239,9 +253,9 @@ int main(void)
         if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
-    for (int i = 0; i < 2 * SUM_MESHES * VIEWS * 5; i++) {
+    for (int i = 0; i < 3 * SUM_MESHES * VIEWS * 5; i++) {
         const int of_mesh = i % (SUM_MESHES * VIEWS * 5);
-        if (print_sums(of_mesh / (5 * VIEWS), i < SUM_MESHES * VIEWS * 5 ? TEXTURED : MATCAP, i / 5 % VIEWS, i % 5) < 0)
+        if (print_sums(of_mesh / (5 * VIEWS), TEXTURED + i / (SUM_MESHES * VIEWS * 5), i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
     for (int i = 0; i < (MATCAP + 1) * VIEWS * (BESIDES - 1) * 2; i++) {
