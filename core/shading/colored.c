@@ -74,8 +74,7 @@ static void flat_colored_carry(const struct draw *d, uint16_t triangle, int back
         carry_corner(d, triangle, k, &lit, out[k]);
 }
 
-const struct sheen_shader sheen_flat_colored = {
-    .carry = flat_colored_carry, .setup = flat_colored_setup, .by_position = 1};
+const struct sheen_shader sheen_flat_colored = {.carry = flat_colored_carry, .setup = flat_colored_setup};
 
 /* ---- Gouraud: light of the vertices ---- */
 
@@ -121,8 +120,5 @@ static void gouraud_colored_light(const struct draw *d, const int16_t normal[3],
     kept[1] = (uint16_t)lit.specular;
 }
 
-const struct sheen_shader sheen_gouraud_colored = {.light = gouraud_colored_light,
-                                                   .carry = gouraud_colored_carry,
-                                                   .setup = gouraud_colored_setup,
-                                                   .needs_normals = 1,
-                                                   .by_position = 1};
+const struct sheen_shader sheen_gouraud_colored = {
+    .light = gouraud_colored_light, .carry = gouraud_colored_carry, .setup = gouraud_colored_setup, .needs_normals = 1};

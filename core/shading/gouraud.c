@@ -164,5 +164,8 @@ static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_
     kept[1] = (uint16_t)lit.specular;
 }
 
-const struct sheen_shader sheen_gouraud = {
-    .light = gouraud_light, .setup = gouraud_setup, .shades = &sheen_shades_maker, .needs_normals = 1};
+const struct sheen_shader sheen_gouraud = {.light = gouraud_light,
+                                           .setup = gouraud_setup,
+                                           .shades = &sheen_shades_maker,
+                                           .needs_normals = 1,
+                                           .corners = OF_MESH(normals)};

@@ -10,6 +10,9 @@
 
 #include "../triangle/triangle.h"
 
+/* An array of a mesh, of int16_t. */
+#define OF_MESH(array) (offsetof(struct sheen_mesh, array))
+
 /*
  * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing.
  * light: what the shading keeps of a vertex, from its normal (as the mesh has it, or as
@@ -29,9 +32,14 @@ struct sheen_shader {
     uint8_t needs_normals;             /* 1: the mesh has to have vertex normals */
     uint8_t unit_normals;              /* 1: corners of pieces need unit normals */
     uint8_t needs_texture;             /* 1: the material has to have a texture; there is no ramp then */
-    uint8_t needs_uvs;                 /* 1: the mesh has to have uvs; corners have them in place of normals */
-    uint8_t by_position;               /* 1: corners have positions in place of normals */
+    uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
+    uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */
     uint8_t at_pixels;                 /* 1: light is not linear between corners: a ramp is read at pixels */
 };
+
+static inline const int16_t *corner_parts(const struct sheen_mesh *mesh, const struct sheen_shader *shader)
+{
+    return *(const int16_t *const *)(const void *)((const char *)mesh + shader->corners);
+}
 
 #endif

@@ -99,7 +99,12 @@ const struct sheen_shader sheen_textured = {.begin = textured_begin,
                                             .setup = textured_setup,
                                             .needs_normals = 1,
                                             .needs_texture = 1,
-                                            .needs_uvs = 1};
+                                            .needs_uvs = 1,
+                                            .corners = OF_MESH(uvs)};
 
-const struct sheen_shader sheen_textured_flat = {
-    .begin = textured_begin, .carry = textured_carry, .setup = textured_flat_setup, .needs_texture = 1, .needs_uvs = 1};
+const struct sheen_shader sheen_textured_flat = {.begin = textured_begin,
+                                                 .carry = textured_carry,
+                                                 .setup = textured_flat_setup,
+                                                 .needs_texture = 1,
+                                                 .needs_uvs = 1,
+                                                 .corners = OF_MESH(uvs)};

@@ -127,7 +127,7 @@ static inline uint32_t pairs(int32_t x)
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
     const struct vertex *v[3];
-    const int16_t *normal[3]; /* NULL where the mesh has none; or what struct sheen_shader says */
+    const int16_t *normal[3]; /* or what struct sheen_shader says */
     uint16_t triangle;        /* of the mesh */
 };
 
