@@ -5,7 +5,8 @@
  *   test_core_newton all    every argument: 2^31 and 3 * 2^30
  *
  * Tolerances: the seeds 1.7 and 1.5 raw steps of UQ1.15, the results 2^-29 of their own size, tighter than what
- * newton.h promises (over all arguments 1.68, 1.50, 2^-29.3, 2^-29.1). 2.0 is held at 65535 and 0xffffffff.
+ * newton.h promises (over all arguments 1.68, 1.50, 2^-29.3, 2^-29.1); over a root 2^-27. 2.0 is held at 65535
+ * and 0xffffffff.
  *
  * No reference is computed: r is within e of 1/x where x (r - e) <= 1 <= x (r + e), for the root likewise with r^2.
  */
@@ -14,11 +15,12 @@
 
 #include "test_core_worst.h"
 
-#include "math/newton.h"
+#include "math/inverse.h"
 
 #define RECIPROCAL_SEED 1.7
 #define ROOT_SEED 1.5
 #define RELATIVE 0x1p-29
+#define OVER_ROOT 0x1p-27
 
 static uint32_t stride = 4099;
 
@@ -95,6 +97,20 @@ static void test_root(void **unused)
     range_assert(&slow, 2 * RELATIVE, ROOT_SEED, "without the table");
 }
 
+/* What is divided by a root in 16-bit products: INT32_MAX is as good as 2.0 in Q1.30. */
+static void test_over_root(void **unused)
+{
+    struct range range = {0};
+
+    (void)unused;
+    for (uint64_t i = UINT64_C(1) << 30; i <= UINT32_MAX; i += stride) {
+        uint32_t x = (uint32_t)i;
+        double r = over(inverse_root(x, 0), INT32_MAX) * 0x1p-29, off = fabs(root_seed(x >> 1) - 32768 * r);
+        range_add(&range, x, x * 0x1p-32 * r * r - 1, off);
+    }
+    range_assert(&range, 2 * OVER_ROOT, ROOT_SEED, "over a root");
+}
+
 /* The root's seed goes on a little above 1.0, where rounding may take N.N of a unit vector. */
 static void test_root_seed_above_one(void **unused)
 {
@@ -120,10 +136,8 @@ static void test_ends(void **unused)
 int main(int count, char **words)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reciprocal),
-        cmocka_unit_test(test_root),
-        cmocka_unit_test(test_root_seed_above_one),
-        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_reciprocal),          cmocka_unit_test(test_root), cmocka_unit_test(test_over_root),
+        cmocka_unit_test(test_root_seed_above_one), cmocka_unit_test(test_ends),
     };
 
     if (count == 2 && strcmp(words[1], "all") == 0) {

@@ -402,6 +402,8 @@ static void test_wide_and_halves(void **unused)
         assert_int_equal(wide_share(n, v), (uint64_t)n * v >> 16);
         assert_int_equal(wide_signed_share(n, s), halves_signed_share(n, s));
         assert_int_equal(wide_signed_share(n, s), asr64((int64_t)n * s, 17));
+        const int32_t h = (int32_t)any_length(&state);
+        assert_int_equal(wide_high(h, s), halves_high(h, s));
     }
     for (int i = 0; i < 3000000; i++) {
         const double most = 0x1p29 * 1.0009; /* rows are as long, if they are rotated by what sheen_is_rotation takes */

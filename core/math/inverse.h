@@ -29,7 +29,17 @@ static inline struct inverse inverse_of(uint32_t m)
     return i;
 }
 
-/* v / u * 2^30, |v| < 2^31. */
+/* Likewise 1 / sqrt(x), x UQ0.32 in [1/4, 1): seed / 2^15 * (1 + lacks / 2^29); `up` is the caller's. */
+static inline struct inverse inverse_root(uint32_t x, unsigned up)
+{
+    const uint32_t seed = root_seed(x >> 1),
+                   near = PRODUCT_FORM(share)(seed, PRODUCT_FORM(share)(seed, x)); /* UQ2.30 */
+    struct inverse i = {seed, asr32((int32_t)((1u << 30) - near), 2), (int)up};
+
+    return i;
+}
+
+/* v / u * 2^30, |v| < 2^31; of a root v / sqrt(x) / 4. */
 static inline int32_t over(struct inverse i, int32_t v)
 {
     int32_t share = PRODUCT_FORM(signed_share)(i.seed, v); /* |share| < 2^30 */

@@ -30,6 +30,20 @@ static inline int32_t halves_signed_share(uint32_t n, int32_t v)
     return asr32((int32_t)n * asr32(v, 16) + (int32_t)((n * ((uint32_t)v & 0xffffu)) >> 16), 1);
 }
 
+/* floor(a b / 2^32). Range: a product of halves and what is carried into it stay below 2^31. */
+static inline int32_t wide_high(int32_t a, int32_t b)
+{
+    return (int32_t)asr64((int64_t)a * b, 32);
+}
+
+static inline int32_t halves_high(int32_t a, int32_t b)
+{
+    const uint32_t a0 = (uint32_t)a & 0xffffu, b0 = (uint32_t)b & 0xffffu;
+    const int32_t a1 = asr32(a, 16), b1 = asr32(b, 16), middle = a1 * (int32_t)b0 + (int32_t)(a0 * b0 >> 16);
+
+    return a1 * b1 + asr32(middle, 16) + asr32((int32_t)a0 * b1 + (middle & 0xffff), 16);
+}
+
 /*
  * A row of a matrix, |m| < 2^29 a part, at most 2^29.01 long, times a vector of 16-bit parts: floor(sum / 2^14). By
  * halves m is 2^14 high + low, so that both products' sums stay below 2^31.
