@@ -5,7 +5,7 @@
  * pixels come from the draw's shades. Else colour is linear in the intensities, so the channels are stepped, in levels,
  * and rounded once a pixel.
  */
-#include "triangle.h"
+#include "packed_rows.h"
 
 /* ---- one number and finished pixels ---- */
 
@@ -55,42 +55,6 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
 }
 
 /* ---- three channels in two words ---- */
-
-/* What changes along a run, and its steps. */
-struct packed_at {
-    uint32_t z;
-    struct packed colour;
-};
-
-/* Without dither rounding is in the words. */
-struct packed_way {
-    intptr_t to_pixel;
-    unsigned dither, swap;
-};
-
-SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
-                              const struct packed_way *way, const threshold_t *thresholds)
-{
-    if (nearer(t, depth, at->z)) {
-        *pixel_at(depth, way->to_pixel) =
-            way->dither ? dithered_565(t, depth, at->colour, threshold_pair(thresholds, depth), way->swap)
-                        : packed_565(at->colour, way->swap);
-    }
-    at->z += step->z;
-    at->colour.red_blue += step->colour.red_blue;
-    at->colour.green += step->colour.green;
-}
-
-/* thresholds: of the row, where the way dithers. */
-SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, int32_t count, struct packed_at at,
-                            struct packed_at step, struct packed_way way, const threshold_t *thresholds)
-{
-    const uint16_t *end = depth + count;
-
-    do
-        packed_pixel(t, depth, &at, &step, &way, thresholds);
-    while (++depth != end);
-}
 
 SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s, unsigned dither, unsigned swap)
 {

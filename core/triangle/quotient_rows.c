@@ -1,9 +1,0 @@
-/*
- * quotient_rows.c - channels that are linear in space, without fog.
- */
-#include "quotient.h"
-
-void sheen_quotient_rows(const struct tile *t, const struct setup *s)
-{
-    quotient_rows(t, (const struct quotient_setup *)s, 0);
-}
