@@ -6,7 +6,7 @@
 #include "../triangle/normal.h"
 
 SETUP_FITS(struct phong_setup);
-SETUP_FITS(struct phong_normals_setup);
+SETUP_FITS(struct phong_cells_setup);
 
 /* px: where a triangle is magnified beyond, what its corners' 16 bits are off by is that of thousands of pixels. */
 #define LARGEST_BY_ROOT 2048
@@ -76,7 +76,7 @@ static struct plane fine_plane(const struct gradients *g, const int32_t w[3], co
 /* Over a cell the normal may turn by so many 1/1000 rad; by half of that where normals are far apart. */
 static uint32_t cell_turn(const struct draw *d, int far)
 {
-    static const uint8_t turn[2][3] = {{140, 100, 50}, {100, 65, 33}}; /* also for highlights above 1/2 */
+    static const uint8_t turn[2][3] = {{200, 140, 70}, {100, 65, 33}}; /* also for highlights above 1/2 */
     const unsigned n = d->power.shininess;
 
     return (uint32_t)turn[d->strong][n > 32 ? 2 : n > 16 ? 1 : 0] >> far;
@@ -153,6 +153,22 @@ void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
     }
 }
 
+/* N's planes times a unit vector, Q1.30; exact at the origin pixel. Off by 2^-31 a px. */
+static struct plane dot_plane(const struct plane normal[3], const struct gradients *g, const int32_t v[3])
+{
+    const int32_t x = g->origin[0], y = g->origin[1];
+    struct plane p = {0, 0, 0};
+
+    for (int i = 0; i < 3; i++) {
+        const struct plane *n = &normal[i];
+        p.dx += (uint32_t)sheen_mul_round((int32_t)n->dx, v[i], 30);
+        p.dy += (uint32_t)sheen_mul_round((int32_t)n->dy, v[i], 30);
+        p.base += (uint32_t)sheen_mul_round((int32_t)plane_at(n, x, y), v[i], 30);
+    }
+    p.base -= (uint32_t)x * p.dx + (uint32_t)y * p.dy;
+    return p;
+}
+
 /* Planes of N. f: of one light, cells are wanted; NULL else. Returns 0 where there are none. */
 static APART int normal_planes(struct setup *s, struct surface_corners *c, const struct gradients *g,
                                const struct facing *f)
@@ -172,9 +188,14 @@ static APART int normal_planes(struct setup *s, struct surface_corners *c, const
     if (f == NULL)
         return 1;
     s->detail = cells_of(p, c, g, f, w) & 15u;
+    if (s->detail == 0)
+        return 0;
+    struct phong_cells_setup *cells = (struct phong_cells_setup *)s;
+    cells->light = dot_plane(p->normal, g, s->draw->light.to[0]);
+    cells->view = dot_plane(p->normal, g, s->draw->light.view);
     s->way = SHEEN_WAY_PHONG_CELLS;
     s->rows = sheen_phong_cell_rows;
-    return s->detail != 0;
+    return 1;
 }
 
 static void phong_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
@@ -203,5 +224,4 @@ const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines,
                                          .setup = phong_setup,
                                          .shades = &sheen_shades_maker,
                                          .needs_normals = 1,
-                                         .corners = OF_MESH(normals),
                                          .at_pixels = 1};

@@ -21,52 +21,39 @@ struct phong_normals_setup {
     struct plane normal[3]; /* N, Q1.30 */
 };
 
+struct phong_cells_setup {
+    struct phong_normals_setup of;
+    struct plane light, view; /* L.N and V.N, Q1.30 */
+};
+
 #define CELL_SHIFT(s) ((s)->detail & 7u) /* the logarithm of a cell's size, px */
 #define CELLS_IN_SQUARES 8u              /* between channels 4 px apart a highlight is linear */
 
-/*
- * A corner of a square of 4 px: 2^16 red + blue, UQ5.11 each, as an exact sum so that what blue borrows red gives back,
- * and green UQ6.26. Red is a multiple of 1/128 level: its sixteenth is whole and does not reach blue.
- */
-struct corner {
-    uint32_t red_blue, green;
-};
-
-/* A quarter of what `to` has more. */
-SPECIALISED uint32_t quarter(uint32_t from, uint32_t to)
+/* What `to` has more, in 4 steps. */
+SPECIALISED struct packed packed_quarter(struct packed from, struct packed to)
 {
-    return (uint32_t)asr32((int32_t)((to >> 1) - (from >> 1)), 1);
+    struct packed quarter = {(uint32_t)asr32((int32_t)((to.red_blue >> 1) - (from.red_blue >> 1)), 1),
+                             (uint32_t)asr32((int32_t)((to.green >> 1) - (from.green >> 1)), 1)};
+
+    return quarter;
 }
 
-/* On the line between two corners, in row `i` of the 4. */
-SPECIALISED struct corner side_of_square(const struct corner *top, const struct corner *bottom, uint32_t i)
-{
-    struct corner at = {top->red_blue + i * quarter(top->red_blue, bottom->red_blue),
-                        top->green + i * quarter(top->green, bottom->green)};
-
-    return at;
-}
-
-/* What changes along a row of a square, and its steps. */
-struct square_at {
-    uint32_t z;
-    struct corner colour;
+/* Of squares of 4 px: a lower corner, and in which steps of a row it comes from the one above. */
+struct square_corner {
+    struct packed at, down;
 };
 
-/* Where a row is: corners above and below the square's left end, and what stands in its next pixel. */
-struct square_row {
-    const struct corner *top, *bottom;
-    uint32_t i; /* of the 4 rows */
-    struct square_at at;
-    uint16_t *depth, *pixel;
-    const uint8_t *thresholds; /* of the row, NULL: no dither */
-    uint32_t dz;
+/* The squares from column x to before x1, the rows y to before `end` of them. */
+struct square_line {
+    const struct plane *depth;
+    int32_t x, x1, y, end;
+    const struct span *span; /* of row y */
+    const struct square_corner *corner;
 };
 
-/* phong_cell_rows.c: columns x to before x1, within a square. */
-void sheen_part_of_square(const struct tile *t, struct square_row *r, int32_t x, int32_t x1);
-/* In the order of a panel's bus: the squares from column x on that end by x1; returns the next column. */
-int32_t sheen_whole_squares(const struct tile *t, struct square_row *r, int32_t x, int32_t x1);
+/* phong_cell_rows.c: columns x to before x1 of row y, within a square; whole squares, in the order of a panel's bus. */
+void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y);
+void sheen_whole_squares(const struct tile *t, const struct square_line *l);
 
 void sheen_phong_cell_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_rows(const struct tile *t, const struct setup *s);

@@ -1,78 +1,79 @@
 /*
  * phong_cell_rows.c - pixels of cells by squares of 4 px whose channels are exact at their corners and linear between.
  */
+#include "../triangle/packed_rows.h"
 #include "phong.h"
 
-/* threshold: 1/128 level, or 0 where rounding is in the words. */
-SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, uint16_t *pixel, struct square_at *at,
-                              const struct square_at *step, uint32_t threshold, unsigned swap)
+/* Where row y crosses a square's side. */
+SPECIALISED struct packed side_at(const struct square_corner *corner, int32_t y)
 {
-    if (nearer(t, depth, at->z)) {
-        struct corner c = at->colour;
-        if (threshold != 0) {
-            SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), c.red_blue >> 16, c.green >> 15, c.red_blue & 0xffffu, 11);
-            c.red_blue += (threshold << 20) + (threshold << 4);
-            c.green += threshold << 19;
-        }
-        *pixel = pixel_order(((c.red_blue >> 27) << 6 | c.green >> 26) << 5 | (c.red_blue << 16) >> 27, swap);
-    }
-    at->z += step->z;
-    at->colour.red_blue += step->colour.red_blue;
-    at->colour.green += step->colour.green;
+    const uint32_t below = 4u - ((uint32_t)y & 3u);
+    struct packed side = {corner->at.red_blue - below * corner->down.red_blue,
+                          corner->at.green - below * corner->down.green};
+
+    return side;
 }
 
-/* To the next square; returns the corner at its left, on the line between top and bottom. */
-SPECIALISED struct corner square_begin(struct square_row *r, struct square_at *step)
+void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y)
 {
-    const struct corner at = r->at.colour, next = side_of_square(++r->top, ++r->bottom, r->i);
-
-    step->colour.red_blue = quarter(at.red_blue, next.red_blue);
-    step->colour.green = quarter(at.green, next.green);
-    return next;
-}
-
-void sheen_part_of_square(const struct tile *t, struct square_row *r, int32_t x, int32_t x1)
-{
-    const unsigned swap = t->format->swap;
-    struct square_at step = {.z = r->dz};
-    const struct corner next = square_begin(r, &step);
+    const struct square_corner *corner = l->corner + ((x - l->x) >> 2);
+    const struct packed left = side_at(corner, y);
+    const struct packed_at step = {l->depth->dx, packed_quarter(left, side_at(corner + 1, y))};
     const uint32_t n = (uint32_t)x & 3u;
+    const struct packed_at at = {plane_at(l->depth, x, y),
+                                 {left.red_blue + n * step.colour.red_blue, left.green + n * step.colour.green}};
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
 
-    r->at.colour.red_blue += n * step.colour.red_blue;
-    r->at.colour.green += n * step.colour.green;
-    for (; x < x1; x++)
-        square_pixel(t, r->depth++, r->pixel++, &r->at, &step, r->thresholds != NULL ? r->thresholds[x & 7] : 0, swap);
-    r->at.colour = next;
+    packed_run(t, t->depth + tile_offset(t, x, y), x1 - x, at, step, way, t->dither_rows[y & 7]);
 }
 
-/* In the order of a panel's bus. */
-SPECIALISED void whole_square(const struct tile *t, struct square_row *r, struct square_at step, int32_t x)
+#if FAST_LOOPS
+/* A step a pixel: sums made in advance have no registers. */
+SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
+                              const struct packed_way *way, const threshold_t *thresholds)
 {
-    const struct corner next = square_begin(r, &step);
-    const uint8_t *threshold = r->thresholds != NULL ? r->thresholds + (x & 4) : NULL;
-
-    square_pixel(t, r->depth, r->pixel, &r->at, &step, threshold != NULL ? threshold[0] : 0, 1);
-    square_pixel(t, r->depth + 1, r->pixel + 1, &r->at, &step, threshold != NULL ? threshold[1] : 0, 1);
-    square_pixel(t, r->depth + 2, r->pixel + 2, &r->at, &step, threshold != NULL ? threshold[2] : 0, 1);
-    square_pixel(t, r->depth + 3, r->pixel + 3, &r->at, &step, threshold != NULL ? threshold[3] : 0, 1);
-    r->depth += 4;
-    r->pixel += 4;
-    r->at.colour = next;
+    packed_pixel(t, depth, at, step, way, thresholds);
+    OPAQUE(at->z);
+    OPAQUE(at->colour.red_blue);
+    OPAQUE(at->colour.green);
 }
 
-SPECIALISED int32_t whole_squares(const struct tile *t, struct square_row *row, int32_t x, int32_t x1, unsigned dither)
+/* Whole squares from the corner at column x of row y on, in the order of a panel's bus. */
+SPECIALISED void squares_run(const struct tile *t, const struct square_line *l, int32_t x, int32_t count, int32_t y,
+                             unsigned dither)
 {
-    const struct square_at step = {.z = row->dz};
-    struct square_row r = *row;
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = 1};
+    const threshold_t *thresholds = t->dither_rows[y & 7];
+    const struct square_corner *corner = l->corner + ((x - l->x) >> 2);
+    struct packed_at at = {plane_at(l->depth, x, y), side_at(corner, y)}, step = {l->depth->dx, {0, 0}};
+    uint16_t *depth = t->depth + tile_offset(t, x, y);
+    const uint16_t *end = depth + count;
 
-    r.thresholds = dither ? r.thresholds : NULL;
-    for (; x + 4 <= x1; x += 4)
-        whole_square(t, &r, step, x);
-    *row = r;
-    return x;
+    do {
+        const struct packed next = side_at(++corner, y);
+        step.colour = packed_quarter(at.colour, next);
+        square_pixel(t, depth, &at, &step, &way, thresholds);
+        square_pixel(t, depth + 1, &at, &step, &way, thresholds);
+        square_pixel(t, depth + 2, &at, &step, &way, thresholds);
+        square_pixel(t, depth + 3, &at, &step, &way, thresholds);
+        depth += 4;
+        at.colour = next;
+    } while (depth != end);
 }
 
-int32_t sheen_whole_squares(const struct tile *t, struct square_row *r, int32_t x, int32_t x1)
+SPECIALISED void whole_squares(const struct tile *t, const struct square_line *l, unsigned dither)
 {
-    return t->dither ? whole_squares(t, r, x, x1, 1) : whole_squares(t, r, x, x1, 0);
+    const struct span *span = l->span;
+
+    for (int32_t y = l->y; y < l->end; y++, span++) {
+        int32_t x = (max32(span->x0, l->x) + 3) & ~3, count = (min32(span->x1, l->x1) & ~3) - x;
+        if (count > 0)
+            squares_run(t, l, x, count, y, dither);
+    }
 }
+
+void sheen_whole_squares(const struct tile *t, const struct square_line *l)
+{
+    t->dither ? whole_squares(t, l, 1) : whole_squares(t, l, 0);
+}
+#endif

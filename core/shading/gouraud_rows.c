@@ -1,0 +1,9 @@
+/*
+ * gouraud_rows.c - intensities that are linear in space, without fog.
+ */
+#include "gouraud.h"
+
+void sheen_quotient_rows(const struct tile *t, const struct setup *s)
+{
+    quotient_rows(t, (const struct quotient_setup *)s, 0);
+}
