@@ -116,6 +116,7 @@ struct sheen_mesh {
     const int16_t *uvs;       /* 2 a vertex: u = uv_offset[0] + raw / 2^uv_bits, v likewise; NULL: none */
     uint8_t uv_bits;          /* 0..15 */
     sheen_q16_t uv_offset[2]; /* of u and v */
+    const uint8_t *colors;    /* 3 a vertex: r, g, b, 255 = 1.0, for shaders that are colored; NULL: white */
 };
 
 #define SHEEN_POWER_ENTRIES 256 /* steps of a power table */
@@ -225,6 +226,13 @@ struct sheen_shader;
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
 
 /*
+ * With the mesh's colours: at a corner, base times the vertex's colour takes the place of base, and what that gives is
+ * linear in space between (affine: on the screen); the highlight is as without. Light is one a polygon, as flat's, or
+ * of the vertices, as gouraud's. The others do not read colors.
+ */
+extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
+
+/*
  * With the material's texture, for meshes with uvs: base times the texel takes the place of base; the highlight is as
  * without. sheen_textured is lit at the vertices as gouraud is, sheen_textured_flat a polygon, as flat is. Ambient 1,
  * diffuse 0, specular 0 and a white base show the texels as they are, and cost no light.
@@ -297,7 +305,8 @@ extern const struct sheen_fog_mixer sheen_fog_mixer;
 
 /*
  * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
- * m), which is linear in the depth that is stored; the unrounded colour goes to colour + f (F - colour), F the fog's
+ * m), which is linear in the depth that is left, and taken there: a depth bias moves a pixel in the fog too, as
+ * whatever reads the depths afterwards sees it. The unrounded colour goes to colour + f (F - colour), F the fog's
  * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, the background
  * is not: full fog of its colour meets it without a seam.
  */

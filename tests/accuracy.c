@@ -3,6 +3,7 @@
  */
 #include "accuracy.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,6 +44,20 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
     }
 }
 
+/* Of its own at every point, and whole bytes. NULL where memory is short. */
+static double (*corner_colors(const struct ref_polygons *p))[3]
+{
+    uint32_t count = p->first[p->polygon_count];
+    double(*color)[3] = calloc(count, sizeof *color);
+
+    for (uint32_t c = 0; color && c < count; c++) {
+        const double *at = p->points[p->corners[c]];
+        for (int k = 0; k < 3; k++)
+            color[c][k] = floor(255 * (0.6 + 0.4 * sin(5 * at[k] + 3 * at[(k + 1) % 3] + k)) + 0.5) / 255;
+    }
+    return color;
+}
+
 int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
 {
     static const struct ref_mesh_options options = {.fit = true, .crease = -1};
@@ -50,11 +65,14 @@ int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
 
     memset(mesh, 0, sizeof *mesh);
     int status = make_shape(&shape, index, coarse, &mesh->name);
+    double(*color)[3] = status == 0 ? corner_colors(&shape.polygons) : NULL;
+    shape.polygons.color = (const double(*)[3])color;
     if (status == 0)
-        status = ref_mesh_build(&mesh->reference, &shape.polygons, &options);
+        status = color ? ref_mesh_build(&mesh->reference, &shape.polygons, &options) : -1;
     if (status == 0)
         status = core_mesh_make(&mesh->own, &mesh->reference);
     mesh->mesh = &mesh->own.mesh;
+    free(color);
     shape_free(&shape);
     return status;
 }

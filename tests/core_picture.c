@@ -13,6 +13,7 @@
 struct key {
     uint32_t weld, corner;
     int16_t normal[3], uv[2];
+    uint8_t color[4]; /* three of them */
 };
 
 static int key_order(const void *a, const void *b)
@@ -22,7 +23,9 @@ static int key_order(const void *a, const void *b)
     if (p->weld != q->weld)
         return p->weld < q->weld ? -1 : 1;
     int order = memcmp(p->normal, q->normal, sizeof p->normal);
-    return order != 0 ? order : memcmp(p->uv, q->uv, sizeof p->uv);
+    if (order == 0)
+        order = memcmp(p->uv, q->uv, sizeof p->uv);
+    return order != 0 ? order : memcmp(p->color, q->color, sizeof p->color);
 }
 
 static int16_t to_q15(double c)
@@ -66,6 +69,8 @@ static uint32_t number_vertices(const struct ref_mesh *from, const struct sheen_
             keys[c].normal[k] = to_q15(from->normal[c][k]);
         for (int i = 0; i < 2 && from->uv; i++)
             keys[c].uv[i] = to_grid(mesh, from->uv[c], i);
+        for (int i = 0; i < 3 && from->color; i++)
+            keys[c].color[i] = (uint8_t)lround(255 * from->color[c][i]);
     }
     qsort(keys, from->corner_count, sizeof *keys, key_order);
     for (size_t i = 0; i < from->corner_count; i++) {
@@ -85,6 +90,8 @@ static void fill(struct core_mesh *to, const struct ref_mesh *from, const uint32
         }
         for (int i = 0; i < 2 && from->uv; i++)
             to->uvs[2 * vertex_of[c] + (uint32_t)i] = to_grid(&to->mesh, from->uv[c], i);
+        for (int i = 0; i < 3 && from->color; i++)
+            to->colors[3 * vertex_of[c] + (uint32_t)i] = (uint8_t)lround(255 * from->color[c][i]);
     }
     for (size_t p = 0; p < from->polygon_count; p++) {
         for (int k = 0; k < 3; k++)
@@ -116,11 +123,12 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
     to->positions = calloc(vertices, 3 * sizeof *to->positions);
     to->normals = calloc(vertices, 3 * sizeof *to->normals);
     to->uvs = calloc(vertices, 2 * sizeof *to->uvs);
+    to->colors = calloc(vertices, 3);
     to->polygon_normals = calloc(from->polygon_count, 3 * sizeof *to->polygon_normals);
     to->polygons = calloc(from->triangle_count, sizeof *to->polygons);
     to->indices = calloc(from->triangle_count, 3 * sizeof *to->indices);
     if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices ||
-        !to->uvs)
+        !to->uvs || !to->colors)
         goto fail;
     fill(to, from, vertex_of, reach);
     to->mesh = (struct sheen_mesh){.positions = to->positions,
@@ -130,6 +138,7 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
                                    .indices = to->indices,
                                    .index_bytes = 2,
                                    .uvs = from->uv ? to->uvs : NULL,
+                                   .colors = from->color ? to->colors : NULL,
                                    .uv_bits = to->mesh.uv_bits,
                                    .uv_offset = {to->mesh.uv_offset[0], to->mesh.uv_offset[1]},
                                    .vertices = (uint16_t)vertices,
@@ -151,6 +160,7 @@ void core_mesh_free(struct core_mesh *mesh)
     free(mesh->normals);
     free(mesh->polygon_normals);
     free(mesh->uvs);
+    free(mesh->colors);
     free(mesh->polygons);
     free(mesh->indices);
     memset(mesh, 0, sizeof *mesh);
@@ -297,11 +307,13 @@ static int core_texture_make(struct core_texture *to, const struct ref_texture *
 
 static const struct sheen_shader *shader_of(const struct ref_scene *scene)
 {
+    static const struct sheen_shader *const colored[] = {&sheen_flat_colored, &sheen_gouraud_colored};
+
     if (scene->texels != REF_TEXELS_UV)
         return scene->texels == REF_TEXELS_NORMAL ? &sheen_matcap : &sheen_matcap_vertex;
     if (scene->texture)
         return scene->shading == REF_FLAT ? &sheen_textured_flat : &sheen_textured;
-    return sheen_shader_of((unsigned)scene->shading);
+    return scene->colored ? colored[scene->shading] : sheen_shader_of((unsigned)scene->shading);
 }
 
 #define CLIPPED 2000 /* pieces, more than any test makes */
@@ -326,7 +338,8 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                 .two_sided = scene->two_sided,
                                 .stipple = scene->left_out > 0 ? &sheen_stipple : NULL,
                                 .transparency = (uint8_t)scene->left_out,
-                                .phase = (uint8_t)scene->phase};
+                                .phase = (uint8_t)scene->phase,
+                                .depth_bias = (int16_t)scene->bias};
     struct core_texture texture = {.numbers = NULL};
     struct sheen_fog fog;
     struct core_frame f;

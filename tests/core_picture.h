@@ -10,10 +10,11 @@
 #include "reference/reference.h"
 #include "sheen.h"
 
-/* A reference mesh in the core's numbers: corners with equal position, normal and uv become one vertex. */
+/* A reference mesh in the core's numbers: corners with equal position, normal, uv and colour become one vertex. */
 struct core_mesh {
     struct sheen_mesh mesh;
     int16_t *positions, *normals, *polygon_normals, *uvs;
+    uint8_t *colors;
     uint16_t *polygons, *indices;
 };
 

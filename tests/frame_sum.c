@@ -18,9 +18,10 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[24 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
 #define TEXTURED 4
 #define MATCAP 5
+#define COLORED 6
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -119,12 +120,51 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     texture->clamp_v = view == 4;
 }
 
+/* Each vertex by where it is. */
+static void paint_vertices(struct sheen_mesh *mesh)
+{
+    static uint8_t colors[3 * 1400];
+
+    for (uint32_t i = 0; i < 3u * mesh->vertices && i < 3 * 1400; i++)
+        colors[i] = (uint8_t)((mesh->positions[i] + 32768) >> 8);
+    mesh->colors = colors;
+}
+
 /* On a texture, by mesh. */
 enum light {
     LIGHT_TINTED,
     LIGHT_WHITE,
     LIGHT_NONE
 };
+
+/* What a draw has besides, all shadings alike. */
+enum beside {
+    BESIDE_NOTHING,
+    BESIDE_FOG, /* biased in depth: some views' fog is nearer or farther for it */
+    BESIDE_STIPPLE,
+    BESIDE_BOTH,
+    BESIDES
+};
+static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
+static enum beside beside;
+
+static void add_beside(struct sheen_view *view, struct sheen_object *draw, int number)
+{
+    static const struct sheen_fog fogs[VIEWS] = {
+        {SHEEN_Q24(2.2), SHEEN_Q24(3.4), {200, 210, 220}, &sheen_fog_mixer},
+        {SHEEN_Q24(0.1), SHEEN_Q24(3.0), {255, 255, 255}, &sheen_fog_mixer}, /* begins before near, */
+        {SHEEN_Q24(0.5), SHEEN_Q24(40), {90, 20, 0}, &sheen_fog_mixer},      /* ends beyond far */
+        {SHEEN_Q24(2.6), SHEEN_Q24(2.9), {0, 0, 0}, &sheen_fog_mixer},
+        {SHEEN_Q24(2), SHEEN_Q24(4), {8, 16, 40}, &sheen_fog_mixer}};
+    static const int16_t bias[VIEWS] = {0, 900, -4096, 4095, -1};
+    static const uint8_t transparency[VIEWS] = {32, 1, 63, 20, 45};
+
+    view->fog = beside & BESIDE_FOG ? &fogs[number] : NULL;
+    draw->depth_bias = beside & BESIDE_FOG ? bias[number] : 0;
+    draw->stipple = beside & BESIDE_STIPPLE ? &sheen_stipple : NULL;
+    draw->transparency = beside & BESIDE_STIPPLE ? transparency[number] : 0;
+    draw->phase = beside & BESIDE_STIPPLE ? (uint8_t)(3 * number & 7) : 0;
+}
 
 /* Two frames, the second turned on, so that what is sent is what changed. */
 static int draw_picture(const struct sheen_target *target, struct sheen_object *draw,
@@ -155,6 +195,7 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
     draw->material = &material;
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         set_view(view_number, &view, draw);
+        add_beside(&view, draw, view_number);
         view.dither = (uint8_t)dither;
         if (i == 0)
             sheen_pose_orbit(&draw->pose, 0, 0, 0, 0x03000000);
@@ -179,14 +220,17 @@ static int print_sums(int mesh, int shading, int view, int format)
                                                                       : 1};
     struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
     struct sheen_texture texture = {.bits = 0};
-    const enum light light = shading >= TEXTURED ? (enum light)mesh : LIGHT_TINTED;
+    const enum light light = shading == TEXTURED || shading == MATCAP ? (enum light)mesh : LIGHT_TINTED;
     struct sheen_object draw = {.mesh = &own};
 
     target.ctx = &target;
-    draw.shader = shading == MATCAP     ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
+    draw.shader = shading == COLORED    ? ((mesh + view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored)
+                  : shading == MATCAP   ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
                   : shading == TEXTURED ? &sheen_textured
                                         : sheen_shader_of((unsigned)shading);
-    if (shading >= TEXTURED)
+    if (shading == COLORED)
+        paint_vertices(&own);
+    else if (shading >= TEXTURED)
         hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
@@ -196,8 +240,8 @@ static int print_sums(int mesh, int shading, int view, int format)
                     view, format_name[format], rows[i % 3], sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s view %d %-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading], view,
-               format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
+        printf("%-5s %-7s view %d %s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading], view,
+               beside_name[beside], format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
                (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
@@ -209,9 +253,16 @@ int main(void)
         if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
             return 1;
     }
-    for (int i = 0; i < 2 * SUM_MESHES * VIEWS * 5; i++) {
+    for (int i = 0; i < 3 * SUM_MESHES * VIEWS * 5; i++) {
         const int of_mesh = i % (SUM_MESHES * VIEWS * 5);
-        if (print_sums(of_mesh / (5 * VIEWS), i < SUM_MESHES * VIEWS * 5 ? TEXTURED : MATCAP, i / 5 % VIEWS, i % 5) < 0)
+        if (print_sums(of_mesh / (5 * VIEWS), TEXTURED + i / (SUM_MESHES * VIEWS * 5), i / 5 % VIEWS, i % 5) < 0)
+            return 1;
+    }
+    for (int i = 0; i < (MATCAP + 1) * VIEWS * (BESIDES - 1) * 2; i++) {
+        const int shading = i / (2 * (BESIDES - 1) * VIEWS), view = i / (2 * (BESIDES - 1)) % VIEWS;
+        beside = (enum beside)(1 + i / 2 % (BESIDES - 1));
+        if (print_sums((shading + view + (int)beside) % SUM_MESHES, shading, view,
+                       i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (shading + view + (int)beside) % 4) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

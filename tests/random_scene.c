@@ -151,6 +151,7 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
     random_material(&to->scene, to->kind, &state);
     to->way = stage_random(&state) % 2 ? 0 : 1 + first[shading] + stage_random(&state) % ways[shading];
     random_ramp(&to->scene, &state);
+    to->scene.colored = shading <= REF_GOURAUD && stage_random(&state) % 4 == 0;
 }
 
 void random_scene_print(const struct random_scene *from)
@@ -159,12 +160,12 @@ void random_scene_print(const struct random_scene *from)
     static const char *const ramp_name[] = {"", " half", " gamma", " toon"};
     const struct ref_scene *scene = &from->scene;
 
-    printf("    %s %dx%d %s%s%s%s%s%s distance %.4f fov %.4f shininess %.0f ambient %.3f diffuse %.3f specular %.3f "
+    printf("    %s %dx%d %s%s%s%s%s%s%s distance %.4f fov %.4f shininess %.0f ambient %.3f diffuse %.3f specular %.3f "
            "way %u lights",
            from->mesh->name, scene->width, scene->height, shading_name[scene->shading], scene->affine ? " affine" : "",
            scene->ortho ? " ortho" : "", scene->dither ? " dither" : "", scene->two_sided ? " two-sided" : "",
-           ramp_name[scene->ramp], scene->distance, scene->fov, scene->shininess, scene->ambient, scene->diffuse,
-           scene->specular, from->way);
+           scene->colored ? " colored" : "", ramp_name[scene->ramp], scene->distance, scene->fov, scene->shininess,
+           scene->ambient, scene->diffuse, scene->specular, from->way);
     for (int i = 0; i < scene->light_count; i++)
         printf(" %.3f,%.3f,%.3f", scene->light[i][0], scene->light[i][1], scene->light[i][2]);
     printf("\n");

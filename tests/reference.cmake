@@ -19,6 +19,7 @@ sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accur
   LIBRARIES core_picture sheen::core)
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
+sheen_test(test_colored accuracy SOURCES test_colored.c LIBRARIES core_picture sheen::core)
 sheen_test(test_fog accuracy SOURCES test_fog.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)

@@ -30,10 +30,11 @@ enum variant {
     HALF, /* ramps: one light, several, the light behind, dithered, in turns */
     GAMMA,
     TOON,
+    COLORS, /* of the vertices: one light, several, dithered, cut, in turns */
     VARIANTS
 };
-static const char *const variant_name[VARIANTS] = {"",    "lights", "ortho", "behind", "strong",
-                                                   "cut", "dither", "half",  "gamma",  "toon"};
+static const char *const variant_name[VARIANTS] = {"",       "lights", "ortho", "behind", "strong", "cut",
+                                                   "dither", "half",   "gamma", "toon",   "colors"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
 #define FORCED 9
@@ -143,6 +144,19 @@ static void vary_ramp(struct ref_scene *scene, enum ref_ramp ramp, int i)
     scene->dither = i % 4 == 3;
 }
 
+static void vary_colors(struct ref_scene *scene, int i)
+{
+    scene->colored = true;
+    scene->base[0] = scene->base[1] = scene->base[2] = 1;
+    if (i % 4 == 1)
+        accuracy_more_lights(scene);
+    scene->dither = i % 4 == 2;
+    if (i % 4 == 3) {
+        scene->near = scene->distance - 0.8;
+        scene->two_sided = true;
+    }
+}
+
 static void vary(struct ref_scene *scene, enum variant variant, int i)
 {
     static const double shininess[4] = {1, 4, 24, 128};
@@ -180,6 +194,9 @@ static void vary(struct ref_scene *scene, enum variant variant, int i)
     case TOON:
         vary_ramp(scene, REF_TOON, i);
         break;
+    case COLORS:
+        vary_colors(scene, i);
+        break;
     default:
         break;
     }
@@ -207,7 +224,7 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
         scene.affine = i / 3 % 2;
         scene.width = i / 6 ? 240 : 320;
         vary(&scene, variant, i);
-        failed += judge(&line, lines, &scene, mesh->mesh, view, variant <= ORTHO);
+        failed += judge(&line, lines, &scene, mesh->mesh, view, variant <= ORTHO || variant == COLORS);
     }
     snprintf(what, sizeof what, "%d %s", view, variant_name[variant]);
     accuracy_line_print(&line, mesh->name, what, shading_name[shading]);
@@ -259,6 +276,8 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
         failed += judge_line(&lines, mesh, 1, shading, CUT);
     if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)
         failed += judge_line(&lines, mesh, 1, shading, STRONG);
+    if (shading <= REF_GOURAUD && mesh->reference.color)
+        failed += judge_line(&lines, mesh, 1, shading, COLORS);
     print_ways(&lines, mesh, shading);
     return failed;
 }

@@ -11,10 +11,12 @@
 #include "accuracy_line.h"
 #include "textured_scene.h"
 
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "textured"};
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "textured", "matcap", "matcap-vertex"};
 static const char *prefix;
 
 #define TEXTURED 4
+#define MATCAP 5
+#define MATCAP_VERTEX 6
 
 /* Of a scene without perspective that fog might be measured by: what lies between its planes. */
 struct range {
@@ -38,7 +40,7 @@ static void set_fog(struct ref_scene *scene, const struct range *range)
 /* Equal 95 %; within one step what the shading has to be, worst a step more. */
 static bool kept(const struct ref_score *s, int shading, bool fog)
 {
-    const struct accuracy_limit *limit = &accuracy_limits[shading == TEXTURED ? REF_GOURAUD : shading];
+    const struct accuracy_limit *limit = &accuracy_limits[shading >= TEXTURED ? REF_GOURAUD : shading];
     const double compared = (double)s->compared;
 
     return s->equal >= (fog ? fmin(limit->equal, 0.95) : limit->equal) * compared &&
@@ -92,10 +94,12 @@ static int view_of(struct ref_scene *scene, struct accuracy_mesh *mesh, int shad
         textured_view(scene, &mesh->reference, i % TEXTURED_VIEWS, TEXTURED_SCENE_GOURAUD);
         return 0;
     }
-    if (accuracy_mesh_make(mesh, i % ACCURACY_SHAPES, shading == REF_FLAT || i % 3 == 0) != 0)
+    if (accuracy_mesh_make(mesh, i % ACCURACY_SHAPES, shading == REF_FLAT || (i % 3 == 0 && shading < MATCAP)) != 0)
         return -1;
     accuracy_view(scene, &mesh->reference, i / 2 % ACCURACY_VIEWS);
-    scene->shading = (enum ref_shading)shading;
+    scene->shading = shading >= MATCAP ? REF_PHONG : (enum ref_shading)shading;
+    if (shading >= MATCAP)
+        scene->texels = shading == MATCAP ? REF_TEXELS_NORMAL : REF_TEXELS_CORNER_NORMALS;
     if (i % 7 == 6)
         accuracy_more_lights(scene);
     return 0;
@@ -103,12 +107,31 @@ static int view_of(struct ref_scene *scene, struct accuracy_mesh *mesh, int shad
 
 enum kind {
     FOG,
+    BIASED, /* in depth, which moves it in the fog */
     LEFT_OUT,
     BOTH,
     KINDS
 };
 
-static const char *const kind_name[KINDS] = {"fog", "left out", "both"};
+static const char *const kind_name[KINDS] = {"fog", "biased", "left out", "both"};
+
+/* Texels with a key, or one of the core's spheres. */
+static struct ref_texture texture_of(int shading, int i)
+{
+    static const struct sheen_texture *const sphere[] = {&sheen_matcap_chrome, &sheen_matcap_glaze, &sheen_matcap_clay,
+                                                         &sheen_matcap_jade};
+    struct ref_texture texture = *textured_picture(i % 2);
+
+    texture.keyed = i % 3 == 2;
+    texture.key = texture.texels[0];
+    if (shading >= MATCAP)
+        texture = (struct ref_texture){.width = 1 << sphere[i % 4]->width_log2,
+                                       .height = 1 << sphere[i % 4]->height_log2,
+                                       .texels = sphere[i % 4]->texels,
+                                       .clamp = {true, true}};
+    texture.bits = 16;
+    return texture;
+}
 
 static int judge(int shading, enum kind kind)
 {
@@ -116,34 +139,44 @@ static int judge(int shading, enum kind kind)
     int failed = 0;
 
     for (int i = 0; i < (shading == TEXTURED ? 10 : 16); i++) {
-        struct ref_texture texture = *textured_picture(i % 2);
+        struct ref_texture texture = texture_of(shading, i);
         struct accuracy_mesh mesh;
         struct ref_scene scene;
         if (view_of(&scene, &mesh, shading, i) != 0)
             return 1;
-        scene.texture = shading == TEXTURED ? &texture : NULL;
-        texture.bits = 16;
+        scene.texture = shading >= TEXTURED ? &texture : NULL;
         if (i % 5 == 3)
             accuracy_ortho(&scene);
         scene.affine = i % 5 == 4;
         scene.dither = i % 2;
         if (kind != LEFT_OUT)
             set_fog(&scene, &ranges[i % 4]);
-        if (kind != FOG) {
+        if (kind == BIASED)
+            scene.bias = i % 2 ? 900 - 20 * i : 30 * i - 900;
+        if (kind >= LEFT_OUT) {
             scene.left_out = 4 + 13 * i % 56;
             scene.phase = i % 8;
         }
         failed += judge_picture(&line, &scene, mesh.mesh, shading);
         accuracy_mesh_free(&mesh);
     }
-    printf("%-8s %-8s %2d pictures %5.1f %% compared %6.2f %% equal, worst %d, %ld of %ld left out are drawn\n",
+    printf("%-13s %-8s %2d pictures %5.1f %% compared %6.2f %% equal, worst %d, %ld of %ld left out are drawn\n",
            shading_name[shading], kind_name[kind], line.pictures, 100 * (double)line.compared / (double)line.covered,
            100 * line.equal, line.worst, line.dropped_drawn, line.dropped);
     return failed;
 }
 
-/* The test of the test: a reference whose fog is linear in m, and one with another phase, have to be refused. */
-static int judge_fault(bool in_m)
+enum fault {
+    IN_M,
+    PHASE,
+    UNBIASED,
+    FAULTS
+};
+
+static const char *const fault_name[FAULTS] = {"fog linear in m", "another phase", "fog without the bias"};
+
+/* The test of the test: a picture that the reference has otherwise has to be refused. */
+static int judge_fault(enum fault fault)
 {
     static struct accuracy_shot shot;
     struct ref_picture picture;
@@ -154,11 +187,12 @@ static int judge_fault(bool in_m)
     if (view_of(&scene, &mesh, REF_GOURAUD, 0) != 0)
         return 1;
     set_fog(&scene, &ranges[0]);
-    scene.left_out = in_m ? 0 : 32;
-    scene.fog_in_m = in_m;
+    scene.left_out = fault == PHASE ? 32 : 0;
+    scene.fog_in_m = fault == IN_M;
     if (ref_render(&picture, &scene) == 0) {
+        scene.bias = fault == UNBIASED ? 900 : 0;
         if (accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0) == SHEEN_OK) {
-            if (!in_m) {
+            if (fault == PHASE) {
                 scene.phase = 1;
                 memset(&shot.score, 0, sizeof shot.score);
                 if (ref_compare(&shot.score, &scene, &picture, shot.values) != 0)
@@ -168,8 +202,7 @@ static int judge_fault(bool in_m)
         }
         ref_picture_free(&picture);
     }
-    printf("fault, %s: %s\n", in_m ? "fog linear in m" : "another phase",
-           is_kept ? "NOT REFUSED" : "refused, as it has to be");
+    printf("fault, %s: %s\n", fault_name[fault], is_kept ? "NOT REFUSED" : "refused, as it has to be");
     accuracy_mesh_free(&mesh);
     return is_kept;
 }
@@ -179,10 +212,11 @@ int main(int argc, char **argv)
     int failed = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
-    for (int shading = 0; shading <= TEXTURED; shading++)
+    for (int shading = 0; shading <= MATCAP_VERTEX; shading++)
         for (int kind = 0; kind < KINDS; kind++)
             failed += judge(shading, (enum kind)kind);
-    failed += judge_fault(true) + judge_fault(false);
+    for (int fault = 0; fault < FAULTS; fault++)
+        failed += judge_fault((enum fault)fault);
     printf("%d pictures outside their limits\n", failed);
     return failed != 0;
 }

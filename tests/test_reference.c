@@ -89,60 +89,63 @@ static void one_triangle_by_hand(void **state)
     shape_free(&s);
 }
 
+static const double nowhere[3] = {0, 0, 0}; /* where there are no point lights */
+
 /* A plane that recedes: halfway on the screen is not halfway in space. */
 static void perspective_by_hand(void **state)
 {
     struct ref_scene scene = {.shading = REF_GOURAUD};
     struct ref_piece piece = {
-        .x = {0, 0, 100}, .y = {0, 100, 0}, .w = {1, 1, 0.25}, .diffuse = {0, 0, 1}, .specular = {2, 2, 0}};
-    double diffuse, specular;
+        .x = {0, 0, 100}, .y = {0, 100, 0}, .w = {1, 1, 0.25}, .lit = {{{0}, {2}}, {{0}, {2}}, {{1}, {0}}}};
+    struct ref_lit lit;
 
     (void)state;
     /* Halfway from m = 1 to m = 4: t = .5 * .25 / (.5 * 1 + .5 * .25) = .2 */
-    ref_shade(&scene, &piece, 50, 0, &diffuse, &specular);
-    NEAR(diffuse, 0.2, 1e-12);
-    NEAR(specular, 1.6, 1e-12);
+    ref_shade(&scene, &piece, 50, 0, &lit);
+    NEAR(lit.diffuse[0], 0.2, 1e-12);
+    NEAR(lit.specular[0], 1.6, 1e-12);
     scene.affine = true;
-    ref_shade(&scene, &piece, 50, 0, &diffuse, &specular);
-    NEAR(diffuse, 0.5, 1e-12);
+    ref_shade(&scene, &piece, 50, 0, &lit);
+    NEAR(lit.diffuse[0], 0.5, 1e-12);
 }
 
 /* R.V by the law of mirrors: the reflected ray, worked out as a vector. */
 static void light_by_hand(void **state)
 {
     struct ref_scene scene;
-    double diffuse, specular, n[3] = {0.6, 0, 0.8};
+    struct ref_lit lit;
+    double n[3] = {0.6, 0, 0.8};
 
     (void)state;
     ref_scene_default(&scene, NULL);
     memcpy(scene.light[0], (double[3]){3, 0, 4}, sizeof scene.light[0]);
     scene.shininess = 1;
-    ref_light(&scene, n, &diffuse, &specular); /* the light along the normal reflects along it: R.V = .8 */
-    NEAR(diffuse, 0.7, 1e-12);
-    NEAR(specular, 0.24, 1e-12);
+    ref_light(&scene, nowhere, n, &lit); /* the light along the normal reflects along it: R.V = .8 */
+    NEAR(lit.diffuse[0], 0.7, 1e-12);
+    NEAR(lit.specular[0], 0.24, 1e-12);
     memcpy(scene.light[0], (double[3]){-0.6, 0, -0.8}, sizeof scene.light[0]);
-    ref_light(&scene, n, &diffuse, &specular); /* behind: ambient alone */
-    NEAR(diffuse, 0.1, 1e-12);
-    NEAR(specular, 0, 0);
+    ref_light(&scene, nowhere, n, &lit); /* behind: ambient alone */
+    NEAR(lit.diffuse[0], 0.1, 1e-12);
+    NEAR(lit.specular[0], 0, 0);
     /* L.N < 0 and N.V < 0, the product positive: still no highlight. */
     memcpy(n, (double[3]){0, 0, -1}, sizeof n);
     memcpy(scene.light[0], (double[3]){0, 0, 1}, sizeof scene.light[0]);
-    ref_light(&scene, n, &diffuse, &specular);
-    NEAR(specular, 0, 0);
+    ref_light(&scene, nowhere, n, &lit);
+    NEAR(lit.specular[0], 0, 0);
     /* From behind, N.V = 0, so R = -L and R.V = .8; L.N is .06, then .18: beyond 1/8 the highlight is whole. */
     memcpy(scene.light[0], (double[3]){0.6, 0, -0.8}, sizeof scene.light[0]);
     memcpy(n, (double[3]){0.1, sqrt(0.99), 0}, sizeof n);
-    ref_light(&scene, n, &diffuse, &specular);
-    NEAR(specular, 0.3 * 0.8 * 8 * 0.06, 1e-12);
+    ref_light(&scene, nowhere, n, &lit);
+    NEAR(lit.specular[0], 0.3 * 0.8 * 8 * 0.06, 1e-12);
     memcpy(n, (double[3]){0.3, sqrt(0.91), 0}, sizeof n);
-    ref_light(&scene, n, &diffuse, &specular);
-    NEAR(specular, 0.3 * 0.8, 1e-12);
+    ref_light(&scene, nowhere, n, &lit);
+    NEAR(lit.specular[0], 0.3 * 0.8, 1e-12);
     scene.light_count = 2; /* ambient once, the rest summed */
     memcpy(scene.light[1], (double[3]){0, 0, -1}, sizeof scene.light[1]);
     memcpy(scene.light[0], (double[3]){0, 2, 0}, sizeof scene.light[0]);
     memcpy(n, (double[3]){0, 0.6, -0.8}, sizeof n);
-    ref_light(&scene, n, &diffuse, &specular);
-    NEAR(diffuse, 0.1 + 0.6 * 0.6 + 0.6 * 0.8, 1e-12);
+    ref_light(&scene, nowhere, n, &lit);
+    NEAR(lit.diffuse[0], 0.1 + 0.6 * 0.6 + 0.6 * 0.8, 1e-12);
 }
 
 /* A fine sphere has its own position as normal: Phong must find it at every pixel. */
@@ -167,11 +170,12 @@ static void phong_on_a_sphere(void **state)
         double root = 9 - 8 * a;
         if (root < 0.05)
             continue; /* the silhouette of the polygons is not the sphere's */
-        double m = (3 - sqrt(root)) / a, n[3] = {x * m, y * m, 3 - m}, diffuse, specular;
+        double m = (3 - sqrt(root)) / a, n[3] = {x * m, y * m, 3 - m};
+        struct ref_lit lit;
         ref_normalize(n);
-        ref_light(&scene, n, &diffuse, &specular);
+        ref_light(&scene, nowhere, n, &lit);
         for (int k = 0; k < 3; k++)
-            worst = fmax(worst, fabs(picture.pixels[i].color[k] - scene.base[k] * diffuse - specular));
+            worst = fmax(worst, fabs(picture.pixels[i].color[k] - scene.base[k] * lit.diffuse[k] - lit.specular[k]));
         NEAR(picture.pixels[i].m, m, 0.01);
     }
     assert_true(worst > 0 && worst < 0.01); /* facets of 3 degrees lie up to 0.4 degrees off */
@@ -208,7 +212,8 @@ static void slerp_is_a_rotation(void **state)
 static void slerp_by_hand(void **state)
 {
     struct ref_scene scene;
-    double r = sqrt(0.5), diffuse, specular;
+    struct ref_lit lit;
+    double r = sqrt(0.5);
     struct ref_piece piece = {
         .x = {0, 0, 8}, .y = {0, 8, 8}, .w = {1, 1, 1}, .normal = {{0, 0, 1}, {1, 0, 0}, {1, 0, 0}}};
 
@@ -219,16 +224,16 @@ static void slerp_by_hand(void **state)
     scene.ambient = 0;
     scene.diffuse = 1;
     /* Row y = 4 crosses both slanted edges halfway: 45 degrees at either end, and so all along. */
-    ref_shade(&scene, &piece, 0, 4, &diffuse, &specular);
-    NEAR(diffuse, r, 1e-12);
-    ref_shade(&scene, &piece, 2.5, 4, &diffuse, &specular);
-    NEAR(diffuse, r, 1e-12);
+    ref_shade(&scene, &piece, 0, 4, &lit);
+    NEAR(lit.diffuse[0], r, 1e-12);
+    ref_shade(&scene, &piece, 2.5, 4, &lit);
+    NEAR(lit.diffuse[0], r, 1e-12);
     piece.w[1] = piece.w[2] = 0.25; /* the parameter in space: .2, 18 degrees */
-    ref_shade(&scene, &piece, 2.5, 4, &diffuse, &specular);
-    NEAR(diffuse, cos(18 * acos(-1) / 180), 1e-12);
+    ref_shade(&scene, &piece, 2.5, 4, &lit);
+    NEAR(lit.diffuse[0], cos(18 * acos(-1) / 180), 1e-12);
     scene.affine = true;
-    ref_shade(&scene, &piece, 2.5, 4, &diffuse, &specular);
-    NEAR(diffuse, r, 1e-12);
+    ref_shade(&scene, &piece, 2.5, 4, &lit);
+    NEAR(lit.diffuse[0], r, 1e-12);
 }
 
 /* Everything mirrored in x gives the mirrored picture. */

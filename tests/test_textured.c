@@ -135,6 +135,8 @@ static const char *const fault_name[FAULTS] = {
 /* The light that a piece's new corners would have of their own. */
 static void light_cut_corners(struct ref_picture *picture, const struct ref_scene *scene)
 {
+    static const double nowhere[3] = {0, 0, 0}; /* there are no point lights */
+
     for (size_t i = 0; i < picture->piece_count; i++) {
         struct ref_piece *p = &picture->pieces[i];
         for (int k = 0; k < 3; k++) {
@@ -144,7 +146,7 @@ static void light_cut_corners(struct ref_picture *picture, const struct ref_scen
                 continue;
             for (int j = 0; j < 3; j++)
                 n[j] /= length;
-            ref_light(scene, n, &p->diffuse[k], &p->specular[k]);
+            ref_light(scene, nowhere, n, &p->lit[k]);
         }
     }
 }
@@ -156,14 +158,15 @@ static void colour_again(struct ref_picture *picture, const struct ref_scene *sc
         struct ref_pixel *pixel = &picture->pixels[i];
         const struct ref_piece *piece = &picture->pieces[pixel->piece];
         const int x = i % picture->width, y = i / picture->width;
-        double at[2], texel[3], diffuse, specular;
+        double at[2], texel[3];
+        struct ref_lit lit;
         if (!pixel->covered)
             continue;
         ref_texture_point(scene, piece, x + 0.5, y + 0.5, at);
         (void)ref_texture_color(scene->texture, at, texel);
-        ref_shade(scene, piece, x + 0.5, y + 0.5, &diffuse, &specular);
+        ref_shade(scene, piece, x + 0.5, y + 0.5, &lit);
         for (int k = 0; k < 3; k++) {
-            double c = scene->base[k] * texel[k] * diffuse + scene->highlight[k] * specular;
+            double c = scene->base[k] * texel[k] * lit.diffuse[k] + scene->highlight[k] * lit.specular[k];
             pixel->color[k] = twice ? floor(255 * fmin(c, 1) + 0.5) / 255 : c;
         }
         pixel->value = ref_value(scene, pixel->color, x, y, false);

@@ -157,12 +157,13 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
         }
         return;
     }
-    const int uv = d->as.shader->needs_uvs;
-    const int16_t *own = uv ? d->as.mesh->uvs : d->as.mesh->normals;
+    const struct sheen_mesh *mesh = d->as.mesh;
+    const int16_t *own = corner_parts(mesh, d->as.shader);
+    const uint32_t parts = d->as.shader->needs_uvs ? 2 : 3;
     c->triangle = (uint16_t)id;
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(d->as.mesh, 3 * id + order[k]);
+        uint32_t index = mesh_index(mesh, 3 * id + order[k]);
         c->v[k] = used_vertex(f, d, index);
-        c->normal[k] = own != NULL ? own + (uv ? 2 : 3) * index : NULL;
+        c->normal[k] = own + parts * index;
     }
 }

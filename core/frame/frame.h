@@ -32,8 +32,7 @@ struct entry {
 /* A piece of a triangle that was cut. */
 struct piece {
     struct vertex corner[3];
-    int16_t normal[3]
-                  [3]; /* unit vectors no more: linear in space between the mesh's; or u, v, see struct sheen_shader */
+    int16_t normal[3][3]; /* linear in space between the mesh's, so no unit vectors; or what the shading carries */
     uint16_t triangle;
 };
 

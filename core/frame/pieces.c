@@ -19,15 +19,31 @@ static void triangle_corners(const struct sheen_frame *f, const struct draw_reco
     }
 }
 
-/* Intensities of the triangle's corners for the side that is seen; pieces store what lies between. */
-static void light_triangle(const struct draw_record *d, const int16_t *const normal[3], int back, uint16_t lit[3][2])
+/* Of the triangle's corners; pieces store what lies between. */
+struct attributes {
+    const int16_t *normal[3];
+    uint16_t lit[3][2];
+    int16_t carried[3][3];
+};
+
+/* Intensities for the side that is seen, and what the shading carries in place of normals. */
+static APART void light_triangle(const struct draw_record *d, uint16_t triangle, int back, struct attributes *a)
 {
+    const struct sheen_shader *shader = d->as.shader;
+
     for (int k = 0; k < 3; k++) {
         int16_t seen[3];
-        for (int i = 0; i < 3; i++)
-            seen[i] = (int16_t)(back ? -max32(normal[k][i], -32767) : normal[k][i]);
-        d->as.shader->light(&d->as, seen, lit[k]);
+        for (int i = 0; shader->light != NULL && i < 3; i++)
+            seen[i] = (int16_t)(back ? -max32(a->normal[k][i], -32767) : a->normal[k][i]);
+        a->lit[k][0] = a->lit[k][1] = 0;
+        if (shader->light != NULL)
+            shader->light(&d->as, seen, a->lit[k]);
     }
+    if (shader->carry == NULL)
+        return;
+    shader->carry(&d->as, triangle, back, a->carried);
+    for (int k = 0; k < 3; k++)
+        a->normal[k] = a->carried[k];
 }
 
 static APART int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_t c)
@@ -36,9 +52,11 @@ static APART int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_
 }
 
 /* A corner as pieces store it; unit: slerp goes from unit vector to unit vector. */
-static void piece_corner(const struct clip_corner *from, const int16_t *const normal[3], uint16_t lit[3][2], int unit,
-                         struct vertex *v, int16_t out[3])
+static void piece_corner(const struct clip_corner *from, const struct attributes *a, int unit, struct vertex *v,
+                         int16_t out[3])
 {
+    const int16_t *const *normal = a->normal;
+
     *v = from->v;
     v->flags = (uint16_t)(LIT | LIT_AS_SEEN | (from->v.flags & OFF_VIEW));
     if (normal[0] == NULL)
@@ -50,18 +68,7 @@ static void piece_corner(const struct clip_corner *from, const int16_t *const no
         for (int i = 0; i < 3; i++)
             out[i] = (int16_t)min32(asr32(n[i] + (1 << 14), 15), 32767);
     for (int i = 0; i < 2; i++)
-        v->kept[i] = (uint16_t)max32(0, shared(from->share, lit[0][i], lit[1][i], lit[2][i]));
-}
-
-/* u and v of a piece's corner. */
-static void piece_uv(const struct draw_record *d, uint16_t triangle, const int32_t share[3], int16_t out[3])
-{
-    const int16_t *uv[3];
-
-    for (uint32_t k = 0; k < 3; k++)
-        uv[k] = d->as.mesh->uvs + 2 * mesh_index(d->as.mesh, 3u * triangle + k);
-    for (int i = 0; i < 2; i++)
-        out[i] = (int16_t)shared(share, uv[0][i], uv[1][i], uv[2][i]);
+        v->kept[i] = (uint16_t)max32(0, shared(from->share, a->lit[0][i], a->lit[1][i], a->lit[2][i]));
 }
 
 /* Twice the area of what is left, as twice_area; 0 where nothing is. */
@@ -79,12 +86,8 @@ static int64_t area_left(const struct clip_job *job)
  * fan that snapping turned over is left out. What finds no room is counted.
  */
 static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
-                        const struct clip_job *job, int64_t whole, const int16_t *const normal[3])
+                        const struct clip_job *job, int64_t whole, const struct attributes *a)
 {
-    uint16_t lit[3][2] = {{0, 0}, {0, 0}, {0, 0}};
-
-    if (d->as.shader->light != NULL)
-        light_triangle(d, normal, whole > 0, lit);
     for (unsigned i = 1; i + 1 < job->count; i++) {
         const struct clip_corner *fan[3] = {&job->polygon[0], &job->polygon[i], &job->polygon[i + 1]};
         const struct vertex *const v[3] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
@@ -99,20 +102,19 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
             continue;
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
-        for (int k = 0; k < 3; k++) {
-            piece_corner(fan[k], normal, lit, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
-            if (d->as.shader->needs_uvs)
-                piece_uv(d, triangle, fan[k]->share, piece->normal[k]);
-        }
+        for (int k = 0; k < 3; k++)
+            piece_corner(fan[k], a, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
     }
 }
 
-/* 1 where the side that is seen is drawn; whole: area of all that is left. */
-static int is_drawn(struct sheen_frame *f, const struct draw_record *d, int64_t whole)
+/* 1 where the side that is seen is drawn: then it is lit; whole: area of all that is left. */
+static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, int64_t whole,
+                    struct attributes *a)
 {
     if (whole == 0 || (whole > 0 && !d->as.two_sided))
         return 0;
     f->stats.front++;
+    light_triangle(d, triangle, whole > 0, a);
     return 1;
 }
 
@@ -121,7 +123,7 @@ static int is_drawn(struct sheen_frame *f, const struct draw_record *d, int64_t 
  * the side is that of both together.
  */
 static void cut_halves(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, struct clip_job *job,
-                       const int16_t *const normal[3])
+                       struct attributes *a)
 {
     struct clip_corner quad[4];
     int64_t whole = 0;
@@ -135,8 +137,8 @@ static void cut_halves(struct sheen_frame *f, const struct draw_record *d, uint1
         sheen_clip(job, 1, CLIP_PLANES);
         if (round < 2)
             whole += area_left(job);
-        else if (round > 2 || is_drawn(f, d, whole))
-            list_pieces(f, d, triangle, job, whole, normal);
+        else if (round > 2 || is_drawn(f, d, triangle, whole, a))
+            list_pieces(f, d, triangle, job, whole, a);
         else
             return;
     }
@@ -147,19 +149,19 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
 {
     struct clip_corner *scratch = f->scratch;
     struct clip_job job = {&f->projection, t, 0, scratch, scratch + MAX_CLIP_CORNERS, 3};
-    const int16_t *normal[3];
+    struct attributes a;
 
-    triangle_corners(f, d, t, triangle, job.polygon, normal);
+    triangle_corners(f, d, t, triangle, job.polygon, a.normal);
     f->stats.clipped++;
     sheen_clip(&job, 0, 1);
     /* slerp has its corners' normals linear in space, and without perspective there is no difference */
     job.on_screen = f->view.affine && !d->as.shader->unit_normals && f->projection.orthographic == 0;
     if (job.on_screen && job.count == 4) {
-        cut_halves(f, d, triangle, &job, normal);
+        cut_halves(f, d, triangle, &job, &a);
         return;
     }
     sheen_clip(&job, 1, CLIP_PLANES);
     int64_t whole = area_left(&job);
-    if (is_drawn(f, d, whole))
-        list_pieces(f, d, triangle, &job, whole, normal);
+    if (is_drawn(f, d, triangle, whole, &a))
+        list_pieces(f, d, triangle, &job, whole, &a);
 }

@@ -2,12 +2,11 @@
  * gouraud.c - intensities at the corners to planes or quadrics, and the choice
  * among linear on the screen, quadratic, and Blinn's quotient.
  */
-#include "gouraud.h"
 #include "../triangle/quadric.h"
+#include "../triangle/quotient.h"
+#include "shading.h"
 
-SETUP_FITS(struct linear_setup);
 SETUP_FITS(struct quadric_setup);
-SETUP_FITS(struct quotient_setup);
 
 #define GOURAUD_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
 
@@ -31,26 +30,6 @@ static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
     uint32_t most = (magnitude32(lean[0]) | magnitude32(lean[1]) | magnitude32(lean[2])) >> 2;
 
     return difference * (most * most >> 16) >> 20 == 0;
-}
-
-/* Channels and 1 times weight. */
-static APART void quotient_planes(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                                  const struct lit lit[3])
-{
-    struct quotient_setup *q = (struct quotient_setup *)s;
-    int32_t value[3]; /* < 2^31 */
-
-    s->way = SHEEN_WAY_GOURAUD_QUOTIENT;
-    s->rows = sheen_quotient_rows;
-    s->fast = 0;
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            value[k] = (int32_t)mul_high(colour_channel(&s->draw->colour, i, &lit[k]), c->weight[k]);
-        q->channel[i] = sheen_gradient_plane(g, value, 0);
-    }
-    for (int k = 0; k < 3; k++)
-        value[k] = (int32_t)(c->weight[k] >> 1);
-    q->weight = sheen_gradient_plane(g, value, 1);
 }
 
 /* An intensity's quadric, Q1.30 and half a step of UQ1.15. Range: lean <= 2^16, so its half times 2^15. */
@@ -132,7 +111,7 @@ static APART void curved(struct setup *s, struct surface_corners *c, const struc
     s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
     if (!way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
-        quotient_planes(s, c, g, lit);
+        sheen_setup_quotient(s, c, g, channel);
 }
 
 /* With a highlight, without shades, or where one number alone does not do. */
@@ -185,5 +164,8 @@ static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_
     kept[1] = (uint16_t)lit.specular;
 }
 
-const struct sheen_shader sheen_gouraud = {
-    .light = gouraud_light, .setup = gouraud_setup, .shades = &sheen_shades_maker, .needs_normals = 1};
+const struct sheen_shader sheen_gouraud = {.light = gouraud_light,
+                                           .setup = gouraud_setup,
+                                           .shades = &sheen_shades_maker,
+                                           .needs_normals = 1,
+                                           .corners = OF_MESH(normals)};

@@ -253,6 +253,7 @@ const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .setup = matcap_setup,
                                           .axes = eye_axes,
                                           .needs_normals = 1,
+                                          .corners = OF_MESH(normals),
                                           .needs_texture = 1};
 
 const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
@@ -260,4 +261,5 @@ const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .setup = matcap_vertex_setup,
                                                  .axes = eye_axes,
                                                  .needs_normals = 1,
+                                                 .corners = OF_MESH(normals),
                                                  .needs_texture = 1};

@@ -224,4 +224,5 @@ const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines,
                                          .setup = phong_setup,
                                          .shades = &sheen_shades_maker,
                                          .needs_normals = 1,
+                                         .corners = OF_MESH(normals),
                                          .at_pixels = 1};

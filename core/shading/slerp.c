@@ -97,5 +97,6 @@ const struct sheen_shader sheen_slerp = {.light = sheen_keep_cosines,
                                          .setup = slerp_setup,
                                          .shades = &sheen_shades_maker,
                                          .needs_normals = 1,
+                                         .corners = OF_MESH(normals),
                                          .unit_normals = 1,
                                          .at_pixels = 1};

@@ -25,6 +25,17 @@ static struct at_corners texels_of(const struct draw *d, const struct surface_co
     return at;
 }
 
+static void textured_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
+{
+    (void)back;
+    for (uint32_t k = 0; k < 3; k++) {
+        const int16_t *uv = d->mesh->uvs + 2 * mesh_index(d->mesh, 3u * triangle + k);
+        out[k][0] = uv[0];
+        out[k][1] = uv[1];
+        out[k][2] = 0;
+    }
+}
+
 static void textured_as(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct draw *d = s->draw;
@@ -84,10 +95,16 @@ static void textured_light(const struct draw *d, const int16_t normal[3], uint16
 
 const struct sheen_shader sheen_textured = {.begin = textured_begin,
                                             .light = textured_light,
+                                            .carry = textured_carry,
                                             .setup = textured_setup,
                                             .needs_normals = 1,
                                             .needs_texture = 1,
-                                            .needs_uvs = 1};
+                                            .needs_uvs = 1,
+                                            .corners = OF_MESH(uvs)};
 
-const struct sheen_shader sheen_textured_flat = {
-    .begin = textured_begin, .setup = textured_flat_setup, .needs_texture = 1, .needs_uvs = 1};
+const struct sheen_shader sheen_textured_flat = {.begin = textured_begin,
+                                                 .carry = textured_carry,
+                                                 .setup = textured_flat_setup,
+                                                 .needs_texture = 1,
+                                                 .needs_uvs = 1,
+                                                 .corners = OF_MESH(uvs)};

@@ -6,15 +6,14 @@
 SETUP_FITS(struct constant_setup);
 
 /* Dithered a colour is planes without steps, else it is finished here. */
-void sheen_setup_constant(struct setup *s, const struct lit *lit)
+void sheen_setup_colour(struct setup *s, uint32_t channel[3])
 {
     const struct draw *d = s->draw;
     const struct colour_terms *terms = &d->colour;
     struct linear_setup *linear = (struct linear_setup *)s;
-    uint32_t channel[3];
 
     for (int k = 0; k < 3; k++)
-        channel[k] = clamped(colour_channel(terms, k, lit), terms->top[k]);
+        channel[k] = clamped(channel[k], terms->top[k]);
     s->way = SHEEN_WAY_FLAT;
     if (!d->dither) {
         s->rows = sheen_constant_rows;
@@ -25,6 +24,15 @@ void sheen_setup_constant(struct setup *s, const struct lit *lit)
     s->rows = sheen_dithered_constant_rows;
     for (int k = 0; k < 3; k++)
         linear->channel[k] = (struct plane){channel[k], 0, 0};
+}
+
+void sheen_setup_constant(struct setup *s, const struct lit *lit)
+{
+    uint32_t channel[3];
+
+    for (int k = 0; k < 3; k++)
+        channel[k] = colour_channel(&s->draw->colour, k, lit);
+    sheen_setup_colour(s, channel);
 }
 
 /* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */

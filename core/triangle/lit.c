@@ -23,7 +23,7 @@ static int corner_normal(const struct sheen_mesh *mesh, uint32_t triangle, sheen
     return sheen_normalize_wide(cross, normal);
 }
 
-/* Unit normal of the polygon that a triangle is of; zero where it has no area. */
+/* Of the polygon that a triangle is of, as stored. */
 static void polygon_normal(const struct sheen_mesh *mesh, uint32_t triangle, int16_t normal[3])
 {
     if (mesh->polygon_normals != NULL) {
@@ -38,14 +38,19 @@ static void polygon_normal(const struct sheen_mesh *mesh, uint32_t triangle, int
         normal[i] = (int16_t)(known ? min32(asr32(unit[i] + (1 << 14), 15), 32767) : 0);
 }
 
+void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16_t normal[3])
+{
+    polygon_normal(d->mesh, triangle, normal);
+    if (back)
+        for (int i = 0; i < 3; i++)
+            normal[i] = (int16_t)-max32(normal[i], -32767);
+}
+
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
 {
     int16_t normal[3];
 
-    polygon_normal(s->draw->mesh, c->at.triangle, normal);
-    if (c->back)
-        for (int i = 0; i < 3; i++)
-            normal[i] = (int16_t)-max32(normal[i], -32767);
+    sheen_facet_normal(s->draw, c->at.triangle, c->back, normal);
     light_normal(&s->draw->light, &s->draw->power, normal, lit);
 }
 

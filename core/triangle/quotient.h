@@ -14,6 +14,14 @@ struct quotient_setup {
     struct plane weight;     /* UQ0.32 */
 };
 
+/* channel: by component and corner; the corners are weighed. Channels and 1 times weight. */
+void sheen_setup_quotient(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                          uint32_t channel[3][3]);
+/* channels.c: the same linear on the screen, or as one colour where that is good enough; g NULL: the corners' mean. */
+void sheen_setup_channels(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                          uint32_t channel[3][3]);
+void sheen_quotient_rows(const struct tile *t, const struct setup *s);
+
 /* The weight brought up to [1/2, 1) by a power of two: once at the most where the ratio over the triangle is <= 2. */
 SPECIALISED unsigned weight_up(uint32_t *weight)
 {

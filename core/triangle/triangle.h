@@ -127,7 +127,7 @@ static inline uint32_t pairs(int32_t x)
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
     const struct vertex *v[3];
-    const int16_t *normal[3]; /* NULL where the mesh has none; u, v where the shading needs these */
+    const int16_t *normal[3]; /* or what struct sheen_shader says */
     uint16_t triangle;        /* of the mesh */
 };
 
@@ -187,7 +187,11 @@ struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, i
 
 /* ---- set-up and rows ---- */
 
-/* lit.c: light at the polygon that the triangle is of; at a normal of a back face, which vertices do not keep. */
+/*
+ * lit.c: unit normal of the polygon that a triangle is of, as seen, zero where it has no area; the light there; light
+ * at a normal of a back face, which vertices do not keep.
+ */
+void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16_t normal[3]);
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit);
 
@@ -246,7 +250,8 @@ struct constant_setup {
     uint16_t pixel; /* as it stands in a tile */
 };
 
-/* From intensities; from the mean of the corners' normals. */
+/* From channels, which are held to the highest level; from intensities; from the mean of the corners' normals. */
+void sheen_setup_colour(struct setup *s, uint32_t channel[3]);
 void sheen_setup_constant(struct setup *s, const struct lit *lit);
 void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c);
 void sheen_constant_rows(const struct tile *t, const struct setup *s);

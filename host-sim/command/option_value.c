@@ -131,10 +131,25 @@ static int set_light(const struct sheen_option *option, const char *text, struct
     return SHEEN_OK;
 }
 
+static int set_depths(const struct sheen_option *option, const char *text, struct sheen_depths *depths,
+                      struct sheen_problem *problem)
+{
+    const char *rest = text;
+    struct sheen_depths given;
+
+    if (read_real(&rest, ',', &given.start) != 0 || read_real(&rest, '\0', &given.end) != 0)
+        return refuse(option, text, "not two depths START,END", problem);
+    if (!(given.start > 0 && given.start < given.end && given.end <= option->high))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not 0 < START < END <= %g", option->name, text,
+                             option->high);
+    *depths = given;
+    return SHEEN_OK;
+}
+
 static int set_paint(const struct sheen_option *option, const char *text, struct sheen_paint *paint,
                      struct sheen_problem *problem)
 {
-    paint->from_file = strcmp(text, "file") == 0;
+    paint->from_file = strchr(option->argument, '|') && strcmp(text, "file") == 0;
     if (paint->from_file)
         return SHEEN_OK;
     int error = set_color(option, text, paint->color, problem);
@@ -164,6 +179,8 @@ int sheen_option_set(struct sheen_options *options, const struct sheen_option *o
         return set_size(option, text, field, problem);
     case SHEEN_OPTION_LIGHT:
         return set_light(option, text, field, problem);
+    case SHEEN_OPTION_DEPTHS:
+        return set_depths(option, text, field, problem);
     case SHEEN_OPTION_RAMP:
         return sheen_ramp_read(field, text) == 0
                    ? SHEEN_OK

@@ -25,16 +25,17 @@ enum sheen_option_kind {
     SHEEN_OPTION_WHOLE,  /* int */
     SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, words parted by | */
     SHEEN_OPTION_COLOR,  /* uint8_t[3]: six hex digits, with # or without, or a name (color_names.h) */
-    SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` */
+    SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or where `argument` has it the word `file` */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
     SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one */
     SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`, gamma with :G or without */
+    SHEEN_OPTION_DEPTHS, /* struct sheen_depths: START,END, 0 < START < END */
     SHEEN_OPTION_TEXT    /* const char * */
 };
 
 struct sheen_paint {
     uint8_t color[3];
-    int given;     /* 0: the default, which is white on panels of greys */
+    int given;     /* 0: the default; of a mesh that is white on panels of greys */
     int from_file; /* 1: the file's, and the default where it has none */
 };
 
@@ -56,6 +57,10 @@ struct sheen_light_list {
     int given; /* 0 while the list is the default, which the first given light replaces */
 };
 
+struct sheen_depths {
+    double start, end; /* in radii of the mesh; 0, 0: not given */
+};
+
 struct sheen_options {
     const char *mesh, *out, *panel;
     unsigned size[2];                  /* px; 0: not given */
@@ -70,6 +75,10 @@ struct sheen_options {
     struct sheen_ramp_choice ramp;
     struct sheen_paint color;
     uint8_t background[3];
+    struct sheen_depths fog;
+    struct sheen_paint fog_color; /* not given: the background's */
+    double opacity;               /* 0..1 */
+    int phase;                    /* of its pattern, 0..7 */
     int two_sided, average, affine, ortho;
     double crease;  /* degrees; 180 averages all */
     int equal;      /* weights of an average */

@@ -11,6 +11,8 @@
 
 #include "matcaps.h"
 
+#define DEPTH_STEPS 65020 /* from z_far to z_near (struct sheen_canvas) */
+
 static sheen_q16_t to_q16(double x)
 {
     return (sheen_q16_t)lround(x * 65536);
@@ -135,6 +137,34 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     return sheen_matcap_load(&scene->matcap, options->matcap, (unsigned)options->palette, options->bilinear, problem);
 }
 
+static void look_through_fog(struct sheen_scene *scene)
+{
+    const struct sheen_options *options = scene->options;
+
+    scene->view.fog = options->fog.end > 0 ? &scene->fog : NULL;
+    scene->fog.start = (sheen_q24_t)fmax(to_q24(options->fog.start), 1);
+    scene->fog.end = to_q24(options->fog.end);
+    memcpy(scene->fog.color, options->fog_color.given ? options->fog_color.color : options->background,
+           sizeof scene->fog.color);
+    scene->fog.mixer = &sheen_fog_mixer;
+}
+
+int sheen_scene_check_fog(const struct sheen_scene *scene, struct sheen_problem *problem)
+{
+    const struct sheen_view *view = &scene->view;
+    const double near = view->z_near, far = view->z_far, start = scene->fog.start, end = scene->fog.end;
+
+    if (!view->fog)
+        return SHEEN_OK;
+    const double part =
+        view->orthographic ? (end - start) / (far - near) : (1 / start - 1 / end) / (1 / near - 1 / far);
+    if (part * DEPTH_STEPS >= 256.01) /* the core's own count is rounded */
+        return SHEEN_OK;
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                         "--fog: START and END are %.0f steps of 16-bit depth apart, fewer than 256",
+                         floor(part * DEPTH_STEPS));
+}
+
 void sheen_scene_look(struct sheen_scene *scene)
 {
     const struct sheen_options *options = scene->options;
@@ -155,6 +185,7 @@ void sheen_scene_look(struct sheen_scene *scene)
             scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
         scene->lights[i].intensity = to_q16(1);
     }
+    look_through_fog(scene);
 }
 
 /* What shows texels takes them; what has no colour of its own is as asked for, else as shows best. */
@@ -223,7 +254,11 @@ int sheen_scene_open(struct sheen_scene *scene, const struct sheen_options *opti
     if (error)
         return error;
     error = sheen_scene_retarget(scene, target);
-    return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
+    if (error)
+        return sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error));
+    error = sheen_scene_check_fog(scene, problem);
+    scene->is_usage = error != SHEEN_OK;
+    return error;
 }
 
 void sheen_scene_close(struct sheen_scene *scene)
@@ -266,6 +301,9 @@ static int draw_all(struct sheen_scene *scene, int number)
     const struct sheen_shader *textured = shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
     struct sheen_object draw = {.lights = scene->lights,
                                 .light_count = (uint8_t)options->lights.count,
+                                .stipple = &sheen_stipple,
+                                .transparency = (uint8_t)(64 - (int)floor(64 * options->opacity + 0.5)),
+                                .phase = (uint8_t)options->phase,
                                 .two_sided = (uint8_t)options->two_sided};
 
     paint(scene);

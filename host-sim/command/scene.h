@@ -27,6 +27,7 @@ struct sheen_scene {
     int is_usage;                             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
+    struct sheen_fog fog; /* the view's, where it has one */
     /* Where, and the frame's memory. */
     const struct sheen_target *target;
     struct sheen_config config;
@@ -60,6 +61,9 @@ int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *t
 
 /* Takes eye, lights and dithering over from the options, which may have changed since the last frame. */
 void sheen_scene_look(struct sheen_scene *scene);
+
+/* Whether the view's fog reaches deep enough to be drawn. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+int sheen_scene_check_fog(const struct sheen_scene *scene, struct sheen_problem *problem);
 
 /* How the meshes stand in frame `number`. */
 void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose);

@@ -104,6 +104,8 @@ static const char *why_empty(const struct sheen_turntable *table)
 {
     struct sheen_stats stats;
 
+    if (table->options->opacity * 64 < 0.5)
+        return "--opacity leaves no pixel";
     sheen_frame_stats(table->scene.frame, &stats);
     if (stats.covered > 0)
         return NULL;

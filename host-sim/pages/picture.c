@@ -1,7 +1,7 @@
 /*
  * picture.c - an example of firmware/examples on this machine: its last frame, in memory, to standard output.
  *
- *   picture WIDTH FRAMES      a square of that many pixels, as PPM
+ *   picture WIDTH[xHEIGHT] FRAMES      so many pixels, a square without the height, as PPM
  *
  * What an example asks its board for: the other core is a thread, the knob is turned once, at the beginning.
  */
@@ -57,10 +57,10 @@ int board_turned(void)
     return turned;
 }
 
-static void put_picture(const struct sheen_memory *memory, unsigned width)
+static void put_picture(const struct sheen_memory *memory, unsigned width, unsigned height)
 {
-    printf("P6 %u %u 255\n", width, width);
-    for (unsigned y = 0; y < width; y++) {
+    printf("P6 %u %u 255\n", width, height);
+    for (unsigned y = 0; y < height; y++) {
         const uint8_t *row = (const uint8_t *)memory->pixels + y * memory->stride;
 
         for (unsigned x = 0; x < width; x++) {
@@ -75,23 +75,26 @@ static void put_picture(const struct sheen_memory *memory, unsigned width)
 
 int main(int argc, char **argv)
 {
-    unsigned width = argc == 3 ? (unsigned)atoi(argv[1]) : 0, frames = argc == 3 ? (unsigned)atoi(argv[2]) : 0;
-    struct sheen_memory memory = {.stride = width * 2};
+    unsigned width = 0, height = 0, frames = argc == 3 ? (unsigned)atoi(argv[2]) : 0;
+    int sizes = argc == 3 ? sscanf(argv[1], "%ux%u", &width, &height) : 0;
     struct sheen_target target;
 
-    if (width < 16 || width > 480 || frames < 1) {
-        fprintf(stderr, "usage: picture WIDTH FRAMES (16..480, from 1 on)\n");
+    if (sizes == 1)
+        height = width;
+    if (width < 16 || width > 480 || height < 16 || height > 480 || frames < 1) {
+        fprintf(stderr, "usage: picture WIDTH[xHEIGHT] FRAMES (16..480, from 1 on)\n");
         return 2;
     }
-    memory.pixels = calloc(width, memory.stride);
-    int error = memory.pixels ? sheen_memory_target(&target, &memory, (uint16_t)width, (uint16_t)width, SHEEN_RGB565_LE)
-                              : SHEEN_ERR_MEMORY;
+    struct sheen_memory memory = {.pixels = calloc(height, (size_t)width * 2), .stride = (size_t)width * 2};
+    int error = memory.pixels
+                    ? sheen_memory_target(&target, &memory, (uint16_t)width, (uint16_t)height, SHEEN_RGB565_LE)
+                    : SHEEN_ERR_MEMORY;
     if (!error)
         error = example(&target, frames);
     if (error)
         fprintf(stderr, "picture: %s\n", sheen_strerror(error));
     else
-        put_picture(&memory, width);
+        put_picture(&memory, width, height);
     free(memory.pixels);
     return error != 0 || fflush(stdout) != 0;
 }

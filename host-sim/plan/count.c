@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-#include "shading/gouraud.h"
 #include "shading/phong.h"
 #include "shading/slerp.h"
 #include "taps.h"
 #include "triangle/quadric.h"
+#include "triangle/quotient.h"
 
 #define LONG 2048 /* 1/64 px: where a processor that does not divide leaves the table of reciprocals (edge.c) */
 

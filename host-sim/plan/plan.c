@@ -180,6 +180,8 @@ int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
     turned.yaw_step = 360.0 / views;
     turned.texture = "off";
+    turned.fog = (struct sheen_depths){0, 0};
+    turned.opacity = 1;
     turned.shade = turned.shade >= SHEEN_MATCAP ? SHEEN_GOURAUD : turned.shade;
     int error = sheen_plan_open(run, &turned, choice, problem);
     if (!error)

@@ -47,6 +47,8 @@ static void put_head(FILE *out, const struct sheen_plan *plan)
     const int dithered = o->undithered < 0 ? plan->target.pixel != SHEEN_GREY256 : !o->undithered;
     const char *without = plan->flash[0].textures              ? ", time without its textures"
                           : o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", time without its ramp"
+                          : o->fog.end > 0                     ? ", time and code without its fog"
+                          : o->opacity < 1                     ? ", time and code without its pattern"
                                                                : "";
 
     fprintf(out, "%s, %s%s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[plan->shade],

@@ -8,10 +8,10 @@ const MESHES = ['teapot', 'sphere', 'torus', 'cube'];
 const SLIDERS = { // name: least, most, step, unit
     ambient: [0, 1, .01, ''], diffuse: [0, 1.5, .01, ''], specular: [0, 1.5, .01, ''], shininess: [1, 128, 1, ''],
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
-    fov: [5, 120, 1, '°'],
+    fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''],
 };
-const MORE = ['dither', 'ramp', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture',
-    'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
+const MORE = ['phase', 'fog', 'fog-color', 'dither', 'ramp', 'perspective', 'cull', 'normals', 'weights', 'crease', 'up', 'reduce',
+    'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
     gold: ['d8a048', .18, .62, .9, 48], clay: ['c8694a', .25, .85, .05, 8], porcelain: ['f2efe8', .28, .72, .5, 96],
@@ -409,10 +409,11 @@ function showSlider(name) {
 
 function chooser(name) {
     const words = choices[name];
-    const isWords = words && words.includes('|');
+    const isWords = words && words.includes('|'), isText = ['START,END', 'COLOR'].includes(words);
     const input = isWords ? make('select', {}, make('option', { value: '' }, defaults[name] ?? 'as it comes'),
         ...words.split('|').filter(word => word !== defaults[name] && word !== 'FILE').map(word => make('option', {}, word)))
-        : make('input', { type: 'number', placeholder: defaults[name] ?? '–', min: 0 });
+        : make('input', isText ? { type: 'text', placeholder: words } :
+            { type: 'number', placeholder: defaults[name] ?? '–', min: 0 });
     Object.assign(input, { id: name, title: helps[name] });
     input.onchange = () => set(name, input.value);
     return make('label', { className: 'choose' }, make('span', {}, name), input);
@@ -480,7 +481,7 @@ function makeControls() {
     const own = make('input', { type: 'checkbox', id: 'file-color', title: 'the colours of the file’s materials' });
     own.onchange = () => set('color', own.checked ? 'file' : '');
     $('more').append(make('div', { className: 'row' }, make('label', { className: 'check' }, ortho, 'no perspective'),
-        make('label', { className: 'check' }, own, 'the file’s colours')), ...MORE.map(chooser));
+        make('label', { className: 'check' }, own, 'the file’s colours')), slider('opacity'), ...MORE.map(chooser));
 }
 
 function showControls() {

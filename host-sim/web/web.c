@@ -92,6 +92,10 @@ static void copy_look(struct sheen_options *to, const struct sheen_options *from
     to->fov = from->fov;
     to->lights = from->lights;
     memcpy(to->background, from->background, sizeof to->background);
+    to->fog = from->fog;
+    to->fog_color = from->fog_color;
+    to->opacity = from->opacity;
+    to->phase = from->phase;
     to->two_sided = from->two_sided;
     to->affine = from->affine;
     to->ortho = from->ortho;
@@ -162,7 +166,9 @@ static int change(const struct sheen_options *options)
     if (!is_same_panel)
         return sheen_viewer_panel(&viewer, &problem);
     sheen_viewer_look(&viewer);
-    return sheen_viewer_redraw(&viewer, &problem);
+    sheen_scene_look(&viewer.table.scene);
+    int error = sheen_scene_check_fog(&viewer.table.scene, &problem);
+    return error ? error : sheen_viewer_redraw(&viewer, &problem);
 }
 
 /* Shows what the words of web_words() ask for. 0, or a negative code and web_problem(): then nothing is shown. */

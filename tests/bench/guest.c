@@ -27,13 +27,24 @@ struct frame {
     uint8_t shading, texture;
 };
 
+/* What a frame may have that takes more than without. */
+enum more {
+    PLAIN,
+    DITHERED,
+    FOGGED,
+    STIPPLED
+};
+
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
-static int measure(const struct frame *frame, int band_rows, int dither)
+static int measure(const struct frame *frame, int band_rows, enum more more)
 {
+    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled "};
     static struct bench bench;
 
     bench_config(&bench, frame->scene, (enum sheen_shading)frame->shading, band_rows);
-    bench.dither = (uint8_t)dither;
+    bench.dither = more == DITHERED;
+    bench.fogged = more == FOGGED;
+    bench.transparency = more == STIPPLED ? 32 : 0;
     bench.texture = frame->texture;
     int status = bench_begin(&bench, arena, sizeof arena);
     if (status == SHEEN_OK)
@@ -45,7 +56,7 @@ static int measure(const struct frame *frame, int band_rows, int dither)
     guest_print(frame->scene->name);
     guest_print(" ");
     guest_print(frame->name);
-    guest_print(dither ? " dithered " : " ");
+    guest_print(more_name[more]);
     guest_print_number((uint32_t)band_rows);
     if (status == SHEEN_OK) {
         guest_print_number(count);
@@ -57,12 +68,17 @@ static int measure(const struct frame *frame, int band_rows, int dither)
     return status;
 }
 
-/* Without and with dither, which unlit texels are without, and in one band. */
+/* Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too. */
 static void measure_all(const struct frame *frame)
 {
     const int lit = frame->texture != BENCH_UNLIT && frame->texture < BENCH_BILINEAR;
 
-    if (measure(frame, 16, 0) < 0 || (lit && measure(frame, 16, 1) < 0) || measure(frame, BENCH_HEIGHT, 0) < 0)
+    if (measure(frame, 16, PLAIN) < 0 || (lit && measure(frame, 16, DITHERED) < 0) ||
+        measure(frame, BENCH_HEIGHT, PLAIN) < 0)
+        guest_leave(1);
+    if (frame->scene != &bench_scenes[2] || (frame->texture != BENCH_MATCAP && !lit) || frame->texture == BENCH_GLOSSY)
+        return;
+    if (measure(frame, 16, FOGGED) < 0 || measure(frame, 16, STIPPLED) < 0)
         guest_leave(1);
 }
 

@@ -36,7 +36,8 @@ GUESTS = {
     "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
     "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
 }
-LINE = re.compile(r"^(S\d) (\w+)( dithered)? (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
+MORE = "( dithered| fogged| stippled)?"
+LINE = re.compile(rf"^(S\d) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
 
 
 def run(command):
@@ -62,15 +63,15 @@ def output(guest, data, work):
 
 
 def rows_of(machine, counts):
-    """counts: {(scene, shading, dithered, rows of a band): instructions}. Dithered: what it takes more than plain."""
-    for (scene, shading, dithered, band), count in counts.items():
+    """counts: {(scene, shading, more, rows of a band): instructions}. With more (" dithered"): what it takes more."""
+    for (scene, shading, more, band), count in counts.items():
         unit, per = ("px", PIXELS) if scene == "S3" else ("M", MILLION)
-        whole = counts.get((scene, shading, False, 240))
-        if band != 16 or dithered and scene not in ("S1", "S3"):
+        whole = counts.get((scene, shading, "", 240))
+        if band != 16 or more and scene not in ("S1", "S3"):
             continue
-        if dithered:
-            plain = counts[scene, shading, False, 16]
-            yield Row(f"{machine} {scene} {shading} dithered", (count - plain) / per, unit, plain / per)
+        if more:
+            plain = counts[scene, shading, "", 16]
+            yield Row(f"{machine} {scene} {shading}{more}", (count - plain) / per, unit, plain / per)
         else:
             yield Row(f"{machine} {scene} {shading}", count / per, unit,
                       remark=f"one band takes {whole / count:.3f}" if whole else "")
@@ -88,5 +89,5 @@ def memory_rows(lines):
 def measure(machine, data, work):
     """The rows of a processor; M3, on which pointers are as on all of them, gives the memory as well."""
     lines = list(LINE.finditer(output(GUESTS[machine], data, work)))
-    counts = {(m[1], m[2].replace("_", " "), m[3] is not None, int(m[4])): int(m[5]) for m in lines}
+    counts = {(m[1], m[2].replace("_", " "), m[3] or "", int(m[4])): int(m[5]) for m in lines}
     return [*rows_of(machine, counts), *(memory_rows(lines) if machine == "M3" else ())]

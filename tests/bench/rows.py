@@ -13,7 +13,8 @@ FILE = Path(__file__).resolve().parent / "budget"
 SLACK = 0.02
 HEAD = """\
 # What may be spent, and is to be reached (rows.py). tests/bench/report --update sets the budgets to what is measured.
-# Instructions a frame in millions (M), or a pixel (px), dithered: more than plain; clocks in millions; KB: 1,024 B.
+# Instructions a frame in millions (M), or a pixel (px); clocks in millions; KB: 1,024 B. Dithered, fogged,
+# stippled (half of the pixels): what that takes more, or less.
 """
 
 

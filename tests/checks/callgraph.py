@@ -11,9 +11,9 @@ INDIRECT = "__indirect_call"
 # Functions of sheen_shader, sheen_ramp_reader, sheen_fog_mixer by who calls them: what else could stand there does not.
 SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours)$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
                 (r"(^|:)sheen_begin$", r"fog_begin$"),
-                (r"(^|:)(light_corners|draw_triangle|sheen_cut_triangle|cut_halves|list_pieces|light_triangle)$", r"_light$"),
+                (r"(^|:)(light_corners|draw_triangle|sheen_cut_triangle|cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
                 (r"(^|:)set_up$", r"_setup$"),
-                (r"(^|:)(light_normal|sheen_facet_lit|sheen_light_back|sheen_setup_mean_normal|\w*_light)$", r"_light_by_ramp$"),
+                (r"(^|:)(light_normal|sheen_facet_lit|sheen_light_back|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),

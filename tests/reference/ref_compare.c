@@ -21,7 +21,7 @@ struct side {
     uint32_t from, to;
     uint32_t triangle;
     double normals[2][3]; /* at from, at to */
-    double uv[2][2];
+    double uv[2][2], color[2][3];
 };
 
 static int side_order(const void *a, const void *b)
@@ -68,6 +68,10 @@ static size_t list_sides(const struct ref_picture *picture, const struct ref_mes
                 s->uv[0][c] = mesh->uv[a][c];
                 s->uv[1][c] = mesh->uv[b][c];
             }
+            for (int c = 0; c < 3 && mesh->color; c++) {
+                s->color[0][c] = mesh->color[a][c];
+                s->color[1][c] = mesh->color[b][c];
+            }
         }
     }
     qsort(sides, count, sizeof *sides, side_order);
@@ -81,7 +85,8 @@ static bool equal_corners(const struct side *p, const struct side *q)
             if (fabs(p->normals[e][c] - q->normals[e][c]) > 1e-6)
                 return false;
         }
-        if (p->uv[e][0] != q->uv[e][0] || p->uv[e][1] != q->uv[e][1])
+        if (memcmp(p->uv[e], q->uv[e], sizeof p->uv[e]) != 0 ||
+            memcmp(p->color[e], q->color[e], sizeof p->color[e]) != 0)
             return false;
     }
     return true;

@@ -4,7 +4,12 @@
  *   I_ambient_diffuse = Ia ka + sum Ip kd D(L.N), D(x) = max(0, x) or another ramp
  *   I_specular        = sum Ip ks max(0, R.V)^n min(1, 8 max(0, L.N))
  *   R.V = 2 (L.N)(N.V) - L.V, V = (0, 0, 1)
+ *
+ * Each light's part and the ambient one are multiplied by their colour's channel. Of a point light at P, so d away from
+ * the point p: L = (P - p) / d (N where d = 0), and both parts are multiplied by max(0, 1 - d^2 / radius^2)^2.
  */
+#include <string.h>
+
 #include "ref_vector.h"
 #include "reference.h"
 
@@ -35,22 +40,39 @@ double ref_ramp(const struct ref_scene *scene, double x)
     return ramp_entry(scene, i) * (i + 1 - at) + ramp_entry(scene, i + 1) * (at - i);
 }
 
-void ref_light(const struct ref_scene *scene, const double normal[3], double *diffuse, double *specular)
+/* L, and how much of light i is left. */
+static double to_light(const struct ref_scene *scene, int i, const double at[3], const double normal[3], double to[3])
 {
-    *diffuse = scene->ambient;
-    *specular = 0;
-    for (int i = 0; i < scene->light_count; i++) {
-        double to[3] = {scene->light[i][0], scene->light[i][1], scene->light[i][2]};
-        ref_normalize(to);
+    double radius = scene->radius[i];
 
-        double l_n = ref_dot(to, normal);
+    memcpy(to, scene->light[i], sizeof scene->light[i]);
+    for (int k = 0; radius > 0 && k < 3; k++)
+        to[k] += scene->translation[k] - at[k];
+    double d = ref_normalize(to);
+    if (radius <= 0)
+        return 1;
+    if (d == 0)
+        memcpy(to, normal, sizeof scene->light[i]);
+    double left = fmax(0, 1 - d * d / (radius * radius));
+    return left * left;
+}
+
+void ref_light(const struct ref_scene *scene, const double at[3], const double normal[3], struct ref_lit *lit)
+{
+    for (int k = 0; k < 3; k++) {
+        lit->diffuse[k] = scene->ambient * scene->ambient_color[k];
+        lit->specular[k] = 0;
+    }
+    for (int i = 0; i < scene->light_count; i++) {
+        double to[3], left = to_light(scene, i, at, normal, to), l_n = ref_dot(to, normal);
+
         if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
             continue; /* ambient only */
-        *diffuse += scene->diffuse * ref_ramp(scene, l_n);
-        if (l_n <= 0)
-            continue;
-        double r_v = 2 * l_n * normal[2] - to[2];
-        if (r_v > 0)
-            *specular += scene->specular * pow(r_v, scene->shininess) * fmin(1, 8 * l_n);
+        double r_v = l_n <= 0 ? 0 : fmax(0, 2 * l_n * normal[2] - to[2]);
+        for (int k = 0; k < 3; k++) {
+            double color = left * scene->light_color[i][k];
+            lit->diffuse[k] += color * scene->diffuse * ref_ramp(scene, l_n);
+            lit->specular[k] += color * scene->specular * pow(r_v, scene->shininess) * fmin(1, 8 * fmax(0, l_n));
+        }
     }
 }

@@ -236,12 +236,17 @@ static int build(struct ref_mesh *mesh, const struct ref_polygons *from, const s
         return -1;
     for (size_t p = 0; p < mesh->polygon_count; p++) {
         uint32_t first = from->first[p];
-        ref_newell((const double(*)[3])mesh->position + first, from->first[p + 1] - first, mesh->polygon_normal[p]);
+        uint32_t count = from->first[p + 1] - first;
+        ref_newell((const double(*)[3])mesh->position + first, count, mesh->polygon_normal[p]);
+        for (uint32_t i = 0; i < 3 * count; i++)
+            mesh->center[p][i % 3] += mesh->position[first + i / 3][i % 3] / count;
     }
     if (corner_normals(mesh, from, options) != 0 || split_all(mesh, from) != 0)
         return -1;
     if (from->uv)
         memcpy(mesh->uv, from->uv, mesh->corner_count * sizeof *mesh->uv);
+    if (from->color)
+        memcpy(mesh->color, from->color, mesh->corner_count * sizeof *mesh->color);
     if (from->base)
         memcpy(mesh->base, from->base, mesh->polygon_count * sizeof *mesh->base);
     return mesh->triangle_count > 0 ? 0 : -1;
@@ -260,8 +265,11 @@ int ref_mesh_build(struct ref_mesh *mesh, const struct ref_polygons *from, const
     mesh->polygon_normal = calloc(mesh->polygon_count, sizeof *mesh->polygon_normal);
     mesh->uv = from->uv ? calloc(mesh->corner_count, sizeof *mesh->uv) : NULL;
     mesh->base = from->base ? calloc(mesh->polygon_count, sizeof *mesh->base) : NULL;
-    bool allocated = mesh->position && mesh->normal && mesh->weld && mesh->polygon_normal;
-    if (!allocated || (from->base && !mesh->base) || (from->uv && !mesh->uv) || build(mesh, from, options) != 0) {
+    mesh->color = from->color ? calloc(mesh->corner_count, sizeof *mesh->color) : NULL;
+    mesh->center = calloc(mesh->polygon_count, sizeof *mesh->center);
+    bool allocated = mesh->position && mesh->normal && mesh->weld && mesh->polygon_normal && mesh->center;
+    if (!allocated || (from->base && !mesh->base) || (from->uv && !mesh->uv) || (from->color && !mesh->color) ||
+        build(mesh, from, options) != 0) {
         ref_mesh_free(mesh);
         return -1;
     }
@@ -277,5 +285,7 @@ void ref_mesh_free(struct ref_mesh *mesh)
     free(mesh->polygon_normal);
     free(mesh->base);
     free(mesh->uv);
+    free(mesh->color);
+    free(mesh->center);
     memset(mesh, 0, sizeof *mesh);
 }

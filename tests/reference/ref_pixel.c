@@ -46,12 +46,15 @@ static double grey_of(const double color[3])
 
 double ref_fog_share(const struct ref_scene *scene, double m)
 {
-    double from = scene->fog_from, to = scene->fog_to;
+    double from = scene->fog_from, to = scene->fog_to, near = scene->near, far = scene->far;
+    double nearer = (double)scene->bias / REF_STEPS;
 
     if (!scene->fog)
         return 0;
-    return clamp01(scene->ortho || scene->fog_in_m ? (m - from) / (to - from)
-                                                   : (1 / from - 1 / m) / (1 / from - 1 / to));
+    if (scene->ortho || scene->fog_in_m)
+        return clamp01((fmin(fmax(m - nearer * (far - near), near), far) - from) / (to - from));
+    double weight = fmin(fmax(1 / m + nearer * (1 / near - 1 / far), 1 / far), 1 / near);
+    return clamp01((1 / from - weight) / (1 / from - 1 / to));
 }
 
 /* Draws that leave pixels out take the matrix with its digits to base 4 reversed. */

@@ -46,13 +46,17 @@ void ref_scene_default(struct ref_scene *scene, const struct ref_mesh *mesh)
         .base = {0xc8 / 255.0, 0xa0 / 255.0, 0x50 / 255.0},
         .highlight = {1, 1, 1},
         .background = {0, 0, 0x20 / 255.0},
+        .ambient_color = {1, 1, 1},
     };
+    for (int i = 0; i < 3 * REF_MAX_LIGHTS; i++)
+        scene->light_color[i / 3][i % 3] = 1;
     ref_scene_orbit(scene, 30, 20, 0, 3);
 }
 
 /* A corner on its way through near plane and, for slerp, guard band: everything in it is linear in space. */
 struct corner {
-    double eye[3], normal[3], diffuse, specular, uv[2];
+    double eye[3], normal[3], uv[2], color[3];
+    struct ref_lit lit;
 };
 
 #define MAX_CUT 8 /* a triangle against five planes */
@@ -63,8 +67,9 @@ static struct corner between(const struct corner *a, const struct corner *b, dou
 
     ref_lerp(a->eye, b->eye, t, c.eye);
     ref_lerp(a->normal, b->normal, t, c.normal);
-    c.diffuse = (1 - t) * a->diffuse + t * b->diffuse;
-    c.specular = (1 - t) * a->specular + t * b->specular;
+    ref_lerp(a->color, b->color, t, c.color);
+    ref_lerp(a->lit.diffuse, b->lit.diffuse, t, c.lit.diffuse);
+    ref_lerp(a->lit.specular, b->lit.specular, t, c.lit.specular);
     for (int i = 0; i < 2; i++)
         c.uv[i] = (1 - t) * a->uv[i] + t * b->uv[i];
     return c;
@@ -124,8 +129,8 @@ static void to_screen(const struct ref_scene *scene, const struct corner *c, str
     piece->w[k] = scene->ortho ? 1 : 1 / m;
     piece->depth[k] = scene->ortho ? -m : 1 / m;
     memcpy(piece->normal[k], c->normal, sizeof piece->normal[k]);
-    piece->diffuse[k] = c->diffuse;
-    piece->specular[k] = c->specular;
+    piece->lit[k] = c->lit;
+    memcpy(piece->color[k], c->color, sizeof piece->color[k]);
     memcpy(piece->uv[k], c->uv, sizeof piece->uv[k]);
 }
 
@@ -157,21 +162,30 @@ static bool is_back(const struct ref_scene *scene, const struct corner *c)
     return ref_dot(n, to_eye) < 0;
 }
 
+static void to_eye(const struct ref_scene *scene, const double model[3], double eye[3])
+{
+    for (int k = 0; k < 3; k++)
+        eye[k] = scene->scale * ref_dot(scene->rotation + 3 * k, model) + scene->translation[k];
+}
+
 static void make_corners(const struct ref_scene *scene, const struct ref_triangle *t, struct corner *c, bool *back)
 {
     const struct ref_mesh *mesh = scene->mesh;
+    double center[3];
 
-    for (int k = 0; k < 3; k++) {
-        for (int a = 0; a < 3; a++)
-            c[k].eye[a] =
-                scene->scale * ref_dot(scene->rotation + 3 * a, mesh->position[t->corner[k]]) + scene->translation[a];
-    }
+    for (int k = 0; k < 3; k++)
+        to_eye(scene, mesh->position[t->corner[k]], c[k].eye);
+    to_eye(scene, mesh->center[t->polygon], center);
     *back = is_back(scene, c);
     for (int k = 0; k < 3; k++) {
         const double *normal =
             scene->shading == REF_FLAT ? mesh->polygon_normal[t->polygon] : mesh->normal[t->corner[k]];
         turn_normal(scene, normal, *back, c[k].normal);
-        ref_light(scene, c[k].normal, &c[k].diffuse, &c[k].specular);
+        ref_light(scene, scene->shading == REF_FLAT ? center : c[k].eye, c[k].normal, &c[k].lit);
+        for (int i = 0; i < 3; i++) {
+            c[k].color[i] = mesh->color ? mesh->color[t->corner[k]][i] : 1;
+            c[k].lit.diffuse[i] *= scene->colored ? c[k].color[i] : 1;
+        }
         for (int i = 0; i < 2; i++)
             c[k].uv[i] = mesh->uv ? mesh->uv[t->corner[k]][i] : 0;
     }

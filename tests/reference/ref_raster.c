@@ -138,21 +138,20 @@ static void color(const struct ref_scene *scene, const struct ref_picture *pictu
                   int y)
 {
     const double *base = scene->mesh->base ? scene->mesh->base[pixel->polygon] : scene->base;
-    double diffuse, at[2], texel[3] = {1, 1, 1};
+    double at[2], texel[3] = {1, 1, 1};
+    struct ref_lit lit = {{1, 1, 1}, {0, 0, 0}};
 
     if (scene->texture) {
         ref_texture_point(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, at);
         (void)ref_texture_color(scene->texture, at, texel);
     }
     if (scene->texels == REF_TEXELS_UV) {
-        ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &diffuse, &pixel->specular);
+        ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &lit);
         pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
-    } else {
-        diffuse = 1;
-        pixel->specular = 0;
     }
+    pixel->specular = fmax(lit.specular[0], fmax(lit.specular[1], lit.specular[2]));
     for (int k = 0; k < 3; k++)
-        pixel->color[k] = fmin(fmax(base[k] * texel[k] * diffuse + scene->highlight[k] * pixel->specular, 0), 1);
+        pixel->color[k] = fmin(fmax(base[k] * texel[k] * lit.diffuse[k] + scene->highlight[k] * lit.specular[k], 0), 1);
 }
 
 void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)

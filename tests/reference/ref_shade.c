@@ -105,25 +105,24 @@ static void normal_at(const struct ref_scene *scene, const struct ref_piece *p, 
         normal[0] = normal[1] = normal[2] = 0;
 }
 
-void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double *diffuse,
-               double *specular)
+void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, struct ref_lit *lit)
 {
+    static const double anywhere[3] = {0, 0, 0}; /* no point lights here */
     double b[3], normal[3];
 
-    switch (scene->shading) {
-    case REF_FLAT:
-        *diffuse = p->diffuse[0];
-        *specular = p->specular[0];
+    ref_weights(scene, p, x, y, b);
+    if (scene->shading == REF_FLAT || scene->shading == REF_GOURAUD) {
+        for (int k = 0; k < 3; k++) {
+            lit->diffuse[k] = b[0] * p->lit[0].diffuse[k] + b[1] * p->lit[1].diffuse[k] + b[2] * p->lit[2].diffuse[k];
+            lit->specular[k] =
+                b[0] * p->lit[0].specular[k] + b[1] * p->lit[1].specular[k] + b[2] * p->lit[2].specular[k];
+        }
         return;
-    case REF_GOURAUD:
-        ref_weights(scene, p, x, y, b);
-        *diffuse = ref_dot(b, p->diffuse);
-        *specular = ref_dot(b, p->specular);
-        return;
-    default:
-        normal_at(scene, p, x, y, normal);
-        ref_light(scene, normal, diffuse, specular);
     }
+    normal_at(scene, p, x, y, normal);
+    ref_light(scene, anywhere, normal, lit);
+    for (int k = 0; scene->colored && k < 3; k++)
+        lit->diffuse[k] *= b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k];
 }
 
 int ref_tread(const struct ref_scene *scene, const struct ref_piece *p, double x, double y)

@@ -36,6 +36,7 @@ struct ref_polygons {
     const double (*normals)[3]; /* the file's normal of each corner, zero where it has none; or NULL */
     const double (*base)[3];    /* a base colour a polygon, or NULL: the scene's */
     const double (*uv)[2];      /* u, v of each corner, v downwards, or NULL */
+    const double (*color)[3];   /* of each corner, or NULL */
 };
 
 struct ref_mesh_options {
@@ -61,6 +62,8 @@ struct ref_mesh {
     double (*polygon_normal)[3]; /* a polygon: unit, zero where it has no area */
     double (*base)[3];           /* a polygon, or NULL */
     double (*uv)[2];             /* a corner, or NULL */
+    double (*color)[3];          /* a corner, or NULL */
+    double (*center)[3];         /* a polygon: the mean of its corners */
 };
 
 /* 0, or -1 where memory is short or the polygons have no faces or no extent. Release with ref_mesh_free. */
@@ -103,6 +106,7 @@ enum ref_texels {
 };
 
 #define REF_MAX_LIGHTS 4
+#define REF_STEPS 65020
 #define REF_GUARD_PX 511.0 /* the guard band: pixels from the picture's centre */
 
 struct ref_scene {
@@ -117,7 +121,10 @@ struct ref_scene {
     bool affine;
     bool two_sided;
     int light_count;
-    double light[REF_MAX_LIGHTS][3]; /* to the light, eye space, any length but zero */
+    double light[REF_MAX_LIGHTS][3]; /* to the light, eye space, any length but zero; of a point light: where it is, */
+    double radius[REF_MAX_LIGHTS];   /* from the model's origin; how far it reaches, flat and Gouraud; 0: at infinity */
+    double light_color[REF_MAX_LIGHTS][3], ambient_color[3];
+    bool colored; /* by the mesh's colours, where it has some */
     double ambient, diffuse, specular, shininess;
     enum ref_ramp ramp;
     double base[3], highlight[3], background[3];
@@ -125,6 +132,7 @@ struct ref_scene {
     bool fog;            /* from m = fog_from to fog_to */
     bool fog_in_m;       /* a fault: linear in m where it has to be in 1/m */
     double fog_from, fog_to, fog_color[3];
+    int bias;   /* steps, REF_STEPS from far to near, that a pixel lies nearer in the fog */
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
     const struct ref_texture *texture; /* NULL: none; by uv: flat or Gouraud, the mesh has uv; else Phong */
@@ -148,19 +156,24 @@ struct ref_pixel {
     double m;        /* depth in front of the eye */
     double color[3]; /* 0..1, unrounded */
     int tread;       /* ref_tread at its centre */
-    double specular; /* I_specular */
+    double specular; /* I_specular, the largest channel's */
     uint16_t value;  /* 565 value or grey level */
     bool dropped;    /* a transparent texel lies here, */
     bool unsettled;  /* or may lie, in front of what is seen */
 };
 
+/* Light, by channel: what the base colour and what the highlight's is multiplied by. */
+struct ref_lit {
+    double diffuse[3], specular[3];
+};
+
 /* A triangle, or what the planes left of it, on the screen. */
 struct ref_piece {
-    double x[3], y[3], w[3];        /* px; w: the weight 1/m (1 under ortho) */
-    double depth[3];                /* linear on the screen, larger is nearer: 1/m, under ortho -m */
-    double normal[3][3];            /* eye space, turned to the eye's side on a drawn back face */
-    double diffuse[3], specular[3]; /* Gouraud: intensities at the corners */
-    double uv[3][2];
+    double x[3], y[3], w[3]; /* px; w: the weight 1/m (1 under ortho) */
+    double depth[3];         /* linear on the screen, larger is nearer: 1/m, under ortho -m */
+    double normal[3][3];     /* eye space, turned to the eye's side on a drawn back face */
+    struct ref_lit lit[3];   /* flat, Gouraud: at the corners, the vertices' colours in it */
+    double uv[3][2], color[3][3];
     uint32_t triangle, polygon;
     bool back;
 };
@@ -181,12 +194,12 @@ void ref_picture_free(struct ref_picture *picture);
 
 int ref_project(struct ref_picture *picture, const struct ref_scene *scene);
 void ref_raster(struct ref_picture *picture, const struct ref_scene *scene);
-void ref_light(const struct ref_scene *scene, const double normal[3], double *diffuse, double *specular);
+/* At a point and its normal, both in eye space. */
+void ref_light(const struct ref_scene *scene, const double at[3], const double normal[3], struct ref_lit *lit);
 /* The ramp at L.N = x, -1..1. */
 double ref_ramp(const struct ref_scene *scene, double x);
-/* Intensities of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
-void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double *diffuse,
-               double *specular);
+/* Light of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
+void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, struct ref_lit *lit);
 /* The corners' weights at a point of the screen, in space or, under affine, on the screen. */
 void ref_weights(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double b[3]);
 /* U and V, in texels, there. */

@@ -25,6 +25,9 @@ cases.push(['builtin:cube', '--color', '3a6fd8', '--background', 'linen', '--ort
     ['builtin:teapot', '--panel', 'ideal', '--size', '101x77', '--ambient', '.05', '--specular', '1.2', '--shininess', '5']);
 for (const ramp of ['half', 'gamma', 'gamma:1.6', 'toon'])
     cases.push(['builtin:teapot', '--ramp', ramp, '--shade', ramp === 'toon' ? 'gouraud' : 'phong']);
+for (const shade of [...SHADES, 'matcap', 'matcap-vertex'])
+    cases.push(['builtin:torus', '--shade', shade, '--fog', '2.2,3.9', '--background', 'lightsteelblue'],
+        ['builtin:torus', '--shade', shade, '--opacity', '.6', '--phase', '3', '--fog', '2,4', '--fog-color', 'linen']);
 
 for (const words of fault ? cases.slice(0, 8) : cases) {
     const told = fault ? [...words, '--color', '48a0d8'] : words;

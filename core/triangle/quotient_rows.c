@@ -1,7 +1,7 @@
 /*
- * gouraud_rows.c - intensities that are linear in space, without fog.
+ * quotient_rows.c - channels that are linear in space, without fog.
  */
-#include "gouraud.h"
+#include "quotient.h"
 
 void sheen_quotient_rows(const struct tile *t, const struct setup *s)
 {

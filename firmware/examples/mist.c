@@ -1,0 +1,89 @@
+/*
+ * mist.c - textures, light and fog: a colonnade that goes over into the mist, and an eye that sways before it. The
+ * scene is one OBJ whose materials became the parts of a header (host-sim/pictures/mist, `sheen bake --groups`).
+ */
+#include "meshes/mist.h"
+#include "example.h"
+#include "meshes/teapot.h"
+
+#define PARTS (sizeof mist_groups / sizeof mist_groups[0])
+#define MIST                                                                                                           \
+    {                                                                                                                  \
+        226, 204, 182                                                                                                  \
+    }
+
+static const struct sheen_light sun = {.to = {-40, 44, 16}};
+static const struct sheen_fog fog = {SHEEN_Q24(3.4), SHEEN_Q24(18.5), MIST, &sheen_fog_mixer};
+static const struct sheen_material glaze = {.base = {40, 128, 140},
+                                            .ambient = SHEEN_Q16(.3),
+                                            .diffuse = SHEEN_Q16(.7),
+                                            .specular = SHEEN_Q16(.75),
+                                            .shine = &sheen_shine_32};
+
+/* Texels as they come where there is no light to add: the floor has its own, shadows are of one colour. */
+static void make_part(struct sheen_object *object, struct sheen_material *material, size_t i)
+{
+    const struct sheen_texture *texture = mist_groups[i].texture;
+    const int is_lit = i != 0 && texture != NULL;
+
+    *material =
+        (struct sheen_material){.base = {mist_groups[i].base[0], mist_groups[i].base[1], mist_groups[i].base[2]},
+                                .ambient = is_lit ? SHEEN_Q16(.36) : SHEEN_Q16(1),
+                                .diffuse = is_lit ? SHEEN_Q16(.85) : 0,
+                                .texture = texture};
+    *object = (struct sheen_object){.mesh = mist_groups[i].mesh,
+                                    .material = material,
+                                    .shader = texture != NULL ? &sheen_textured : &sheen_flat,
+                                    .lights = &sun,
+                                    .light_count = 1};
+    if (texture == NULL) { /* what lies on the floor, half of it seen through */
+        object->depth_bias = 16;
+        object->stipple = &sheen_stipple;
+        object->transparency = 32;
+    }
+    sheen_pose_identity(&object->pose); /* bake tells a unit's size and where the origin went */
+    sheen_pose_scale(&object->pose, SHEEN_Q16(12.8982557));
+    sheen_pose_translate(&object->pose, 0, SHEEN_Q24(1.95), SHEEN_Q24(-7.25));
+}
+
+int example(const struct sheen_target *target, unsigned frames)
+{
+    static uint64_t arena[60000 / 8];
+    static const sheen_q24_t middle[3] = {SHEEN_Q24(-.1), SHEEN_Q24(.95), SHEEN_Q24(-7)};
+    static const int32_t up[3] = {0, 1, 0};
+    struct sheen_object objects[PARTS + 1];
+    struct sheen_material materials[PARTS];
+    size_t size = sizeof arena;
+    struct sheen_config config = {.target = target,
+                                  .band_rows = 8,
+                                  .max_vertices = 1700,
+                                  .max_used = 1300,
+                                  .max_triangles = 1300,
+                                  .max_draws = PARTS + 1,
+                                  .max_clipped = 50};
+    struct sheen_view view = {.fov = SHEEN_DEGREES(50),
+                              .z_near = SHEEN_Q24(.5),
+                              .z_far = SHEEN_Q24(23),
+                              .background = MIST,
+                              .fog = &fog,
+                              .dither = 1};
+    struct sheen_frame *frame;
+    int error = sheen_init(&frame, arena, &size, &config);
+
+    for (size_t i = 0; i < PARTS; i++)
+        make_part(&objects[i], &materials[i], i);
+    objects[PARTS] = (struct sheen_object){
+        .mesh = &teapot, .material = &glaze, .shader = &sheen_phong, .lights = &sun, .light_count = 1, .two_sided = 1};
+    sheen_pose_rotate(&objects[PARTS].pose, 1, SHEEN_DEGREES(40));
+    sheen_pose_scale(&objects[PARTS].pose, SHEEN_Q16(.42));
+    sheen_pose_translate(&objects[PARTS].pose, SHEEN_Q24(-.95), SHEEN_Q24(1.01), SHEEN_Q24(-.6));
+    for (unsigned i = 0; i < frames && !error; i++) {
+        const sheen_angle_t at = sheen_degrees(40 + 4 * (int32_t)i);
+        const sheen_q24_t eye[3] = {sheen_sin(at) / 96, SHEEN_Q24(1.6), SHEEN_Q24(2.4) + sheen_cos(at) / 128};
+
+        error = sheen_pose_look_at(&view.pose, eye, middle, up);
+        if (!error)
+            error = sheen_render(frame, &view, objects, PARTS + 1);
+    }
+    return error ? error : sheen_wait(frame);
+}
