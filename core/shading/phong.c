@@ -131,10 +131,11 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
         shift--;
     if (shift < 3)
         return 0;
+    /* where the tile's thresholds are others than squares take, it is no draw of 565's own loops; */
     /* 4 px apart it is off by at most 4^2 / 8 of its second difference, 4 n rate: 1/6 level */
     const uint32_t most = draw->colour.c[0] > draw->colour.c[1] ? draw->colour.c[0] : draw->colour.c[1];
-    int squares =
-        draw->loop.usable && rate < 1u << 16 && (rate * draw->power.shininess >> 8) * (most >> 7) < 10486u >> far;
+    int squares = draw->is_565 && draw->loop.usable && rate < 1u << 16 &&
+                  (rate * draw->power.shininess >> 8) * (most >> 7) < 10486u >> far;
     return shift | (squares ? CELLS_IN_SQUARES : 0);
 }
 
