@@ -13,7 +13,7 @@
     }
 
 static const struct sheen_light sun = {.to = {-40, 44, 16}};
-static const struct sheen_fog fog = {SHEEN_Q24(3.4), SHEEN_Q24(18.5), MIST, &sheen_fog_mixer};
+static const struct sheen_fog fog = {SHEEN_Q24(3.4), SHEEN_Q24(14.5), MIST, &sheen_fog_mixer};
 static const struct sheen_material glaze = {.base = {40, 128, 140},
                                             .ambient = SHEEN_Q16(.3),
                                             .diffuse = SHEEN_Q16(.7),
@@ -24,7 +24,7 @@ static const struct sheen_material glaze = {.base = {40, 128, 140},
 static void make_part(struct sheen_object *object, struct sheen_material *material, size_t i)
 {
     const struct sheen_texture *texture = mist_groups[i].texture;
-    const int is_lit = i != 0 && texture != NULL;
+    const int is_lit = i + 1 < PARTS && texture != NULL;
 
     *material =
         (struct sheen_material){.base = {mist_groups[i].base[0], mist_groups[i].base[1], mist_groups[i].base[2]},
@@ -42,13 +42,13 @@ static void make_part(struct sheen_object *object, struct sheen_material *materi
         object->transparency = 32;
     }
     sheen_pose_identity(&object->pose); /* bake tells a unit's size and where the origin went */
-    sheen_pose_scale(&object->pose, SHEEN_Q16(12.8982557));
-    sheen_pose_translate(&object->pose, 0, SHEEN_Q24(1.95), SHEEN_Q24(-7.25));
+    sheen_pose_scale(&object->pose, SHEEN_Q16(10.9910191));
+    sheen_pose_translate(&object->pose, 0, SHEEN_Q24(1.95), SHEEN_Q24(-5));
 }
 
 int example(const struct sheen_target *target, unsigned frames)
 {
-    static uint64_t arena[60000 / 8];
+    static uint64_t arena[54592 / 8];
     static const sheen_q24_t middle[3] = {SHEEN_Q24(-.1), SHEEN_Q24(.95), SHEEN_Q24(-7)};
     static const int32_t up[3] = {0, 1, 0};
     struct sheen_object objects[PARTS + 1];
@@ -56,14 +56,14 @@ int example(const struct sheen_target *target, unsigned frames)
     size_t size = sizeof arena;
     struct sheen_config config = {.target = target,
                                   .band_rows = 8,
-                                  .max_vertices = 1700,
-                                  .max_used = 1300,
-                                  .max_triangles = 1300,
+                                  .max_vertices = 1310,
+                                  .max_used = 1100,
+                                  .max_triangles = 1200,
                                   .max_draws = PARTS + 1,
                                   .max_clipped = 50};
     struct sheen_view view = {.fov = SHEEN_DEGREES(50),
                               .z_near = SHEEN_Q24(.5),
-                              .z_far = SHEEN_Q24(23),
+                              .z_far = SHEEN_Q24(18),
                               .background = MIST,
                               .fog = &fog,
                               .dither = 1};

@@ -1,4 +1,4 @@
-"""The scenes on processors in qemu (guest.c): instructions and memory."""
+"""The scenes (guest.c) and an example (example.c) on processors in qemu: instructions and memory."""
 import re
 import subprocess
 import sys
@@ -48,18 +48,39 @@ def run(command):
     return done.stdout
 
 
-def output(guest, data, work):
-    """What guest.c prints on this processor."""
+EXAMPLE = [f"-I{TOP / 'firmware'}", f"-I{TOP / 'firmware/examples'}", HERE / "example.c",
+           TOP / "firmware/examples/mist.c"]
+
+
+def build(guest, program, work):
+    """An image of a program's flags and sources, and of the core."""
     image = f"{work}/guest.elf"
     run([*guest.compiler, "-std=c11", "-O2", "-nostartfiles", "-T", HERE / "guest.ld",
          f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", f"-I{HERE}", f"-I{TOP / 'core'}",
-         HERE / guest.source, HERE / "guest.c", HERE / "scenes.c", data, *sorted((TOP / "core").rglob("*.c")),
-         "-o", image])
+         HERE / guest.source, *program, *sorted((TOP / "core").rglob("*.c")), "-o", image])
+    return image
+
+
+def output(guest, program, work):
+    """What it prints on this processor."""
+    image = build(guest, program, work)
     text = run([*guest.machine, "-icount", "shift=0", "-display", "none", "-semihosting", "-kernel", image])
     loop = re.search(r"loop (\d+) of (\d+)", text)
     if not loop or abs(int(loop[1]) - int(loop[2])) > 100:
         sys.exit(f"report: the counter of {' '.join(guest.machine)} is off\n{text}")
     return text
+
+
+def example_of(text):
+    return int(re.search(r"^mist (\d+) $", text, re.M)[1])
+
+
+def example_cycles(rp2040js, work):
+    """Of the example on an RP2040; rp2040js: the package's folder."""
+    program = ["-DCOUNTED_BY_HOST", "-Wl,--defsym=ROOM=0x40000", *EXAMPLE]
+    image = build(cortex("cortex-m0plus", code=0x10000000), program, work)
+    run(["arm-none-eabi-objcopy", "-O", "binary", image, f"{work}/guest.bin"])
+    return example_of(run(["node", HERE / "rp2040.mjs", f"{work}/guest.bin", rp2040js]))
 
 
 def rows_of(machine, counts):
@@ -88,6 +109,9 @@ def memory_rows(lines):
 
 def measure(machine, data, work):
     """The rows of a processor; M3, on which pointers are as on all of them, gives the memory as well."""
-    lines = list(LINE.finditer(output(GUESTS[machine], data, work)))
+    guest = GUESTS[machine]
+    lines = list(LINE.finditer(output(guest, [HERE / "guest.c", HERE / "scenes.c", data], work)))
+    example = example_of(output(guest, EXAMPLE, work))
     counts = {(m[1], m[2].replace("_", " "), m[3] or "", int(m[4])): int(m[5]) for m in lines}
-    return [*rows_of(machine, counts), *(memory_rows(lines) if machine == "M3" else ())]
+    return [*rows_of(machine, counts), Row(f"{machine} example mist", example / MILLION, "M"),
+            *(memory_rows(lines) if machine == "M3" else ())]
