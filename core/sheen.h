@@ -265,6 +265,28 @@ struct sheen_stipple;
  */
 extern const struct sheen_stipple sheen_stipple;
 
+struct sheen_morpher;
+
+/* What stands between two frames. */
+extern const struct sheen_morpher sheen_morpher;
+
+/*
+ * Between two frames of a mesh that moves. With k = weight / 32768 a position is (1 - k) p0 + k p1 of the object's mesh
+ * and this one, rounded to its grid; normals, of corners and polygons, are the two frames' own, mixed alike and of unit
+ * length again (where they cancel, the first frame's). Indices, polygons and uvs are the object's mesh's. No polygon is
+ * passed over by its warp, so that max_used has to be up to all vertices. Weight 0 gives the mesh's own bits.
+ */
+struct sheen_morph {
+    /*
+     * The frame at k = 1; borrowed until sheen_end() or sheen_finish() returns. Vertices, triangles, scale and offset
+     * MUST be the object's mesh's; normals and polygon normals MUST be there where that has them. What else it has is
+     * not read.
+     */
+    const struct sheen_mesh *mesh;
+    const struct sheen_morpher *morpher; /* &sheen_morpher: what is named is linked */
+    uint16_t weight;                     /* k, UQ1.15: 0..32768 */
+};
+
 /* What is drawn. Mesh, material and shader MUST be there. */
 struct sheen_object {
     const struct sheen_mesh *mesh;         /* borrowed */
@@ -282,6 +304,7 @@ struct sheen_object {
      * plane (a decal, an outline) shows. At each corner the sum is held to the depths from z_far to z_near.
      */
     int16_t depth_bias;
+    const struct sheen_morph *morph; /* borrowed likewise; NULL: the mesh as it is */
 };
 
 /*
@@ -434,7 +457,8 @@ enum sheen_subject {
     SHEEN_ABOUT_TEXTURE,
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
     SHEEN_ABOUT_FOG,          /* of the view */
-    SHEEN_ABOUT_DEPTH_BIAS
+    SHEEN_ABOUT_DEPTH_BIAS,
+    SHEEN_ABOUT_MORPH /* its mesh is not of the object's shape, weight out of range, or no morpher */
 };
 
 /*

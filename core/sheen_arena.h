@@ -17,12 +17,12 @@
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
 #define SHEEN_BYTES_FRAME 560
-#define SHEEN_BYTES_DRAW 304
+#define SHEEN_BYTES_DRAW 312
 #define SHEEN_BYTES_WORKER 240
 #define SHEEN_BYTES_SETUP 184
 #else
 #define SHEEN_BYTES_FRAME 436
-#define SHEEN_BYTES_DRAW 260
+#define SHEEN_BYTES_DRAW 264
 #define SHEEN_BYTES_WORKER 180
 #define SHEEN_BYTES_SETUP 168
 #endif

@@ -118,8 +118,8 @@ void accuracy_ortho(struct ref_scene *scene)
     scene->affine = false; /* the same there */
 }
 
-int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
-                   const struct sheen_mesh *mesh, unsigned way)
+static int shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                 const struct sheen_mesh *mesh, const struct sheen_morph *morph, unsigned way)
 {
     struct memory_target target;
     int status;
@@ -128,7 +128,10 @@ int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, co
         return SHEEN_ERR_ARGUMENT;
     if (memory_target_init(&target, scene->width, scene->height, SHEEN_RGB565_BE) != 0)
         return SHEEN_ERR_MEMORY;
-    status = core_draw_scene_way(&target.target, scene, mesh, 16, way, &shot->stats);
+    if (morph)
+        status = core_draw_between(&target.target, scene, mesh, morph, 16, &shot->stats);
+    else
+        status = core_draw_scene_way(&target.target, scene, mesh, 16, way, &shot->stats);
     for (int i = 0; i < scene->width * scene->height; i++)
         shot->values[i] = (uint16_t)memory_target_pixel(&target, i % scene->width, i / scene->width);
     memset(&shot->score, 0, sizeof shot->score);
@@ -138,6 +141,18 @@ int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, co
         status = SHEEN_ERR_STATE;
     memory_target_free(&target);
     return status;
+}
+
+int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                   const struct sheen_mesh *mesh, unsigned way)
+{
+    return shoot(shot, scene, picture, mesh, NULL, way);
+}
+
+int accuracy_shoot_between(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                           const struct sheen_mesh *mesh, const struct sheen_morph *morph)
+{
+    return shoot(shot, scene, picture, mesh, morph, 0);
 }
 
 bool accuracy_kept(const struct ref_score *score, enum ref_shading shading, double least_compared)

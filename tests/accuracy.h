@@ -48,6 +48,9 @@ struct accuracy_shot {
 /* Draw the scene, of which `picture` is the reference's, by the core; way as in struct sheen_object. 0 or negative. */
 int accuracy_shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
                    const struct sheen_mesh *mesh, unsigned way);
+/* The same between two frames of a mesh. */
+int accuracy_shoot_between(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
+                           const struct sheen_mesh *mesh, const struct sheen_morph *morph);
 
 /* True where the score keeps the limits of its shading, and so much of what is covered was compared. */
 bool accuracy_kept(const struct ref_score *score, enum ref_shading shading, double least_compared);

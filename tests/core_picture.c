@@ -12,8 +12,8 @@
 /* Corners in an order that brings those together which become one vertex. */
 struct key {
     uint32_t weld, corner;
-    int16_t normal[3], uv[2];
-    uint8_t color[4]; /* three of them */
+    int16_t normal[2][3], uv[2]; /* of frames */
+    uint8_t color[4];            /* three of them */
 };
 
 static int key_order(const void *a, const void *b)
@@ -58,15 +58,17 @@ static int16_t to_grid(const struct sheen_mesh *mesh, const double uv[2], int i)
     return (int16_t)lround((uv[i] - mesh->uv_offset[i] / 65536.0) * (1 << mesh->uv_bits));
 }
 
-static uint32_t number_vertices(const struct ref_mesh *from, const struct sheen_mesh *mesh, struct key *keys,
-                                uint32_t *vertex_of)
+/* frame: of `frames`, the first of which has weld and uv. */
+static uint32_t number_vertices(const struct ref_mesh *const frame[], unsigned frames, const struct sheen_mesh *mesh,
+                                struct key *keys, uint32_t *vertex_of)
 {
+    const struct ref_mesh *from = frame[0];
     uint32_t vertices = 0;
 
     for (size_t c = 0; c < from->corner_count; c++) {
         keys[c] = (struct key){.weld = from->weld[c], .corner = (uint32_t)c};
-        for (int k = 0; k < 3; k++)
-            keys[c].normal[k] = to_q15(from->normal[c][k]);
+        for (unsigned k = 0; k < 3 * frames; k++)
+            keys[c].normal[k / 3][k % 3] = to_q15(frame[k / 3]->normal[c][k % 3]);
         for (int i = 0; i < 2 && from->uv; i++)
             keys[c].uv[i] = to_grid(mesh, from->uv[c], i);
         for (int i = 0; i < 3 && from->color; i++)
@@ -104,22 +106,22 @@ static void fill(struct core_mesh *to, const struct ref_mesh *from, const uint32
     }
 }
 
-int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
+static double reach_of(const struct ref_mesh *from)
 {
-    struct key *keys = malloc(from->corner_count * sizeof *keys);
-    uint32_t *vertex_of = malloc(from->corner_count * sizeof *vertex_of);
     double reach = 0;
 
-    memset(to, 0, sizeof *to);
-    if (!keys || !vertex_of || from->polygon_count > 65535 || from->triangle_count > 65535)
-        goto fail;
     for (size_t c = 0; c < from->corner_count; c++) {
         for (int k = 0; k < 3; k++)
             reach = fmax(reach, fabs(from->position[c][k]));
     }
-    if (from->uv)
-        choose_grid(from, &to->mesh);
-    uint32_t vertices = number_vertices(from, &to->mesh, keys, vertex_of);
+    return reach;
+}
+
+/* mesh: what uvs are on the grid of. */
+static int make_frame(struct core_mesh *to, const struct ref_mesh *from, const struct sheen_mesh *mesh,
+                      uint32_t vertices, const uint32_t *vertex_of, double reach)
+{
+    to->mesh = *mesh;
     to->positions = calloc(vertices, 3 * sizeof *to->positions);
     to->normals = calloc(vertices, 3 * sizeof *to->normals);
     to->uvs = calloc(vertices, 2 * sizeof *to->uvs);
@@ -129,7 +131,7 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
     to->indices = calloc(from->triangle_count, 3 * sizeof *to->indices);
     if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices ||
         !to->uvs || !to->colors)
-        goto fail;
+        return -1;
     fill(to, from, vertex_of, reach);
     to->mesh = (struct sheen_mesh){.positions = to->positions,
                                    .normals = to->normals,
@@ -144,14 +146,43 @@ int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
                                    .vertices = (uint16_t)vertices,
                                    .triangles = (uint16_t)from->triangle_count,
                                    .scale = (sheen_q24_t)lround(reach * 32768 / 32767 * 16777216)};
-    free(keys);
-    free(vertex_of);
     return 0;
-fail:
+}
+
+static int make_frames(struct core_mesh *to, const struct ref_mesh *const frame[], unsigned frames)
+{
+    const struct ref_mesh *from = frame[0];
+    struct key *keys = malloc(from->corner_count * sizeof *keys);
+    uint32_t *vertex_of = malloc(from->corner_count * sizeof *vertex_of);
+    struct sheen_mesh mesh = {.uv_bits = 0};
+    double reach = 0;
+    int status = keys && vertex_of && from->polygon_count <= 65535 && from->triangle_count <= 65535 ? 0 : -1;
+
+    memset(to, 0, frames * sizeof *to);
+    for (unsigned i = 0; i < frames; i++)
+        reach = fmax(reach, reach_of(frame[i]));
+    if (from->uv)
+        choose_grid(from, &mesh);
+    uint32_t vertices = status == 0 ? number_vertices(frame, frames, &mesh, keys, vertex_of) : 0;
+    for (unsigned i = 0; i < frames && status == 0; i++)
+        status = make_frame(&to[i], frame[i], &mesh, vertices, vertex_of, reach);
+    for (unsigned i = 0; i < frames && status != 0; i++)
+        core_mesh_free(&to[i]);
     free(keys);
     free(vertex_of);
-    core_mesh_free(to);
-    return -1;
+    return status;
+}
+
+int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from)
+{
+    return make_frames(to, &from, 1);
+}
+
+int core_frames_make(struct core_mesh to[2], const struct ref_mesh *first, const struct ref_mesh *second)
+{
+    const struct ref_mesh *const frame[2] = {first, second};
+
+    return make_frames(to, frame, 2);
 }
 
 void core_mesh_free(struct core_mesh *mesh)
@@ -318,8 +349,8 @@ static const struct sheen_shader *shader_of(const struct ref_scene *scene)
 
 #define CLIPPED 2000 /* pieces, more than any test makes */
 
-int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
-                        int band_rows, unsigned way, struct core_stats *stats)
+static int draw_scene(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                      const struct sheen_morph *morph, int band_rows, unsigned way, struct core_stats *stats)
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)band_rows,
@@ -339,7 +370,8 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
                                 .stipple = scene->left_out > 0 ? &sheen_stipple : NULL,
                                 .transparency = (uint8_t)scene->left_out,
                                 .phase = (uint8_t)scene->phase,
-                                .depth_bias = (int16_t)scene->bias};
+                                .depth_bias = (int16_t)scene->bias,
+                                .morph = morph};
     struct core_texture texture = {.numbers = NULL};
     struct sheen_fog fog;
     struct core_frame f;
@@ -365,4 +397,16 @@ int core_draw_scene_way(const struct sheen_target *target, const struct ref_scen
     core_frame_free(&f);
     free(texture.numbers);
     return status;
+}
+
+int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                        int band_rows, unsigned way, struct core_stats *stats)
+{
+    return draw_scene(target, scene, mesh, NULL, band_rows, way, stats);
+}
+
+int core_draw_between(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                      const struct sheen_morph *morph, int band_rows, struct core_stats *stats)
+{
+    return draw_scene(target, scene, mesh, morph, band_rows, 0, stats);
 }

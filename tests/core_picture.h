@@ -20,6 +20,8 @@ struct core_mesh {
 
 /* 0, or -1 where memory is short or the mesh has too many vertices. Release with core_mesh_free. */
 int core_mesh_make(struct core_mesh *to, const struct ref_mesh *from);
+/* Likewise two frames of one mesh: corners become one vertex where they are equal in both, scale is the larger. */
+int core_frames_make(struct core_mesh to[2], const struct ref_mesh *first, const struct ref_mesh *second);
 void core_mesh_free(struct core_mesh *mesh);
 
 /* Scenes in the core's numbers; of one colour, groups being meshes of their own to the core. */
@@ -55,5 +57,8 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
 /* The same by one way (frame/ways.h); then *stats are the frame's. */
 int core_draw_scene_way(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                         int band_rows, unsigned way, struct core_stats *stats);
+/* The same between two frames of a mesh. */
+int core_draw_between(const struct sheen_target *target, const struct ref_scene *scene, const struct sheen_mesh *mesh,
+                      const struct sheen_morph *morph, int band_rows, struct core_stats *stats);
 
 #endif

@@ -1,6 +1,6 @@
 # The picture in double precision, and what is measured against it.
 add_library(reference STATIC
-  reference/ref_mesh.c reference/ref_split.c reference/ref_project.c reference/ref_light.c
+  reference/ref_mesh.c reference/ref_between.c reference/ref_split.c reference/ref_project.c reference/ref_light.c
   reference/ref_raster.c reference/ref_shade.c reference/ref_texture.c reference/ref_pixel.c reference/ref_compare.c
   shapes.c)
 target_include_directories(reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
@@ -21,6 +21,8 @@ sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_
   LIBRARIES core_picture sheen::core)
 sheen_test(test_colored accuracy SOURCES test_colored.c LIBRARIES core_picture sheen::core)
 sheen_test(test_fog accuracy SOURCES test_fog.c textured_scene.c accuracy_line.c
+  LIBRARIES core_picture sheen::core)
+sheen_test(test_morph accuracy SOURCES test_morph.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)

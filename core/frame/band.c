@@ -112,6 +112,8 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
     struct gradients g;
 
     sheen_entry_corners(f, d, e, &c.at);
+    if (d->as.morph != NULL)
+        d->as.morph->morpher->corners(&d->as, &c.at, w);
     s->entry = (uint16_t)e;
     s->draw = &d->as;
     t->rows = (uint16_t)sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);

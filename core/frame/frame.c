@@ -122,12 +122,14 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 static APART int use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                              const uint32_t index[3])
 {
+    int16_t store[3];
     int all = 1;
 
     for (int k = 0; k < 3; k++) {
         uint16_t *place = &f->place[d->first_vertex + index[k]];
         if (*place == NO_PLACE && f->used < f->config.max_used) {
-            struct point point = sheen_transform_point(t, d->as.mesh->positions + 3 * index[k]);
+            const int16_t *position = position_of(&d->as, d->as.mesh->positions + 3 * index[k], store);
+            struct point point = sheen_transform_point(t, position);
             sheen_project(&f->projection, t->screen_shift, point, &f->vertex[f->used]);
             *place = (uint16_t)f->used++;
         } else if (*place == NO_PLACE) {
@@ -144,9 +146,10 @@ static APART void light_corners(struct sheen_frame *f, const struct draw_record 
 {
     for (int k = 0; k < 3; k++) {
         struct vertex *v = used_vertex(f, d, index[k]);
+        int16_t store[3];
         if ((v->flags & LIT) != 0)
             continue;
-        d->as.shader->light(&d->as, d->as.mesh->normals + 3 * index[k], v->kept);
+        d->as.shader->light(&d->as, normal_of(&d->as, d->as.mesh->normals + 3 * index[k], store), v->kept);
         v->flags |= LIT;
     }
 }
@@ -247,6 +250,12 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
     if (o->two_sided)
         viewpoint->a_warp = 0;
+    d->morph = NULL;
+    if (o->morph != NULL) {
+        viewpoint->a_warp = 0; /* warp is of one frame */
+        if (o->morph->morpher == NULL || o->morph->morpher->begin(d, o) < 0)
+            return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MORPH, 0);
+    }
     const struct sheen_light *axes = o->shader->axes;
     int error =
         sheen_light_begin(&d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,

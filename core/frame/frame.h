@@ -10,6 +10,7 @@
 
 #include "../shading/shading.h"
 #include "../triangle/fog.h"
+#include "../triangle/morph.h"
 #include "../triangle/stipple.h"
 
 #define NONE 0xffffu /* end of a list of entries */

@@ -152,6 +152,8 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
     struct attributes a;
 
     triangle_corners(f, d, t, triangle, job.polygon, a.normal);
+    if (d->as.morph != NULL)
+        d->as.morph->morpher->cut(&d->as, &job, triangle, a.normal);
     f->stats.clipped++;
     sheen_clip(&job, 0, 1);
     /* slerp has its corners' normals linear in space, and without perspective there is no difference */

@@ -53,7 +53,7 @@ const char *sheen_subject_name(enum sheen_subject subject)
         "nothing",       "target",    "buffers",     "workers",      "lock",     "max_vertices", "max_used",
         "max_triangles", "max_draws", "max_clipped", "max_carried",  "viewport", "fov",          "z_near, z_far",
         "pose",          "mesh",      "normals",     "material",     "shine",    "ramp",         "shader",
-        "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias"};
+        "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias",   "morph"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }

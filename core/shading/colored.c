@@ -2,6 +2,7 @@
  * colored.c - flat and Gouraud shading with colours at the corners: three channels each, multiplied before they are
  * brought over the triangle.
  */
+#include "../triangle/morph.h"
 #include "../triangle/quotient.h"
 #include "shading.h"
 
@@ -101,8 +102,9 @@ static void gouraud_colored_setup(struct setup *s, struct surface_corners *c, co
 static void gouraud_colored_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
 {
     for (int k = 0; k < 3; k++) {
-        const int16_t *n = d->mesh->normals + 3 * mesh_index(d->mesh, 3u * triangle + (uint32_t)k);
         int16_t seen[3];
+        const int16_t *first = d->mesh->normals + 3 * mesh_index(d->mesh, 3u * triangle + (uint32_t)k),
+                      *n = normal_of(d, first, seen);
         struct lit lit;
         for (int i = 0; i < 3; i++)
             seen[i] = (int16_t)(back ? -max32(n[i], -32767) : n[i]);

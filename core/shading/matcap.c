@@ -254,6 +254,7 @@ const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .axes = eye_axes,
                                           .needs_normals = 1,
                                           .corners = OF_MESH(normals),
+                                          .reads_normals = 1,
                                           .needs_texture = 1};
 
 const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,

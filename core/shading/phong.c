@@ -226,4 +226,5 @@ const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines,
                                          .shades = &sheen_shades_maker,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),
+                                         .reads_normals = 1,
                                          .at_pixels = 1};

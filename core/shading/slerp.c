@@ -98,5 +98,6 @@ const struct sheen_shader sheen_slerp = {.light = sheen_keep_cosines,
                                          .shades = &sheen_shades_maker,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),
+                                         .reads_normals = 1,
                                          .unit_normals = 1,
                                          .at_pixels = 1};

@@ -32,6 +32,7 @@ struct draw {
     uint8_t forced;      /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
     int16_t depth_bias;  /* steps of z16, -4096..4095 */
     const struct sheen_mesh *mesh;
+    const struct sheen_morph *morph; /* NULL: the mesh as it is */
     const struct sheen_shader *shader;
     struct power power;
     const struct shades *shades; /* NULL: there are none */

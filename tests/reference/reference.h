@@ -6,6 +6,7 @@
  * here as it is printed, one pixel at a time.
  *
  *   ref_mesh.c     polygons -> fit, Newell normals, averages, triangles
+ *   ref_between.c  a mesh between two frames of it
  *   ref_project.c  model -> eye -> near plane and guard band -> screen
  *   ref_light.c    ambient + diffuse and specular at a normal
  *   ref_raster.c   which triangle is seen at a pixel centre
@@ -69,6 +70,12 @@ struct ref_mesh {
 /* 0, or -1 where memory is short or the polygons have no faces or no extent. Release with ref_mesh_free. */
 int ref_mesh_build(struct ref_mesh *mesh, const struct ref_polygons *from, const struct ref_mesh_options *options);
 void ref_mesh_free(struct ref_mesh *mesh);
+
+/*
+ * Between two frames of a mesh, equal but for positions and normals: (1 - k) first + k second, normals of unit length
+ * again, where they cancel the first's. The rest is the first's. 0, or -1 where memory is short.
+ */
+int ref_mesh_between(struct ref_mesh *mesh, const struct ref_mesh *first, const struct ref_mesh *second, double k);
 
 /* ---- scene ---- */
 

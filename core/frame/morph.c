@@ -1,0 +1,94 @@
+/*
+ * morph.c - a mesh between two frames of it, vertex by vertex where one is needed: nothing is stored.
+ */
+#include "../triangle/facet.h"
+#include "frame.h"
+
+#define WHOLE 32768 /* weight of the second frame alone */
+
+/* (1 - k) first + k second, Q.15. Range: |.| <= 2^30. */
+static int32_t mixed(uint32_t weight, int32_t first, int32_t second)
+{
+    return (int32_t)(WHOLE - weight) * first + (int32_t)weight * second;
+}
+
+static void morph_position(const struct draw *d, const int16_t *first, int16_t out[3])
+{
+    const int16_t *second = d->morph->mesh->positions + (first - d->mesh->positions);
+
+    for (int k = 0; k < 3; k++)
+        out[k] = (int16_t)asr32(mixed(d->morph->weight, first[k], second[k]) + WHOLE / 2, 15);
+}
+
+/* Unit length; where the two cancel it is the first. */
+static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t second[3], int16_t out[3])
+{
+    int32_t n[3];
+
+    for (int k = 0; k < 3; k++)
+        n[k] = mixed(weight, first[k], second[k]);
+    const int known = sheen_normalize(n, n) == SHEEN_OK;
+    for (int k = 0; k < 3; k++)
+        out[k] = known ? (int16_t)min32(asr32(n[k] + (1 << 14), 15), 32767) : first[k];
+}
+
+static void morph_normal(const struct draw *d, const int16_t *first, int16_t out[3])
+{
+    mix_normals(d->morph->weight, first, d->morph->mesh->normals + (first - d->mesh->normals), out);
+}
+
+static void morph_facet(const struct draw *d, uint32_t triangle, int16_t normal[3])
+{
+    int16_t second[3];
+
+    facet_normal(d->mesh, d->morph->mesh, triangle, second);
+    mix_normals(d->morph->weight, normal, second, normal);
+}
+
+/* Pieces have theirs already. */
+static void morph_corners(const struct draw *d, struct corners *c, const struct worker *w)
+{
+    int16_t(*store)[3] = scratch_of(w);
+
+    if (!d->shader->reads_normals || (c->v[0]->flags & LIT_AS_SEEN) != 0)
+        return;
+    for (int k = 0; k < 3; k++)
+        c->normal[k] = normal_of(d, c->normal[k], store[k]);
+}
+
+/* While draws are taken no set-up is carried: normals stand in the spare one, which follows worker 0's scratch. */
+static void morph_cut(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3])
+{
+    struct clip_corner *corner = job->polygon;
+    int16_t(*store)[3] = (void *)(corner + SHEEN_BYTES_CLIPPING / sizeof *corner);
+
+    for (uint32_t k = 0; k < 3; k++) {
+        const int16_t *first = d->mesh->positions + 3 * mesh_index(d->mesh, 3 * triangle + k);
+        corner[k].point = sheen_transform_point(job->transform, position_of(d, first, store[k]));
+        if (normal[k] != NULL)
+            normal[k] = normal_of(d, normal[k], store[k]);
+    }
+}
+
+/* 1 where vertices of b may stand in place of those of a. */
+static int same_shape(const struct sheen_mesh *a, const struct sheen_mesh *b)
+{
+    return b->positions != NULL && a->vertices == b->vertices && a->triangles == b->triangles && a->scale == b->scale &&
+           a->offset[0] == b->offset[0] && a->offset[1] == b->offset[1] && a->offset[2] == b->offset[2];
+}
+
+static int morph_begin(struct draw *d, const struct sheen_object *o)
+{
+    const struct sheen_morph *m = o->morph;
+
+    if (m->mesh == NULL || m->weight > WHOLE || !same_shape(o->mesh, m->mesh) ||
+        (o->mesh->normals != NULL && m->mesh->normals == NULL) ||
+        (o->mesh->polygon_normals != NULL && m->mesh->polygon_normals == NULL))
+        return SHEEN_ERR_ARGUMENT;
+    if (m->weight != 0)
+        d->morph = m;
+    return SHEEN_OK;
+}
+
+const struct sheen_morpher sheen_morpher = {morph_begin, morph_position, morph_normal,
+                                            morph_facet, morph_corners,  morph_cut};

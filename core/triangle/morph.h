@@ -1,0 +1,40 @@
+/*
+ * morph.h - private: a mesh between two frames of it.
+ */
+#ifndef SHEEN_MORPH_H
+#define SHEEN_MORPH_H
+
+#include "triangle.h"
+
+struct worker;
+
+/* What a struct sheen_morph points to, so that it is linked where there is one. Vectors are of the draw's mesh. */
+struct sheen_morpher {
+    /* Makes *d, which has its mesh, a draw between the frames; SHEEN_ERR_ARGUMENT where they do not fit. */
+    int (*begin)(struct draw *d, const struct sheen_object *object);
+    void (*position)(const struct draw *d, const int16_t *first, int16_t out[3]);
+    void (*normal)(const struct draw *d, const int16_t *first, int16_t out[3]);
+    void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: the first frame's */
+    /* Normals of an entry's corners, where its set-up reads them; they stand until its rows are drawn. */
+    void (*corners)(const struct draw *d, struct corners *c, const struct worker *w);
+    /* Points and normals of a triangle that is cut; they stand until the next one. */
+    void (*cut)(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3]);
+};
+
+static inline const int16_t *position_of(const struct draw *d, const int16_t *first, int16_t store[3])
+{
+    if (d->morph == NULL)
+        return first;
+    d->morph->morpher->position(d, first, store);
+    return store;
+}
+
+static inline const int16_t *normal_of(const struct draw *d, const int16_t *first, int16_t store[3])
+{
+    if (d->morph == NULL)
+        return first;
+    d->morph->morpher->normal(d, first, store);
+    return store;
+}
+
+#endif
