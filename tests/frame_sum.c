@@ -130,6 +130,24 @@ static void paint_vertices(struct sheen_mesh *mesh)
     mesh->colors = colors;
 }
 
+/* Another frame: a quarter turn about z, flattened; normals are turned alone. */
+static void make_second(const struct sheen_mesh *mesh, struct sheen_mesh *second)
+{
+    static int16_t positions[3 * 1400], normals[3 * 1400];
+
+    for (uint32_t i = 0; i < 3u * mesh->vertices && i < 3 * 1400; i += 3) {
+        positions[i] = (int16_t)-mesh->positions[i + 1];
+        positions[i + 1] = mesh->positions[i];
+        positions[i + 2] = (int16_t)(mesh->positions[i + 2] / 2);
+        normals[i] = (int16_t)-mesh->normals[i + 1];
+        normals[i + 1] = mesh->normals[i];
+        normals[i + 2] = mesh->normals[i + 2];
+    }
+    *second = *mesh;
+    second->positions = positions;
+    second->normals = normals;
+}
+
 /* On a texture, by mesh. */
 enum light {
     LIGHT_TINTED,
@@ -147,6 +165,7 @@ enum beside {
 };
 static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
 static enum beside beside;
+static uint16_t weight; /* of another frame */
 
 static void add_beside(struct sheen_view *view, struct sheen_object *draw, int number)
 {
@@ -218,7 +237,8 @@ static int print_sums(int mesh, int shading, int view, int format)
                                   .align_x = format == SHEEN_GREY2    ? 8
                                              : format == SHEEN_GREY16 ? 2
                                                                       : 1};
-    struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh);
+    struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh), second;
+    const struct sheen_morph morph = {&second, &sheen_morpher, weight};
     struct sheen_texture texture = {.bits = 0};
     const enum light light = shading == TEXTURED || shading == MATCAP ? (enum light)mesh : LIGHT_TINTED;
     struct sheen_object draw = {.mesh = &own};
@@ -232,6 +252,10 @@ static int print_sums(int mesh, int shading, int view, int format)
         paint_vertices(&own);
     else if (shading >= TEXTURED)
         hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
+    if (weight != 0) {
+        make_second(&own, &second);
+        draw.morph = &morph;
+    }
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
         int status = draw_picture(&target, &draw, &texture, light, view, rows[i % 3], i / 3);
@@ -240,9 +264,9 @@ static int print_sums(int mesh, int shading, int view, int format)
                     view, format_name[format], rows[i % 3], sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s view %d %s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading], view,
-               beside_name[beside], format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
-               (unsigned)checksum(picture, sizeof picture));
+        printf("%-5s %-7s %s %d %s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading],
+               weight != 0 ? "morph" : "view", view, beside_name[beside], format_name[format],
+               i / 3 ? "dither" : "plain ", rows[i % 3], (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
 }
@@ -263,6 +287,12 @@ int main(void)
         beside = (enum beside)(1 + i / 2 % (BESIDES - 1));
         if (print_sums((shading + view + (int)beside) % SUM_MESHES, shading, view,
                        i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (shading + view + (int)beside) % 4) < 0)
+            return 1;
+    }
+    beside = BESIDE_NOTHING;
+    for (int i = 0; i < SUM_MESHES * (COLORED + 1); i++) {
+        weight = (uint16_t)(5000 + 1000 * i);
+        if (print_sums(i / (COLORED + 1), i % (COLORED + 1), (i + i / (COLORED + 1)) % VIEWS, i * 2 % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

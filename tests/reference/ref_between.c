@@ -41,9 +41,10 @@ int ref_mesh_between(struct ref_mesh *mesh, const struct ref_mesh *first, const 
                               .triangles = copy(first->triangles, first->triangle_count, sizeof *mesh->triangles),
                               .polygon_normal = copy(first->polygon_normal, polygons, sizeof *mesh->polygon_normal),
                               .base = copy(first->base, polygons, sizeof *mesh->base),
-                              .uv = copy(first->uv, corners, sizeof *mesh->uv)};
+                              .uv = copy(first->uv, corners, sizeof *mesh->uv),
+                              .color = copy(first->color, corners, sizeof *mesh->color)};
     if (!mesh->position || !mesh->normal || !mesh->weld || !mesh->triangles || !mesh->polygon_normal ||
-        (first->base && !mesh->base) || (first->uv && !mesh->uv)) {
+        (first->base && !mesh->base) || (first->uv && !mesh->uv) || (first->color && !mesh->color)) {
         ref_mesh_free(mesh);
         return -1;
     }
