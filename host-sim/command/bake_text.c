@@ -21,6 +21,8 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
 
     if (mesh->uvs)
         bytes += mesh->vertices * 4u;
+    if (quantised->second.positions)
+        bytes += STRUCT_BYTES + mesh->vertices * 12u + (flat ? quantised->polygon_count * 6u : 0);
     if (flat)
         bytes += quantised->polygon_count * 7u + (quantised->polygons ? mesh->triangles * 2u : 0);
     return bytes;
@@ -93,6 +95,25 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
         fprintf(stream, "    .uvs = %s_uvs,\n    .uv_bits = %u,\n    .uv_offset = {%" PRId32 ", %" PRId32 "},\n", name,
                 mesh->uv_bits, mesh->uv_offset[0], mesh->uv_offset[1]);
     fputs("};\n\n", stream);
+}
+
+/* What a struct sheen_morph points to, called NAME_second. */
+static void put_second(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat)
+{
+    const struct sheen_mesh *mesh = &quantised->second;
+
+    put_signed(stream, name, "second_positions", mesh->positions, 3u * mesh->vertices);
+    put_signed(stream, name, "second_normals", mesh->normals, 3u * mesh->vertices);
+    if (flat)
+        put_signed(stream, name, "second_polygon_normals", mesh->polygon_normals, 3u * quantised->polygon_count);
+    fprintf(stream, "/* The other frame, for a struct sheen_morph of %s. */\n", name);
+    fprintf(stream, "static const struct sheen_mesh %s_second = {\n    .positions = %s_second_positions,\n", name,
+            name);
+    fprintf(stream, "    .normals = %s_second_normals,\n", name);
+    if (flat)
+        fprintf(stream, "    .polygon_normals = %s_second_polygon_normals,\n", name);
+    fprintf(stream, "    .vertices = %u,\n    .triangles = %u,\n    .scale = %" PRId32 ",\n};\n\n", mesh->vertices,
+            mesh->triangles, mesh->scale);
 }
 
 /* Called NAME_texture, or of several NAME_texture_0 ... */
@@ -190,10 +211,10 @@ static void put_parts(FILE *stream, const struct sheen_bake *bake)
     fputs("};\n\n", stream);
 }
 
-/* A comment's text, of 700 bytes at most, must not end it. */
+/* A comment's text, of 950 bytes at most, must not end it. */
 static void put_comment(FILE *stream, const char *text)
 {
-    char clean[701];
+    char clean[951];
 
     sheen_utf8_copy(clean, sizeof clean, text);
     for (const char *c = clean; *c; c++)
@@ -222,6 +243,8 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
         else
             snprintf(name, sizeof name, "%s", bake->name);
         put_mesh(stream, name, &bake->meshes[i], bake->flat);
+        if (bake->meshes[i].second.positions)
+            put_second(stream, name, &bake->meshes[i], bake->flat);
     }
     put_textures(stream, bake);
     if (bake->groups)

@@ -36,7 +36,7 @@ struct baking {
     struct sheen_texels matcap; /* of matcap:NAME; */
     struct sheen_ramp ramp;     /* of ramp:gamma */
     char name[48];
-    char source[640]; /* a file's name has at most 255 bytes, and there may be two */
+    char source[900]; /* a file's name has at most 255 bytes, and there may be three */
 };
 
 #define PLANNED_VIEWS 12 /* of a turn */
@@ -168,6 +168,10 @@ static void set_source(struct baking *baking)
         add_source(baking, " --up %s", options->up ? "z" : "y");
     if (options->reduce)
         add_source(baking, " --reduce %d", options->reduce);
+    if (options->morph)
+        add_source(baking, " --morph %s", without_folder(options->morph));
+    if (options->morph_target)
+        add_source(baking, " --morph-target %d", options->morph_target);
     if (options->groups)
         add_source(baking, " --groups");
     if (options->no_flat)
@@ -304,8 +308,11 @@ static int plan_briefly(const struct baking *baking, const struct sheen_sim_choi
     int error = plan ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options.mesh);
 
     options.quiet = 1;
+    options.morph = NULL;
     if (baking->host.picture_count)
         puts("time without its textures:");
+    if (baking->options->morph)
+        puts("time and code of the mesh alone:");
     for (int rows = 4; rows <= 16 && !error; rows *= 2) {
         options.band = baking->options->band ? baking->options->band : rows;
         error = sheen_plan_make(plan, &options, choice, PLANNED_VIEWS, problem);

@@ -110,6 +110,13 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_BAKE, AT(texture_out), 0, 0, 0},
     {"alpha-cutoff", "A", NULL, "texels of less alpha are not drawn, 0 to 1 [what the file says, else 0.5]",
      SHEEN_OPTION_REAL, SHEEN_DRAWS | SHEEN_BAKE, AT(alpha_cutoff), 0, 1, 0},
+    {"morph", "FILE", NULL,
+     "another frame of the mesh, its faces one for one: a file, whose glTF morph target stands for it where it has any",
+     SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_VIEW | SHEEN_BAKE, AT(morph), 0, 0, 0},
+    {"morph-target", "K", "0", "the number of that target, of the first mesh that has any", SHEEN_OPTION_WHOLE,
+     SHEEN_RENDER | SHEEN_VIEW | SHEEN_BAKE, AT(morph_target), 0, 65535, 0},
+    {"morph-weight", "K", "0", "what is drawn is the mesh at 0, the other frame at 1", SHEEN_OPTION_REAL,
+     SHEEN_RENDER | SHEEN_VIEW, AT(morph_weight), 0, 1, 0},
     {"dither", "on|off", NULL, "ordered 8x8 [on, but for panels of 256 greys]", SHEEN_OPTION_CHOICE, SHEEN_DRAWS,
      AT(undithered), 0, 0, 0},
     {"band", "ROWS", NULL, "rows drawn and sent at a time [16, or all of a lower picture]", SHEEN_OPTION_WHOLE,
@@ -222,6 +229,11 @@ static int check_values(const struct sheen_options *options, struct sheen_proble
 {
     if (options->palette == 1)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--palette '1': not 0, nor 2..256");
+    if (!options->morph && (options->morph_target > 0 || options->morph_weight > 0))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--morph-%s: there is no --morph",
+                             options->morph_target > 0 ? "target" : "weight");
+    if (options->morph && options->reduce)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--reduce: a mesh with --morph keeps its faces");
     return sheen_ramp_check(options, problem);
 }
 

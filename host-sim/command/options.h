@@ -97,7 +97,10 @@ struct sheen_options {
     const char *matcap;      /* a name of sheen_matcap_named, or a picture's path */
     const char *texture_out; /* NULL: not given */
     double alpha_cutoff;     /* below 0: not given */
-    const char *name;        /* bake: of the mesh, a C identifier; NULL: from the output's name */
+    const char *morph;       /* another frame of the mesh; NULL: none */
+    int morph_target;
+    double morph_weight; /* 0..1 */
+    const char *name;    /* bake: of the mesh, a C identifier; NULL: from the output's name */
     int groups, no_flat;
     /* view: */
     int view_frames; /* 0: not given */

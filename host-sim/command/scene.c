@@ -50,9 +50,10 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
 
     scene->meshes = calloc(host->part_count, sizeof *scene->meshes);
     scene->materials = calloc(host->part_count, sizeof *scene->materials);
+    scene->morphs = calloc(host->part_count, sizeof *scene->morphs);
     scene->own_color = calloc(host->part_count, sizeof *scene->own_color);
     scene->own_texture = calloc(host->part_count, sizeof *scene->own_texture);
-    if (!scene->meshes || !scene->materials || !scene->own_color || !scene->own_texture)
+    if (!scene->meshes || !scene->materials || !scene->morphs || !scene->own_color || !scene->own_texture)
         return SHEEN_ERR_MEMORY;
     int error = sheen_shine_make(&scene->shine, (unsigned)scene->options->shininess);
     if (error)
@@ -67,6 +68,7 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
         struct sheen_material *material = &scene->materials[scene->count];
         set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
         material->ramp = ramp;
+        scene->morphs[scene->count] = (struct sheen_morph){&scene->meshes[scene->count].second, &sheen_morpher, 0};
         if (host->part[i].picture)
             scene->own_texture[scene->count] = &scene->texels[host->part[i].picture - 1].texture;
         scene->own_color[scene->count++] = (uint8_t)use_group;
@@ -105,7 +107,9 @@ struct sheen_host_options sheen_scene_host_options(const struct sheen_options *o
                                        .up = options->up < 0 ? SHEEN_UP_FORMAT
                                              : options->up   ? SHEEN_UP_Z
                                                              : SHEEN_UP_Y,
-                                       .reduce = (unsigned)options->reduce};
+                                       .reduce = (unsigned)options->reduce,
+                                       .morph = options->morph,
+                                       .morph_target = (unsigned)options->morph_target};
 }
 
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
@@ -270,6 +274,7 @@ void sheen_scene_close(struct sheen_scene *scene)
     free(scene->texels);
     free(scene->meshes);
     free(scene->materials);
+    free(scene->morphs);
     free(scene->own_color);
     free(scene->own_texture);
     sheen_texels_free(&scene->matcap);
@@ -312,6 +317,8 @@ static int draw_all(struct sheen_scene *scene, int number)
     for (size_t i = 0; !error && i < scene->count; i++) {
         draw.mesh = &scene->meshes[i].mesh;
         draw.material = &scene->materials[i];
+        scene->morphs[i].weight = (uint16_t)lround(options->morph_weight * 32768);
+        draw.morph = options->morph ? &scene->morphs[i] : NULL;
         draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : sheen_shader_of(shading);
         error = sheen_draw(scene->frame, &draw);
     }

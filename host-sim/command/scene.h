@@ -16,9 +16,10 @@ struct sheen_scene {
     /* What is drawn: one mesh, or one for each texture, and with --color file for each material. */
     struct sheen_quantised *meshes;
     struct sheen_material *materials;
-    uint8_t *own_color;       /* 1: the material's is of the file's */
-    struct sheen_shine shine; /* of all of them */
-    struct sheen_ramp ramp;   /* likewise, where one is made */
+    uint8_t *own_color;         /* 1: the material's is of the file's */
+    struct sheen_shine shine;   /* of all of them */
+    struct sheen_ramp ramp;     /* likewise, where one is made */
+    struct sheen_morph *morphs; /* of each mesh, where there is another frame */
     size_t count;
     struct sheen_texels *texels; /* the textures that materials point to */
     size_t texel_count;

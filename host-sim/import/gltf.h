@@ -165,8 +165,11 @@ struct shape {
     item material;
 };
 
-/* Those of the mesh that have triangles. weights: of the morph targets; missing ones are 0. */
-std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights);
+/*
+ * Those of the mesh that have triangles. weights: of the morph targets; missing ones are 0. whole: 1 and the number of
+ * one without which there are no normals either, or 0.
+ */
+std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights, unsigned whole);
 
 /* ---- gltf_nodes.cpp ---- */
 
@@ -177,10 +180,14 @@ struct placement {
     item mesh;
     std::vector<double> weights;
     std::vector<matrix> at, joints;
+    unsigned whole = 0; /* 1 and the number of the morph target that was asked for, where this mesh is its */
 };
 
-/* Of everything that the scene shows. */
-std::vector<placement> place_meshes(document &file);
+/*
+ * Of everything that the scene shows. target: 1 and the number of a morph target that is to have weight 1, of the first
+ * mesh that has any; 0: none is.
+ */
+std::vector<placement> place_meshes(document &file, unsigned target);
 
 /* ---- gltf_color.cpp ---- */
 

@@ -201,7 +201,7 @@ std::vector<matrix> read_joints(document &file, const item &skin, tree &all)
 placement place(document &file, size_t node, tree &all)
 {
     const item from = all.nodes.at(node), instancing = from.get("extensions").get("EXT_mesh_gpu_instancing");
-    placement out{file.entry("meshes", from.get("mesh")), {}, {}, {}};
+    placement out{file.entry("meshes", from.get("mesh")), {}, {}, {}, 0};
     const item weights = from.get("weights") ? from.get("weights") : out.mesh.get("weights");
 
     if (instancing && from.get("skin"))
@@ -217,10 +217,43 @@ placement place(document &file, size_t node, tree &all)
     return out;
 }
 
+/* How many a mesh has: all of its primitives have as many. */
+size_t count_targets(const item &mesh)
+{
+    const item primitives = mesh.get("primitives");
+
+    return primitives.size() ? primitives.at(0).get("targets").size() : 0;
+}
+
+/* The mesh that `target` is of; no name where no mesh has targets. */
+std::string find_target(const document &file, unsigned target)
+{
+    const item meshes = file.list("meshes");
+
+    for (size_t i = 0; target && i < meshes.size(); i++) {
+        const size_t count = count_targets(meshes.at(i));
+        if (count && target > count)
+            refuse("%s has %zu morph targets, none has number %u", meshes.at(i).name(), count, target - 1);
+        if (count)
+            return meshes.at(i).name();
+    }
+    return "";
+}
+
+void apply_target(placement &to, const std::string &mesh, unsigned target)
+{
+    if (mesh != to.mesh.name())
+        return;
+    to.whole = target;
+    to.weights.resize(std::max(to.weights.size(), static_cast<size_t>(target)));
+    to.weights[target - 1] = 1;
+}
+
 } // namespace
 
-std::vector<placement> place_meshes(document &file)
+std::vector<placement> place_meshes(document &file, unsigned target)
 {
+    const std::string moved = find_target(file, target);
     tree all(file);
     std::vector<bool> seen(all.nodes.size());
     std::vector<size_t> waiting = find_roots(file, all);
@@ -235,8 +268,10 @@ std::vector<placement> place_meshes(document &file)
         if (seen[node] || (visible && !visible.flag()))
             continue;
         seen[node] = true; /* a node stands at one place, and a list of roots may name it again */
-        if (from.get("mesh"))
+        if (from.get("mesh")) {
             out.push_back(place(file, node, all));
+            apply_target(out.back(), moved, target);
+        }
         for (size_t c = children.size(); c > 0; c--)
             waiting.push_back(children.at(c - 1).whole());
     }

@@ -73,6 +73,17 @@ table read_optional(const source &from, const char *name, const char *types, siz
     return {};
 }
 
+/* Normals, but where the target that was asked for moves points and has none: the file's are those of another shape. */
+table read_normals(const source &from, size_t vertices, unsigned whole)
+{
+    const item targets = from.primitive.get("targets");
+    const bool is_moved = whole && targets.size() >= whole && targets.at(whole - 1).get("POSITION");
+
+    if (is_moved && !targets.at(whole - 1).get("NORMAL"))
+        return {};
+    return read_optional(from, "NORMAL", "VEC3", vertices);
+}
+
 /* Where a material's texture is to be looked up; without one, as any texture would be. */
 std::string texcoord_name(document &file, const item &material)
 {
@@ -138,7 +149,7 @@ std::vector<uint32_t> make_triangles(const std::vector<uint32_t> &corners, uint6
     return out;
 }
 
-shape read_primitive(document &file, const item &primitive, const std::vector<double> &weights)
+shape read_primitive(document &file, const item &primitive, const std::vector<double> &weights, unsigned whole)
 {
     const item extension = primitive.get("extensions").get("KHR_draco_mesh_compression");
     const uint64_t mode = primitive.get("mode").whole(TRIANGLES);
@@ -156,7 +167,7 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
     out.points = read_attribute(from, "POSITION", "VEC3");
     if (out.points.count == 0)
         refuse("%s has no POSITION", primitive.name());
-    out.normals = read_optional(from, "NORMAL", "VEC3", out.points.count);
+    out.normals = read_normals(from, out.points.count, whole);
     out.colors = read_optional(from, "COLOR_0", "VEC3 VEC4", out.points.count);
     out.uvs = read_optional(from, texcoord_name(file, out.material).c_str(), "VEC2", out.points.count);
     read_influences(from, out);
@@ -170,13 +181,13 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
 
 } // namespace
 
-std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights)
+std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights, unsigned whole)
 {
     const item primitives = mesh.get("primitives");
     std::vector<shape> out;
 
     for (size_t i = 0; i < primitives.size(); i++) {
-        shape one = read_primitive(file, primitives.at(i), weights);
+        shape one = read_primitive(file, primitives.at(i), weights, whole);
         if (!one.triangles.empty())
             out.push_back(std::move(one));
     }

@@ -26,6 +26,9 @@ struct sheen_host_build {
     sheen_q30_t (*facing)[3]; /* the normal of each polygon */
     sheen_angle_t *angles;    /* of each corner */
     double (*normals)[3];     /* of each corner: unit */
+    /* Another frame and its mesh, of which polygons alone are made; in it, the first one. NULL: none. */
+    struct sheen_host_build *second;
+    const struct sheen_host_build *first_frame;
 };
 
 /* The vertex, by place, of a corner. */
@@ -47,6 +50,13 @@ void sheen_host_local_free(struct sheen_host_build *build);
  * normal is within 1e-8 where the polygon is no sliver.
  */
 void sheen_host_localise(struct sheen_host_build *build, const uint32_t *corners, uint32_t count);
+
+/* host_morph.c: 0, or SHEEN_ERR_ARGUMENT and *problem where another frame's polygons are not those of the mesh. */
+int sheen_host_frames_fit(const struct sheen_polygons *first, const struct sheen_polygons *second, const char *name,
+                          const char *second_name, struct sheen_problem *problem);
+
+/* host_morph.c: mesh->second of the finished first frame. 0, or SHEEN_ERR_MEMORY. */
+int sheen_host_second(const struct sheen_host_build *build);
 
 /* Fills in build->normals. 0, or SHEEN_ERR_MEMORY. */
 int sheen_host_normals(struct sheen_host_build *build);

@@ -86,7 +86,16 @@ static int check_vertices(const struct sheen_host_mesh *mesh, const char *name, 
                          SHEEN_HOST_MESH_MAX, rounder);
 }
 
-/* The polygons that have an area, and their corners. */
+/* Whether the first frame has the polygon whose first corner this is as its next. */
+static int is_kept(const struct sheen_host_build *build, uint32_t corner)
+{
+    const struct sheen_host_build *first = build->first_frame;
+    size_t next = build->mesh->polygon_count;
+
+    return next < first->mesh->polygon_count && first->source[first->mesh->polygons[next].first] == corner;
+}
+
+/* The polygons that have an area, and their corners; of another frame, those of the first. */
 static int keep_polygons(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     const struct sheen_polygons *from = build->from;
@@ -104,8 +113,11 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
 
         sheen_host_localise(build, from->corners + first, count);
         sheen_q30_t *facing = build->facing[mesh->polygon_count];
-        if (sheen_polygon_normal(build->local.points, build->local.order, count, facing) != SHEEN_OK)
-            continue; /* no area */
+        int has_area = sheen_polygon_normal(build->local.points, build->local.order, count, facing) == SHEEN_OK;
+        if (build->first_frame ? !is_kept(build, first) : !has_area)
+            continue;
+        for (int k = 0; !has_area && k < 3; k++)
+            facing[k] = 0;
         sheen_host_unit(facing, keep->normal);
         const struct sheen_polygon_list one = {build->local.points, build->local.order, &count, count, count, 1};
         sheen_corner_angles(&one, facing, build->angles + mesh->corner_count);
@@ -122,15 +134,8 @@ static int keep_polygons(struct sheen_host_build *build, const char *name, struc
     return check_triangles(mesh, build->options, name, problem);
 }
 
-/* Centre and radius over every point that a polygon uses, one without area included. */
-static int fit(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+static void widen(const struct sheen_polygons *from, double low[3], double high[3])
 {
-    const struct sheen_polygons *from = build->from;
-    struct sheen_host_mesh *mesh = build->mesh;
-    double low[3], high[3];
-
-    memcpy(low, from->points[from->corners[0]], sizeof low);
-    memcpy(high, low, sizeof high);
     for (size_t c = 0; c < from->corner_count; c++) {
         const double *point = from->points[from->corners[c]];
         for (int k = 0; k < 3; k++) {
@@ -138,15 +143,37 @@ static int fit(struct sheen_host_build *build, const char *name, struct sheen_pr
             high[k] = fmax(high[k], point[k]);
         }
     }
+}
+
+static double reach(const struct sheen_polygons *from, const double center[3])
+{
+    double most = 0;
+
+    for (size_t c = 0; c < from->corner_count; c++) {
+        const double *point = from->points[from->corners[c]];
+        double d[3] = {point[0] - center[0], point[1] - center[1], point[2] - center[2]};
+        most = fmax(most, sqrt(dot3(d, d)));
+    }
+    return most;
+}
+
+/* Centre and radius over every point that a polygon uses, one without area included; of both frames. */
+static int fit(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    const struct sheen_polygons *from = build->from, *second = build->second ? build->second->from : NULL;
+    struct sheen_host_mesh *mesh = build->mesh;
+    double low[3], high[3];
+
+    memcpy(low, from->points[from->corners[0]], sizeof low);
+    memcpy(high, low, sizeof high);
+    widen(from, low, high);
+    if (second)
+        widen(second, low, high);
     for (int k = 0; k < 3; k++) {
         mesh->center[k] = (low[k] + high[k]) / 2;
         build->side[k] = high[k] - low[k];
     }
-    for (size_t c = 0; c < from->corner_count; c++) {
-        const double *point = from->points[from->corners[c]];
-        double d[3] = {point[0] - mesh->center[0], point[1] - mesh->center[1], point[2] - mesh->center[2]};
-        mesh->radius = fmax(mesh->radius, sqrt(dot3(d, d)));
-    }
+    mesh->radius = fmax(reach(from, mesh->center), second ? reach(second, mesh->center) : 0);
     if (!(mesh->radius > FLT_MIN))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no extent: all vertices are at one place", name);
     return SHEEN_OK;
@@ -154,9 +181,9 @@ static int fit(struct sheen_host_build *build, const char *name, struct sheen_pr
 
 /* What makes two corners the same vertex; every byte counts, so there is no padding. */
 struct vertex_key {
-    double normal[3], uv[2];
-    uint32_t weld, group, has_uv;
-    uint8_t color[4];
+    double normal[3], uv[2], second_normal[3];
+    uint32_t weld, group, has_uv, second_weld;
+    uint8_t color[4], unused[4];
 };
 
 static void set_vertex(struct sheen_host_build *build, size_t corner, const struct vertex_key *key)
@@ -191,6 +218,9 @@ static void set_key(const struct sheen_host_build *build, size_t p, size_t corne
     if (build->options->colors && from->colors)
         memcpy(key->color, from->colors[source], 3);
     key->weld = sheen_corner_weld(build, corner);
+    for (int k = 0; build->second && k < 3; k++)
+        key->second_normal[k] = build->second->normals[corner][k] + 0.0;
+    key->second_weld = build->second ? sheen_corner_weld(build->second, corner) : 0;
     key->group = build->options->by_group || from->picture_count ? build->mesh->polygons[p].group : 0;
 }
 
@@ -332,25 +362,61 @@ static int copy_groups(struct sheen_host_build *build)
     return copy_pictures(mesh, build->from);
 }
 
-/* All steps but the last, which makes a mesh smaller. */
+/* Polygons, places and normals, of one frame. */
+static int make_frame(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    int error = sheen_host_local_alloc(build);
+
+    if (!error)
+        error = keep_polygons(build, name, problem);
+    if (!error)
+        error = weld_points(build);
+    return error ? error : sheen_host_normals(build);
+}
+
+/* Of another frame, once the first has its own. */
+static int make_second(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
+{
+    struct sheen_host_build *second = build->second;
+
+    if (!second)
+        return SHEEN_OK;
+    memcpy(second->mesh->center, build->mesh->center, sizeof second->mesh->center);
+    memcpy(second->side, build->side, sizeof second->side);
+    return make_frame(second, name, problem);
+}
+
+static void free_frame(struct sheen_host_build *build)
+{
+    sheen_host_local_free(build);
+    free(build->weld);
+    free(build->source);
+    free(build->facing);
+    free(build->angles);
+    free(build->normals);
+}
+
+/* All steps but the last, which makes a mesh smaller. second: or NULL. */
 static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
-                     const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+                     const struct sheen_polygons *second, const struct sheen_host_options *options, const char *name,
+                     struct sheen_problem *problem)
 {
     struct sheen_host_build build = {.from = polygons, .options = options, .mesh = mesh};
+    struct sheen_host_mesh other_mesh = {.polygon_count = 0};
+    struct sheen_host_build other = {.from = second, .options = options, .mesh = &other_mesh, .first_frame = &build};
 
     memset(mesh, 0, sizeof *mesh);
     int error = sheen_polygons_check(polygons, name, problem);
+    if (!error && second)
+        error = sheen_host_frames_fit(polygons, second, name, options->morph, problem);
     if (error)
         return error; /* the problem is set, nothing was allocated */
+    build.second = second ? &other : NULL;
     error = fit(&build, name, problem);
     if (!error)
-        error = sheen_host_local_alloc(&build);
+        error = make_frame(&build, name, problem);
     if (!error)
-        error = keep_polygons(&build, name, problem);
-    if (!error)
-        error = weld_points(&build);
-    if (!error)
-        error = sheen_host_normals(&build);
+        error = make_second(&build, name, problem);
     if (!error)
         error = make_vertices(&build);
     if (!error)
@@ -359,12 +425,11 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
         error = make_parts(&build);
     if (!error)
         error = copy_groups(&build);
-    sheen_host_local_free(&build);
-    free(build.weld);
-    free(build.source);
-    free(build.facing);
-    free(build.angles);
-    free(build.normals);
+    if (!error && second)
+        error = sheen_host_second(&build);
+    free_frame(&build);
+    free_frame(&other);
+    sheen_host_mesh_free(&other_mesh);
     if (error)
         sheen_host_mesh_free(mesh);
     if (error == SHEEN_ERR_MEMORY)
@@ -372,10 +437,11 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     return error;
 }
 
-int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
-                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+int sheen_host_mesh_build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                                 const struct sheen_polygons *second, const struct sheen_host_options *options,
+                                 const char *name, struct sheen_problem *problem)
 {
-    int error = build_all(mesh, polygons, options, name, problem);
+    int error = build_all(mesh, polygons, second, options, name, problem);
 
     if (error)
         return error;
@@ -387,8 +453,17 @@ int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polyg
     return error;
 }
 
+int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                          const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
+{
+    return sheen_host_mesh_build_frames(mesh, polygons, NULL, options, name, problem);
+}
+
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh)
 {
+    free(mesh->second.positions);
+    free(mesh->second.normals);
+    free(mesh->second.polygon_normals);
     free(mesh->vertices);
     free(mesh->polygons);
     free(mesh->corners);
@@ -413,16 +488,28 @@ int sheen_polygons_load(struct sheen_polygons *polygons, const char *name, const
     return error;
 }
 
+static int load_frame(struct sheen_polygons *polygons, const char *name, const struct sheen_host_options *options,
+                      const struct sheen_texture_options *textures, struct sheen_problem *problem)
+{
+    int error = sheen_polygons_load(polygons, name, textures, problem);
+
+    if (!error && (options->up == SHEEN_UP_Z || (options->up == SHEEN_UP_FORMAT && polygons->z_up)))
+        sheen_polygons_turn(polygons);
+    return error;
+}
+
 int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const struct sheen_host_options *options,
                          struct sheen_problem *problem)
 {
-    struct sheen_polygons polygons;
-    int error = sheen_polygons_load(&polygons, name, options->textures, problem);
+    const struct sheen_texture_options whole = {.cutoff = -1, .target = options->morph_target + 1};
+    struct sheen_polygons polygons, second = {.polygon_count = 0};
+    int error = load_frame(&polygons, name, options, options->textures, problem);
 
-    if (!error && (options->up == SHEEN_UP_Z || (options->up == SHEEN_UP_FORMAT && polygons.z_up)))
-        sheen_polygons_turn(&polygons);
+    if (!error && options->morph)
+        error = load_frame(&second, options->morph, options, &whole, problem);
     if (!error)
-        error = sheen_host_mesh_build(mesh, &polygons, options, name, problem);
+        error = sheen_host_mesh_build_frames(mesh, &polygons, options->morph ? &second : NULL, options, name, problem);
     sheen_polygons_free(&polygons);
+    sheen_polygons_free(&second);
     return error;
 }

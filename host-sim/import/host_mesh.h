@@ -43,6 +43,8 @@ struct sheen_host_options {
     unsigned reduce; /* to at most so many triangles (host_reduce.h), 1..SHEEN_HOST_MESH_MAX; 0: never */
     int colors;      /* 1: corners keep the file's colours */
     const struct sheen_texture_options *textures; /* borrowed; NULL: none are read */
+    const char *morph;                            /* the name of another frame of the mesh, see below; NULL: none */
+    unsigned morph_target;                        /* of it, where it is a glTF file with any */
 };
 
 struct sheen_host_vertex {
@@ -73,6 +75,15 @@ struct sheen_host_triangle {
     uint32_t polygon;
 };
 
+/*
+ * Another frame of a mesh: its polygons one for one, elsewhere. The fit is over both, a polygon without area in the first
+ * is dropped, one without area here has a normal of zero; normals are made by the same rules of this frame alone.
+ */
+struct sheen_host_frame {
+    double (*positions)[3], (*normals)[3]; /* of each vertex; NULL: there is none */
+    double (*polygon_normals)[3];
+};
+
 struct sheen_host_mesh {
     struct sheen_host_vertex *vertices;
     size_t vertex_count; /* 3..SHEEN_HOST_MESH_MAX */
@@ -88,7 +99,8 @@ struct sheen_host_mesh {
     size_t picture_count;
     int has_colors; /* 1: a vertex has one of the file's */
     struct sheen_host_part *part;
-    size_t part_count;        /* 1 or more */
+    size_t part_count; /* 1 or more */
+    struct sheen_host_frame second;
     double center[3], radius; /* fitted = (file - center) / radius */
     uint8_t z_up;             /* as in the polygons, and so are the notes */
     struct sheen_notes notes;
@@ -101,6 +113,10 @@ struct sheen_host_mesh {
  */
 int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
                           const struct sheen_host_options *options, const char *name, struct sheen_problem *problem);
+/* The same with another frame of it, options->morph by name; SHEEN_ERR_ARGUMENT where the polygons are others. */
+int sheen_host_mesh_build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                                 const struct sheen_polygons *second, const struct sheen_host_options *options,
+                                 const char *name, struct sheen_problem *problem);
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh);
 
 /* By name: "builtin:..." or a file. textures: or NULL. Errors as above, and what the reader found. */

@@ -35,7 +35,7 @@ static int check_file(const char *path, struct sheen_problem *problem)
 static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
                                     const struct sheen_texture_options *textures, int pipe)
 {
-    struct sheen_polygons polygons = {0};
+    struct sheen_polygons polygons = {.target = textures ? textures->target : 0};
     struct sheen_problem problem = {""};
 
     for (int number = 1; number < NSIG; number++)

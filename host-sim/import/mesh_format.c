@@ -78,7 +78,7 @@ int sheen_mesh_format_read(struct sheen_polygons *polygons, const char *path, st
     sheen_mesh_reader *reader = by_ending(path);
     struct sheen_bytes bytes;
 
-    memset(polygons, 0, sizeof *polygons);
+    *polygons = (struct sheen_polygons){.target = polygons->target};
     if (!reader && sheen_bytes_load(&bytes, path, problem) == 0) {
         reader = by_content(&bytes);
         sheen_bytes_free(&bytes);

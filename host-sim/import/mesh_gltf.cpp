@@ -208,9 +208,9 @@ void add_meshes(making &to)
     std::string name;
     std::vector<double> weights;
 
-    for (const placement &one : place_meshes(to.file)) {
+    for (const placement &one : place_meshes(to.file, to.out.target)) {
         if (name != one.mesh.name() || weights != one.weights)
-            shapes = read_mesh(to.file, one.mesh, one.weights);
+            shapes = read_mesh(to.file, one.mesh, one.weights, one.whole);
         name = one.mesh.name();
         weights = one.weights;
         for (const shape &part_ : shapes) {
@@ -265,7 +265,10 @@ void read(struct sheen_polygons &out, const char *path)
 
 int sheen_mesh_gltf_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
+    const unsigned target = polygons->target;
+
     memset(polygons, 0, sizeof *polygons);
+    polygons->target = target;
     try {
         read(*polygons, path);
         return SHEEN_OK;

@@ -55,7 +55,8 @@ struct sheen_polygons {
     size_t group_count; /* at least 1 */
     struct sheen_picture *picture;
     size_t picture_count;
-    uint8_t z_up; /* 1: the format's up is z (STL), which a command may turn to y; points are not turned */
+    uint8_t z_up;    /* 1: the format's up is z (STL), which a command may turn to y; points are not turned */
+    unsigned target; /* what a reader is asked for, see struct sheen_texture_options */
     struct sheen_notes notes;
 };
 

@@ -92,20 +92,56 @@ static int allocate(struct sheen_quantised *out, const struct chosen *chosen, in
     return SHEEN_OK;
 }
 
+static void quantise_point(const double position[3], int16_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (int16_t)floor(position[k] * ONE + 0.5);
+}
+
 static void fill_vertices(struct sheen_quantised *out, const struct sheen_host_mesh *host, const struct chosen *chosen)
 {
     for (size_t i = 0; i < host->vertex_count; i++) {
         if (chosen->vertex[i] == NONE)
             continue;
         size_t at = 3 * (size_t)chosen->vertex[i];
-        for (int k = 0; k < 3; k++)
-            out->positions[at + k] = (int16_t)floor(host->vertices[i].position[k] * ONE + 0.5);
+        quantise_point(host->vertices[i].position, out->positions + at);
         sheen_quantise_unit(host->vertices[i].normal, out->normals + at);
     }
     for (size_t p = 0; p < host->polygon_count; p++) {
         if (chosen->polygon[p] != NONE)
             sheen_quantise_unit(host->polygons[p].normal, out->polygon_normals + 3 * (size_t)chosen->polygon[p]);
     }
+}
+
+/* A normal of a polygon without area is zero. */
+static void quantise_normal(const double normal[3], int16_t out[3])
+{
+    if (dot3(normal, normal) > 0)
+        sheen_quantise_unit(normal, out);
+}
+
+/* The other frame, likewise. */
+static int make_second(struct sheen_quantised *out, const struct sheen_host_mesh *host, const struct chosen *chosen)
+{
+    const struct sheen_host_frame *second = &host->second;
+
+    out->second_positions = calloc(chosen->vertices, 3 * sizeof *out->second_positions);
+    out->second_normals = calloc(chosen->vertices, 3 * sizeof *out->second_normals);
+    out->second_polygon_normals = calloc(chosen->polygons, 3 * sizeof *out->second_polygon_normals);
+    if (!out->second_positions || !out->second_normals || !out->second_polygon_normals)
+        return SHEEN_ERR_MEMORY;
+    for (size_t i = 0; i < host->vertex_count; i++) {
+        if (chosen->vertex[i] == NONE)
+            continue;
+        size_t at = 3 * (size_t)chosen->vertex[i];
+        quantise_point(second->positions[i], out->second_positions + at);
+        quantise_normal(second->normals[i], out->second_normals + at);
+    }
+    for (size_t p = 0; p < host->polygon_count; p++) {
+        if (chosen->polygon[p] != NONE)
+            quantise_normal(second->polygon_normals[p], out->second_polygon_normals + 3 * (size_t)chosen->polygon[p]);
+    }
+    return SHEEN_OK;
 }
 
 /* ---- texture coordinates ---- */
@@ -192,6 +228,8 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
         fill_uvs(out, host, &chosen, &host->picture[picture - 1]);
     if (!error && out->colors)
         fill_colors(out, host, &chosen);
+    if (!error && host->second.positions)
+        error = make_second(out, host, &chosen);
     if (!error) {
         fill_vertices(out, host, &chosen);
         fill_triangles(out, host, &chosen);
@@ -206,6 +244,12 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
         out->mesh.scale = SHEEN_Q24(32768 / ONE);
         sheen_mesh_warp(&out->mesh, out->polygon_count, out->warp);
         out->mesh.warp = out->warp;
+        out->second = (struct sheen_mesh){.positions = out->second_positions,
+                                          .normals = out->second_normals,
+                                          .polygon_normals = out->second_polygon_normals,
+                                          .vertices = out->mesh.vertices,
+                                          .triangles = out->mesh.triangles,
+                                          .scale = out->mesh.scale};
     }
     free(chosen.vertex);
     free(chosen.polygon);
@@ -219,6 +263,9 @@ void sheen_quantised_free(struct sheen_quantised *quantised)
     free(quantised->positions);
     free(quantised->normals);
     free(quantised->polygon_normals);
+    free(quantised->second_positions);
+    free(quantised->second_normals);
+    free(quantised->second_polygon_normals);
     free(quantised->uvs);
     free(quantised->colors);
     free(quantised->polygons);

@@ -25,6 +25,8 @@ struct sheen_quantised {
     uint8_t *warp;
     void *indices;
     uint32_t polygon_count;
+    struct sheen_mesh second; /* the other frame, on the same grid; its positions are NULL where there is none */
+    int16_t *second_positions, *second_normals, *second_polygon_normals;
 };
 
 #define SHEEN_ALL_PARTS UINT32_MAX

@@ -19,6 +19,8 @@ struct sheen_texture_options {
     unsigned most;    /* texels a side: a power of two, 1..512; 0: no textures at all */
     int square;       /* 1: one that is not is refused */
     double cutoff;    /* in place of every texture's; below 0: none */
+    unsigned
+        target; /* of a glTF file: 1 and the number of the morph target that is read whole; 0: as the file weighs */
 };
 
 #define SHEEN_UV_SPAN 8192.0 /* texels between the least and the largest uv of a texture's faces */
