@@ -8,16 +8,22 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
-# Functions of sheen_shader, sheen_ramp_reader, sheen_fog_mixer by who calls them: what else could stand there does not.
-SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours)$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
+# Functions of sheen_shader, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher by who calls them: what else could stand there does not.
+SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours|place_object)$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
                 (r"(^|:)sheen_begin$", r"fog_begin$"),
-                (r"(^|:)(light_corners|draw_triangle|sheen_cut_triangle|cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
-                (r"(^|:)set_up$", r"_setup$"),
-                (r"(^|:)(light_normal|sheen_facet_lit|sheen_light_back|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
+                (r"(^|:)use_corners$", r"morph_position$"),
+                (r"(^|:)(light_corners|draw_triangle)$", r"_light$|morph_normal$"),
+                (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
+                (r"(^|:)(cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
+                (r"(^|:)set_up$", r"_setup$|morph_corners$"),
+                (r"(^|:)(sheen_facet_(lit|normal)|flat_colored_carry)$", r"_light_by_ramp$|morph_facet$"),
+                (r"(^|:)(sheen_light_back|gouraud_colored_carry)$", r"_light_by_ramp$|morph_normal$"),
+                (r"(^|:)(light_normal|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
+                (r"(^|:)morph_(cut|corners)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
-                (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$"),
+                (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
 
