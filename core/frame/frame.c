@@ -230,6 +230,8 @@ static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
         return refuse(f, SHEEN_ERR_ARGUMENT, shader, 0);
     if (o->depth_bias < -4096 || o->depth_bias > 4095)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTH_BIAS, 0);
+    if (o->morph != NULL && (o->morph->morpher == NULL || !o->morph->morpher->fits(o)))
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MORPH, 0);
     if (f->draws == f->config.max_draws)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_DRAWS, f->draws + 1);
     if (f->vertices + mesh->vertices > f->config.max_vertices)
@@ -248,14 +250,8 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, &f->projection, o->mesh, &pose) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
-    if (o->two_sided)
+    if (o->two_sided || o->morph != NULL) /* warp is of one frame */
         viewpoint->a_warp = 0;
-    d->morph = NULL;
-    if (o->morph != NULL) {
-        viewpoint->a_warp = 0; /* warp is of one frame */
-        if (o->morph->morpher == NULL || o->morph->morpher->begin(d, o) < 0)
-            return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MORPH, 0);
-    }
     const struct sheen_light *axes = o->shader->axes;
     int error =
         sheen_light_begin(&d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,
@@ -353,6 +349,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     if (error < 0)
         return error;
     d->as.mesh = object->mesh;
+    d->as.morph = object->morph;
     d->as.shader = object->shader;
     d->as.two_sided = object->two_sided;
     d->as.dither = f->view.dither != 0;

@@ -7,7 +7,7 @@
 #define WHOLE 32768 /* weight of the second frame alone */
 
 /* (1 - k) first + k second, Q.15. Range: |.| <= 2^30. */
-static int32_t mixed(uint32_t weight, int32_t first, int32_t second)
+static int32_t morphed(uint32_t weight, int32_t first, int32_t second)
 {
     return (int32_t)(WHOLE - weight) * first + (int32_t)weight * second;
 }
@@ -17,17 +17,17 @@ static void morph_position(const struct draw *d, const int16_t *first, int16_t o
     const int16_t *second = d->morph->mesh->positions + (first - d->mesh->positions);
 
     for (int k = 0; k < 3; k++)
-        out[k] = (int16_t)asr32(mixed(d->morph->weight, first[k], second[k]) + WHOLE / 2, 15);
+        out[k] = (int16_t)asr32(morphed(d->morph->weight, first[k], second[k]) + WHOLE / 2, 15);
 }
 
-/* Unit length; where the two cancel it is the first. */
+/* Unit length; where the two cancel, or the second does not count, it is the first. */
 static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t second[3], int16_t out[3])
 {
     int32_t n[3];
 
     for (int k = 0; k < 3; k++)
-        n[k] = mixed(weight, first[k], second[k]);
-    const int known = sheen_normalize(n, n) == SHEEN_OK;
+        n[k] = morphed(weight, first[k], second[k]);
+    const int known = weight != 0 && sheen_normalize(n, n) == SHEEN_OK;
     for (int k = 0; k < 3; k++)
         out[k] = known ? (int16_t)min32(asr32(n[k] + (1 << 14), 15), 32767) : first[k];
 }
@@ -77,18 +77,14 @@ static int same_shape(const struct sheen_mesh *a, const struct sheen_mesh *b)
            a->offset[0] == b->offset[0] && a->offset[1] == b->offset[1] && a->offset[2] == b->offset[2];
 }
 
-static int morph_begin(struct draw *d, const struct sheen_object *o)
+static int morph_fits(const struct sheen_object *o)
 {
     const struct sheen_morph *m = o->morph;
 
-    if (m->mesh == NULL || m->weight > WHOLE || !same_shape(o->mesh, m->mesh) ||
-        (o->mesh->normals != NULL && m->mesh->normals == NULL) ||
-        (o->mesh->polygon_normals != NULL && m->mesh->polygon_normals == NULL))
-        return SHEEN_ERR_ARGUMENT;
-    if (m->weight != 0)
-        d->morph = m;
-    return SHEEN_OK;
+    return m->mesh != NULL && m->weight <= WHOLE && same_shape(o->mesh, m->mesh) &&
+           (o->mesh->normals == NULL || m->mesh->normals != NULL) &&
+           (o->mesh->polygon_normals == NULL || m->mesh->polygon_normals != NULL);
 }
 
-const struct sheen_morpher sheen_morpher = {morph_begin, morph_position, morph_normal,
+const struct sheen_morpher sheen_morpher = {morph_fits,  morph_position, morph_normal,
                                             morph_facet, morph_corners,  morph_cut};

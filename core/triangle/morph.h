@@ -10,8 +10,7 @@ struct worker;
 
 /* What a struct sheen_morph points to, so that it is linked where there is one. Vectors are of the draw's mesh. */
 struct sheen_morpher {
-    /* Makes *d, which has its mesh, a draw between the frames; SHEEN_ERR_ARGUMENT where they do not fit. */
-    int (*begin)(struct draw *d, const struct sheen_object *object);
+    int (*fits)(const struct sheen_object *object); /* 0: the other frame is none of its mesh, or the weight wrong */
     void (*position)(const struct draw *d, const int16_t *first, int16_t out[3]);
     void (*normal)(const struct draw *d, const int16_t *first, int16_t out[3]);
     void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: the first frame's */

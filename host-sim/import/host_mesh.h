@@ -76,8 +76,8 @@ struct sheen_host_triangle {
 };
 
 /*
- * Another frame of a mesh: its polygons one for one, elsewhere. The fit is over both, a polygon without area in the first
- * is dropped, one without area here has a normal of zero; normals are made by the same rules of this frame alone.
+ * Another frame of a mesh: its polygons one for one, elsewhere. The fit is over both, a polygon without area in the
+ * first is dropped, one without area here has a normal of zero; normals are made by the same rules of this frame alone.
  */
 struct sheen_host_frame {
     double (*positions)[3], (*normals)[3]; /* of each vertex; NULL: there is none */

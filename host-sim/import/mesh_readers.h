@@ -1,8 +1,8 @@
 /*
  * mesh_readers.h - our own readers of mesh files, each in a file of its own. For mesh_format.c, which chooses one.
  *
- * As sheen_mesh_file_read, in this process, into *polygons, zeroed but for `target`. They take no memory on a file's word: what it
- * promises is held against what has come.
+ * As sheen_mesh_file_read, in this process, into *polygons, zeroed but for `target`. They take no memory on a file's
+ * word: what it promises is held against what has come.
  */
 #ifndef SHEEN_MESH_READERS_H
 #define SHEEN_MESH_READERS_H

@@ -9,7 +9,7 @@ NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
 # Functions of sheen_shader, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher by who calls them: what else could stand there does not.
-SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours|place_object)$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
+SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours|object_valid)$", r"(_light|_begin|begin_by_ramp|fog_draw|morph_fits)$"),
                 (r"(^|:)sheen_begin$", r"fog_begin$"),
                 (r"(^|:)use_corners$", r"morph_position$"),
                 (r"(^|:)(light_corners|draw_triangle)$", r"_light$|morph_normal$"),
@@ -19,7 +19,7 @@ SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours|place_object)$", r"(_light|_be
                 (r"(^|:)(sheen_facet_(lit|normal)|flat_colored_carry)$", r"_light_by_ramp$|morph_facet$"),
                 (r"(^|:)(sheen_light_back|gouraud_colored_carry)$", r"_light_by_ramp$|morph_normal$"),
                 (r"(^|:)(light_normal|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
-                (r"(^|:)morph_(cut|corners)$", r"morph_(position|normal)$"),
+                (r"(^|:)(morph_(cut|corners)|position_of|normal_of)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
