@@ -1,7 +1,7 @@
 /*
  * morph.c - a mesh between two frames of it, vertex by vertex where one is needed: nothing is stored.
  */
-#include "../triangle/facet.h"
+#include "../math/vector.h"
 #include "frame.h"
 
 #define WHOLE 32768 /* weight of the second frame alone */
@@ -23,11 +23,12 @@ static void morph_position(const struct draw *d, const int16_t *first, int16_t o
 /* Unit length; where the two cancel, or the second does not count, it is the first. */
 static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t second[3], int16_t out[3])
 {
-    int32_t n[3];
+    int64_t sum[3];
+    sheen_q30_t n[3];
 
     for (int k = 0; k < 3; k++)
-        n[k] = morphed(weight, first[k], second[k]);
-    const int known = weight != 0 && sheen_normalize(n, n) == SHEEN_OK;
+        sum[k] = morphed(weight, first[k], second[k]);
+    const int known = weight != 0 && sheen_normalize_wide(sum, n) == SHEEN_OK;
     for (int k = 0; k < 3; k++)
         out[k] = known ? (int16_t)min32(asr32(n[k] + (1 << 14), 15), 32767) : first[k];
 }
@@ -41,7 +42,7 @@ static void morph_facet(const struct draw *d, uint32_t triangle, int16_t normal[
 {
     int16_t second[3];
 
-    facet_normal(d->mesh, d->morph->mesh, triangle, second);
+    sheen_frame_normal(d->mesh, d->morph->mesh, triangle, second);
     mix_normals(d->morph->weight, normal, second, normal);
 }
 
@@ -56,11 +57,10 @@ static void morph_corners(const struct draw *d, struct corners *c, const struct 
         c->normal[k] = normal_of(d, c->normal[k], store[k]);
 }
 
-/* While draws are taken no set-up is carried: normals stand in the spare one, which follows worker 0's scratch. */
-static void morph_cut(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3])
+static void morph_cut(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3],
+                      int16_t store[3][3])
 {
     struct clip_corner *corner = job->polygon;
-    int16_t(*store)[3] = (void *)(corner + SHEEN_BYTES_CLIPPING / sizeof *corner);
 
     for (uint32_t k = 0; k < 3; k++) {
         const int16_t *first = d->mesh->positions + 3 * mesh_index(d->mesh, 3 * triangle + k);

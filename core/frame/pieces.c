@@ -120,15 +120,19 @@ static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t
 
 /*
  * On the screen the four corners that the near plane may leave are two triangles, each linear by itself. Two rounds:
- * the side is that of both together.
+ * the side is that of both together. The corners stand in worker 0's spare set-up, which follows its scratch: while
+ * draws are taken there is none.
  */
+_Static_assert(SHEEN_BYTES_CLIPPING == 2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) &&
+                   SETUP_BYTES >= 4 * sizeof(struct clip_corner),
+               "four corners find room");
 static void cut_halves(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, struct clip_job *job,
                        struct attributes *a)
 {
-    struct clip_corner quad[4];
+    struct clip_corner *quad = (struct clip_corner *)f->scratch + 2 * MAX_CLIP_CORNERS;
     int64_t whole = 0;
 
-    memcpy(quad, job->polygon, sizeof quad);
+    memcpy(quad, job->polygon, 4 * sizeof *quad);
     for (unsigned round = 0; round < 4; round++) {
         job->polygon[0] = quad[0];
         job->polygon[1] = quad[1 + round % 2];
@@ -153,7 +157,7 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
 
     triangle_corners(f, d, t, triangle, job.polygon, a.normal);
     if (d->as.morph != NULL)
-        d->as.morph->morpher->cut(&d->as, &job, triangle, a.normal);
+        d->as.morph->morpher->cut(&d->as, &job, triangle, a.normal, a.carried);
     f->stats.clipped++;
     sheen_clip(&job, 0, 1);
     /* slerp has its corners' normals linear in space, and without perspective there is no difference */

@@ -1,12 +1,47 @@
 /*
  * lit.c - what light a triangle's set-up begins with: at its corners, or at the polygon that it is of.
  */
-#include "facet.h"
+#include "../math/vector.h"
 #include "morph.h"
+
+/*
+ * The normal of a triangle from its corners, for meshes that have none: the cross product of two edges. Range:
+ * differences < 2^17, so its parts are below 2^35.
+ */
+static int corner_normal(const struct sheen_mesh *mesh, const int16_t *positions, uint32_t triangle,
+                         sheen_q30_t normal[3])
+{
+    const int16_t *p[3];
+    int64_t cross[3];
+
+    for (uint32_t k = 0; k < 3; k++)
+        p[k] = positions + 3 * mesh_index(mesh, 3 * triangle + k);
+    for (int i = 0; i < 3; i++) {
+        int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+        cross[i] =
+            (int64_t)(p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (int64_t)(p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
+    }
+    return sheen_normalize_wide(cross, normal);
+}
+
+void sheen_frame_normal(const struct sheen_mesh *mesh, const struct sheen_mesh *frame, uint32_t triangle,
+                        int16_t normal[3])
+{
+    if (frame->polygon_normals != NULL) {
+        uint32_t polygon = mesh->polygons != NULL ? mesh->polygons[triangle] : triangle;
+        for (uint32_t i = 0; i < 3; i++)
+            normal[i] = frame->polygon_normals[3 * polygon + i];
+        return;
+    }
+    sheen_q30_t unit[3] = {0, 0, 0};
+    int known = corner_normal(mesh, frame->positions, triangle, unit) == SHEEN_OK;
+    for (int i = 0; i < 3; i++)
+        normal[i] = (int16_t)(known ? min32(asr32(unit[i] + (1 << 14), 15), 32767) : 0);
+}
 
 void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16_t normal[3])
 {
-    facet_normal(d->mesh, d->mesh, triangle, normal);
+    sheen_frame_normal(d->mesh, d->mesh, triangle, normal);
     if (d->morph != NULL)
         d->morph->morpher->facet(d, triangle, normal);
     if (back)

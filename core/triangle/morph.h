@@ -16,8 +16,9 @@ struct sheen_morpher {
     void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: the first frame's */
     /* Normals of an entry's corners, where its set-up reads them; they stand until its rows are drawn. */
     void (*corners)(const struct draw *d, struct corners *c, const struct worker *w);
-    /* Points and normals of a triangle that is cut; they stand until the next one. */
-    void (*cut)(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3]);
+    /* Points and normals of a triangle that is cut; these are in `store`. */
+    void (*cut)(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3],
+                int16_t store[3][3]);
 };
 
 static inline const int16_t *position_of(const struct draw *d, const int16_t *first, int16_t store[3])
@@ -35,5 +36,9 @@ static inline const int16_t *normal_of(const struct draw *d, const int16_t *firs
     d->morph->morpher->normal(d, first, store);
     return store;
 }
+
+/* lit.c: unit normal of the polygon that a triangle of `mesh` is of, in a frame of it; zero where it has no area. */
+void sheen_frame_normal(const struct sheen_mesh *mesh, const struct sheen_mesh *frame, uint32_t triangle,
+                        int16_t normal[3]);
 
 #endif
