@@ -51,9 +51,12 @@ struct square_line {
     const struct square_corner *corner;
 };
 
-/* phong_cell_rows.c: columns x to before x1 of row y, within a square; whole squares, in the order of a panel's bus. */
+/*
+ * phong_cell_rows.c: columns x to before x1 of row y, within a square; whole squares, in the order of a panel's bus:
+ * 1 where no row has parts of others.
+ */
 void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y);
-void sheen_whole_squares(const struct tile *t, const struct square_line *l);
+int sheen_whole_squares(const struct tile *t, const struct square_line *l);
 
 void sheen_phong_cell_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_rows(const struct tile *t, const struct setup *s);

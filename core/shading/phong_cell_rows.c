@@ -61,19 +61,24 @@ SPECIALISED void squares_run(const struct tile *t, const struct square_line *l, 
     } while (depth != end);
 }
 
-SPECIALISED void whole_squares(const struct tile *t, const struct square_line *l, unsigned dither)
+SPECIALISED int whole_squares(const struct tile *t, const struct square_line *l, unsigned dither)
 {
     const struct span *span = l->span;
+    int32_t ends = 0;
 
     for (int32_t y = l->y; y < l->end; y++, span++) {
-        int32_t x = (max32(span->x0, l->x) + 3) & ~3, count = (min32(span->x1, l->x1) & ~3) - x;
+        const int32_t x = max32(span->x0, l->x), x1 = min32(span->x1, l->x1);
+        const int32_t first = (x + 3) & ~3, count = (x1 & ~3) - first;
+        SHEEN_TAP(SQUARE_ROW, x < x1);
+        ends |= x | x1;
         if (count > 0)
-            squares_run(t, l, x, count, y, dither);
+            squares_run(t, l, first, count, y, dither);
     }
+    return (ends & 3) == 0;
 }
 
-void sheen_whole_squares(const struct tile *t, const struct square_line *l)
+int sheen_whole_squares(const struct tile *t, const struct square_line *l)
 {
-    t->dither ? whole_squares(t, l, 1) : whole_squares(t, l, 0);
+    return t->dither ? whole_squares(t, l, 1) : whole_squares(t, l, 0);
 }
 #endif

@@ -152,7 +152,7 @@ static APART void cell_rows(const struct tile *t, struct cell *c)
 
 /* ---- pixels by squares of 4 px, channels exact at their corners and linear between ---- */
 
-/* Their words are multiples of 4, and red of 16: quarters down and then along are whole and do not reach blue. */
+/* Words are multiples of 4, and red of 16: quarters down and then along are whole and do not reach blue. */
 static struct packed corner_of(const struct draw *d, uint32_t f, uint32_t u)
 {
     const struct loop_terms *q = &d->loop;
@@ -180,7 +180,8 @@ static APART void corner_row(const struct cell *c, struct square_corner *corner,
     SHEEN_TAP(SQUARE_CORNER, (uint32_t)(last + 1));
     for (struct square_corner *end = corner + last; corner <= end; corner++) {
         const struct packed at = corner_of(draw, vf, vu);
-        corner->down = packed_quarter(corner->at, at);
+        corner->down.red_blue = (at.red_blue >> 2) - (corner->at.red_blue >> 2);
+        corner->down.green = (at.green >> 2) - (corner->at.green >> 2);
         corner->at = at;
         vf += df;
         df += ddf;
@@ -206,14 +207,12 @@ static APART void draw_squares(const struct tile *t, const struct square_line *l
     const struct span *span = l->span;
 
 #if FAST_LOOPS
-    if (whole)
-        sheen_whole_squares(t, l);
+    if (whole && sheen_whole_squares(t, l))
+        return;
 #endif
     for (int32_t y = l->y; y < l->end; y++, span++) {
         const int32_t x = max32(span->x0, l->x), x1 = min32(span->x1, l->x1);
-        SHEEN_TAP(SQUARE_ROW, x < x1);
-        if (whole && ((x | x1) & 3) == 0)
-            continue;
+        SHEEN_TAP(SQUARE_ROW, !whole && x < x1);
         const int32_t left = whole ? min32((x + 3) & ~3, x1) : x1;
         draw_parts(t, l, x, left, y);
         draw_parts(t, l, max32(x1 & ~3, left), x1, y);
