@@ -32,19 +32,23 @@ enum more {
     PLAIN,
     DITHERED,
     FOGGED,
-    STIPPLED
+    STIPPLED,
+    MORPHED
 };
 
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
 static int measure(const struct frame *frame, int band_rows, enum more more)
 {
-    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled "};
+    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled ", " morphed "};
     static struct bench bench;
 
     bench_config(&bench, frame->scene, (enum sheen_shading)frame->shading, band_rows);
     bench.dither = more == DITHERED;
     bench.fogged = more == FOGGED;
     bench.transparency = more == STIPPLED ? 32 : 0;
+    bench.morphed = more == MORPHED;
+    if (bench.morphed)
+        bench.config.max_used = frame->scene->mesh.vertices;
     bench.texture = frame->texture;
     int status = bench_begin(&bench, arena, sizeof arena);
     if (status == SHEEN_OK)
@@ -68,13 +72,19 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
     return status;
 }
 
-/* Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too. */
+/*
+ * Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too; S1
+ * by Gouraud half way between two frames.
+ */
 static void measure_all(const struct frame *frame)
 {
     const int lit = frame->texture != BENCH_UNLIT && frame->texture < BENCH_BILINEAR;
 
     if (measure(frame, 16, PLAIN) < 0 || (lit && measure(frame, 16, DITHERED) < 0) ||
         measure(frame, BENCH_HEIGHT, PLAIN) < 0)
+        guest_leave(1);
+    if (frame->scene == &bench_scenes[0] && frame->texture == BENCH_PLAIN && frame->shading == SHEEN_GOURAUD &&
+        measure(frame, 16, MORPHED) < 0)
         guest_leave(1);
     if (frame->scene != &bench_scenes[2] || (frame->texture != BENCH_MATCAP && !lit) || frame->texture == BENCH_GLOSSY)
         return;

@@ -36,7 +36,7 @@ GUESTS = {
     "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
     "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
 }
-MORE = "( dithered| fogged| stippled)?"
+MORE = "( dithered| fogged| stippled| morphed)?"
 LINE = re.compile(rf"^(S\d) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
 
 

@@ -18,7 +18,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
-    bench->dither = bench->transparency = bench->fogged = 0;
+    bench->dither = bench->transparency = bench->fogged = bench->morphed = 0;
     bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
@@ -89,6 +89,7 @@ static const struct sheen_shader *shader_of(const struct bench *bench)
 static int run(struct bench *bench, int frame)
 {
     const struct sheen_fog fog = {bench->scene->near, bench->scene->far, {160, 170, 180}, &sheen_fog_mixer};
+    const struct sheen_morph morph = {&bench->scene->mesh, &sheen_morpher, 16384};
     struct sheen_view view = {
         .fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far, .dither = bench->dither};
     struct sheen_object draw = {.mesh = &bench->scene->mesh,
@@ -98,7 +99,8 @@ static int run(struct bench *bench, int frame)
                                 .shader = shader_of(bench),
                                 .pose = bench->scene->pose[frame],
                                 .stipple = &sheen_stipple,
-                                .transparency = bench->transparency};
+                                .transparency = bench->transparency,
+                                .morph = bench->morphed ? &morph : NULL};
     view.fog = bench->fogged ? &fog : NULL;
     int status = sheen_begin(bench->frame, &view);
 
