@@ -79,8 +79,10 @@ static int pair_make(struct pair *p, enum shown shown, int i)
         bend_position(p->second.position[c]);
         bend_normal(p->second.normal[c]);
     }
-    for (size_t q = 0; q < p->second.polygon_count; q++)
+    for (size_t q = 0; q < p->second.polygon_count; q++) {
         bend_normal(p->second.polygon_normal[q]);
+        bend_position(p->second.center[q]);
+    }
     return core_frames_make(p->own, &p->first.reference, &p->second);
 }
 

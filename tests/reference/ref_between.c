@@ -42,8 +42,9 @@ int ref_mesh_between(struct ref_mesh *mesh, const struct ref_mesh *first, const 
                               .polygon_normal = copy(first->polygon_normal, polygons, sizeof *mesh->polygon_normal),
                               .base = copy(first->base, polygons, sizeof *mesh->base),
                               .uv = copy(first->uv, corners, sizeof *mesh->uv),
-                              .color = copy(first->color, corners, sizeof *mesh->color)};
-    if (!mesh->position || !mesh->normal || !mesh->weld || !mesh->triangles || !mesh->polygon_normal ||
+                              .color = copy(first->color, corners, sizeof *mesh->color),
+                              .center = copy(first->center, polygons, sizeof *mesh->center)};
+    if (!mesh->position || !mesh->normal || !mesh->weld || !mesh->triangles || !mesh->polygon_normal || !mesh->center ||
         (first->base && !mesh->base) || (first->uv && !mesh->uv) || (first->color && !mesh->color)) {
         ref_mesh_free(mesh);
         return -1;
@@ -52,7 +53,9 @@ int ref_mesh_between(struct ref_mesh *mesh, const struct ref_mesh *first, const 
         mix(mesh->position[c], first->position[c], second->position[c], k);
         mix_normals(mesh->normal[c], first->normal[c], second->normal[c], k);
     }
-    for (size_t p = 0; p < polygons; p++)
+    for (size_t p = 0; p < polygons; p++) {
         mix_normals(mesh->polygon_normal[p], first->polygon_normal[p], second->polygon_normal[p], k);
+        mix(mesh->center[p], first->center[p], second->center[p], k);
+    }
     return 0;
 }
