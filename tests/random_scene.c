@@ -123,6 +123,39 @@ static void random_ramp(struct ref_scene *scene, uint32_t *state)
         scene->ambient += 0.001;
 }
 
+/* Nearest texels, in as few bits as hold the picture, or more. */
+static void random_texture(struct random_scene *to, const struct random_meshes *meshes, uint32_t *state)
+{
+    static const int fewest[TEXTURED_PICTURES] = {8, 8, 16, 4};
+    const unsigned picture = stage_random(state) % TEXTURED_PICTURES;
+    struct ref_texture *texture = &to->texture;
+
+    to->mesh = &meshes->textured[stage_random(state) % TEXTURED_MESHES];
+    to->scene.mesh = &to->mesh->reference;
+    to->scene.colored = false;
+    to->scene.texture = texture;
+    *texture = *textured_picture((int)picture);
+    texture->bits = fewest[picture] << stage_random(state) % 3;
+    texture->bits = texture->bits > 16 ? 16 : texture->bits;
+    texture->clamp[0] = stage_random(state) % 4 == 0;
+    texture->clamp[1] = stage_random(state) % 4 == 0;
+    texture->keyed = stage_random(state) % 3 == 0;
+    texture->key = texture->texels[stage_random(state) % (unsigned)(texture->width * texture->height)];
+}
+
+static void random_fog(struct ref_scene *scene, uint32_t *state)
+{
+    const double depth = scene->far - scene->near;
+
+    scene->fog = true;
+    scene->fog_from = scene->near + stage_uniform(state, -0.3, 0.6) * depth;
+    scene->fog_from = fmax(scene->fog_from, 0.02);
+    scene->fog_to = fmax(scene->fog_from, scene->near) + stage_uniform(state, 0.2, 2) * depth;
+    scene->bias = stage_random(state) % 4 == 0 ? (int)stage_uniform(state, -300, 300) : 0;
+    for (int k = 0; k < 3; k++)
+        scene->fog_color[k] = (stage_random(state) >> 24) / 255.0;
+}
+
 void random_scene(struct random_scene *to, const struct random_meshes *meshes, uint32_t number)
 {
     static const int size[3][2] = {{240, 240}, {320, 240}, {240, 320}};
@@ -152,6 +185,14 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
     to->way = stage_random(&state) % 2 ? 0 : 1 + first[shading] + stage_random(&state) % ways[shading];
     random_ramp(&to->scene, &state);
     to->scene.colored = shading <= REF_GOURAUD && stage_random(&state) % 4 == 0;
+    if (to->way == 0 && shading <= REF_GOURAUD && stage_random(&state) % 3 == 0)
+        random_texture(to, meshes, &state);
+    if (stage_random(&state) % 6 == 1)
+        random_fog(&to->scene, &state);
+    if (stage_random(&state) % 8 == 3) {
+        to->scene.left_out = 1 + (int)(stage_random(&state) % 63);
+        to->scene.phase = (int)(stage_random(&state) % 8);
+    }
 }
 
 void random_scene_print(const struct random_scene *from)
@@ -160,6 +201,15 @@ void random_scene_print(const struct random_scene *from)
     static const char *const ramp_name[] = {"", " half", " gamma", " toon"};
     const struct ref_scene *scene = &from->scene;
 
+    if (scene->texture)
+        printf("    texels of %d bits, %dx%d%s%s%s\n", scene->texture->bits, scene->texture->width,
+               scene->texture->height, scene->texture->clamp[0] ? ", u held" : "",
+               scene->texture->clamp[1] ? ", v held" : "", scene->texture->keyed ? ", key" : "");
+    if (scene->fog)
+        printf("    fog from %.3f to %.3f, %.3f %.3f %.3f, bias %d\n", scene->fog_from, scene->fog_to,
+               scene->fog_color[0], scene->fog_color[1], scene->fog_color[2], scene->bias);
+    if (scene->left_out > 0)
+        printf("    %d of 64 left out, phase %d\n", scene->left_out, scene->phase);
     printf("    %s %dx%d %s%s%s%s%s%s%s distance %.4f fov %.4f shininess %.0f ambient %.3f diffuse %.3f specular %.3f "
            "way %u lights",
            from->mesh->name, scene->width, scene->height, shading_name[scene->shading], scene->affine ? " affine" : "",
@@ -179,6 +229,8 @@ int random_meshes_make(struct random_meshes *meshes)
         status |= accuracy_mesh_make(&meshes->fine[i], i, false);
         status |= accuracy_mesh_make(&meshes->coarse[i], i, true);
     }
+    for (int i = 0; i < TEXTURED_MESHES; i++)
+        status |= textured_mesh_make(&meshes->textured[i], i);
     return status;
 }
 
@@ -188,4 +240,6 @@ void random_meshes_free(struct random_meshes *meshes)
         accuracy_mesh_free(&meshes->fine[i]);
         accuracy_mesh_free(&meshes->coarse[i]);
     }
+    for (int i = 0; i < TEXTURED_MESHES; i++)
+        accuracy_mesh_free(&meshes->textured[i]);
 }

@@ -4,7 +4,7 @@
 #ifndef RANDOM_SCENE_H
 #define RANDOM_SCENE_H
 
-#include "accuracy.h"
+#include "textured_scene.h"
 
 enum random_kind {
     RANDOM_ANY,
@@ -16,13 +16,14 @@ enum random_kind {
 };
 #define KNOWN_SCENES 6
 
-/* Each shape, fine and coarse. */
+/* Each shape, fine and coarse; those with uv. */
 struct random_meshes {
-    struct accuracy_mesh fine[ACCURACY_SHAPES], coarse[ACCURACY_SHAPES];
+    struct accuracy_mesh fine[ACCURACY_SHAPES], coarse[ACCURACY_SHAPES], textured[TEXTURED_MESHES];
 };
 
 struct random_scene {
     struct ref_scene scene;
+    struct ref_texture texture; /* the scene's, where it has one */
     const struct accuracy_mesh *mesh;
     unsigned way; /* as in struct sheen_object */
     enum random_kind kind;
