@@ -167,14 +167,17 @@ static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
 static enum beside beside;
 static uint16_t weight; /* of another frame */
 
+/* n / 10 in Q7.24; tcc takes no fractions in an initialiser. */
+#define TENTHS(n) ((sheen_q24_t)(((int64_t)(n) * (1 << 24) + 5) / 10))
+
 static void add_beside(struct sheen_view *view, struct sheen_object *draw, int number)
 {
     static const struct sheen_fog fogs[VIEWS] = {
-        {SHEEN_Q24(2.2), SHEEN_Q24(3.4), {200, 210, 220}, &sheen_fog_mixer},
-        {SHEEN_Q24(0.1), SHEEN_Q24(3.0), {255, 255, 255}, &sheen_fog_mixer}, /* begins before near, */
-        {SHEEN_Q24(0.5), SHEEN_Q24(40), {90, 20, 0}, &sheen_fog_mixer},      /* ends beyond far */
-        {SHEEN_Q24(2.6), SHEEN_Q24(2.9), {0, 0, 0}, &sheen_fog_mixer},
-        {SHEEN_Q24(2), SHEEN_Q24(4), {8, 16, 40}, &sheen_fog_mixer}};
+        {TENTHS(22), TENTHS(34), {200, 210, 220}, &sheen_fog_mixer},
+        {TENTHS(1), TENTHS(30), {255, 255, 255}, &sheen_fog_mixer}, /* begins before near, */
+        {TENTHS(5), TENTHS(400), {90, 20, 0}, &sheen_fog_mixer},    /* ends beyond far */
+        {TENTHS(26), TENTHS(29), {0, 0, 0}, &sheen_fog_mixer},
+        {TENTHS(20), TENTHS(40), {8, 16, 40}, &sheen_fog_mixer}};
     static const int16_t bias[VIEWS] = {0, 900, -4096, 4095, -1};
     static const uint8_t transparency[VIEWS] = {32, 1, 63, 20, 45};
 
