@@ -67,11 +67,13 @@ static inline uint32_t mul_high(uint32_t a, uint32_t b)
     return (uint32_t)(((uint64_t)a * b) >> 32);
 }
 
-/* The compiler may not tell what x, an integer or a pointer, has become: it stays what is written. */
+/* The compiler may not tell what x, an integer or a pointer, has become: it stays what is written. Or two at once. */
 #ifdef __GNUC__
 #define OPAQUE(x) __asm__("" : "+r"(x))
+#define OPAQUE_BOTH(x, y) __asm__("" : "+r"(x), "+r"(y))
 #else
 #define OPAQUE(x) ((void)0)
+#define OPAQUE_BOTH(x, y) ((void)0)
 #endif
 
 /* Leading zero bits, 0..32. */

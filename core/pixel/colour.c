@@ -123,29 +123,41 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
     colour_sensitivity(t, format->level_bits, format->grey);
 }
 
-void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
-                      const struct pixel_format *format, unsigned dither)
+/*
+ * The power table's first entry, of all, with which a specular part of `most` gives less than `faint`; they fall.
+ * Range: most < 2^16, grey's sum with 2^15 < 2^31.
+ */
+static uint32_t faint_entry(const uint32_t *table, uint32_t most, uint32_t faint)
 {
-    const uint32_t faint = faint_highlight(1u << (t->unit - 5), dither), half = dither ? 0 : 1u << (t->fraction - 1);
-    uint32_t most = 0, low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
+    uint32_t low = 0, high = table != NULL ? SHEEN_POWER_ENTRIES : 0;
 
-    for (int k = 0; k < 3; k++)
-        most = format->grey ? most + t->c[k] : t->c[k] > most ? t->c[k] : most;
-    while (low <
-           high) { /* the first entry that is too faint; they fall. Range: c < 2^16, grey's sum with 2^15 < 2^31 */
+    while (low < high) {
         uint32_t middle = (low + high) / 2;
-        if (most * (power->table[middle + 1] >> 16) < faint)
+        if (most * (table[middle + 1] >> 16) < faint)
             high = middle;
         else
             low = middle + 1;
     }
-    power->limit = low << (POWER_STEP - power->up);
+    return low;
+}
+
+void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
+                      const struct pixel_format *format, unsigned dither)
+{
+    const uint32_t least = 1u << (t->unit - 5), half = dither ? 0 : 1u << (t->fraction - 1);
+    uint32_t most = 0;
+
+    for (int k = 0; k < 3; k++)
+        most = format->grey ? most + t->c[k] : t->c[k] > most ? t->c[k] : most;
+    const uint32_t end = faint_entry(power->table, most, faint_highlight(least, dither));
+    power->limit = end << (POWER_STEP - power->up);
+    power->faint = (uint16_t)(faint_entry(power->table, most, least) << (POWER_STEP - 16 - power->up));
     for (int k = 0; k < 3; k++) {
         q->ab[2 * k] = t->a[k] + half;
         q->ab[2 * k + 1] = t->b[k];
         q->c[k] = t->c[k];
     }
-    q->power_end = low > 0 ? (low << POWER_STEP) + POWER_GUARD : 0;
+    q->power_end = end > 0 ? (end << POWER_STEP) + POWER_GUARD : 0;
     q->power = power->table;
     q->usable = !format->grey && t->fraction == LOOP_FRACTION;
 }

@@ -53,6 +53,7 @@ struct power {
     uint32_t limit;    /* u in Q2.29 from which on there is no highlight; 0: there is none at all */
     uint8_t up;        /* 1..4: the argument is u in Q2.29 << up, + POWER_GUARD */
     uint8_t shininess; /* n */
+    uint16_t faint;    /* u in Q2.13 from which on a highlight is at most 1/32 level; at most `limit` */
 };
 
 #define POWER_STEP 22 /* of the argument, an entry is 2^22 */
@@ -247,8 +248,9 @@ extern const uint8_t sheen_thresholds[9][8];
 extern const uint8_t sheen_reversed_thresholds[9][8];
 
 /*
- * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Loops
- * that count no columns find a pixel's by where its depth stands, from an entry on that holds for the row of a tile.
+ * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Shifted to
+ * 24 bits the high half's is gone. Loops that count no columns find a pixel's by where its depth stands, from an entry
+ * on that holds for the row of a tile.
  */
 #if FAST_LOOPS
 typedef uint32_t threshold_t;
@@ -291,8 +293,9 @@ struct packed {
 #define SEGMENT_STEPS_BITS 5
 #define SEGMENTS ((1 << SEGMENT_BITS) + 2)
 
-struct shade_segment {
-    struct packed at, step;
+struct shade_segment { /* of struct packed, in the order in which they are loaded */
+    uint32_t red_blue, red_blue_step;
+    uint32_t green, green_step;
 };
 
 struct shades {
@@ -324,7 +327,7 @@ extern const struct shades_maker sheen_shades_maker;
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* Ends the power table where a highlight gives less than 1/32 level, dithered 1/128, and fills in *q. */
+/* Ends the power table where a highlight gives less than faint_highlight, and fills in *q. */
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither);
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
@@ -491,8 +494,7 @@ SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fra
 SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
                                 uint32_t specular, uint32_t threshold)
 {
-    uint32_t r = q->ab[0] + q->ab[1] * lit + threshold, g = q->ab[2] + q->ab[3] * lit + threshold;
-    uint32_t b = q->ab[4] + q->ab[5] * lit + threshold;
+    uint32_t r = q->ab[0] + q->ab[1] * lit, g = q->ab[2] + q->ab[3] * lit, b = q->ab[4] + q->ab[5] * lit;
 
     if (specular != 0) {
         r += q->c[0] * specular;
@@ -502,7 +504,10 @@ SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, con
     (void)t;
     (void)depth;
     if (threshold != 0)
-        SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r - threshold, g - threshold, b - threshold, LOOP_FRACTION);
+        SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r, g, b, LOOP_FRACTION);
+    r += threshold;
+    g += threshold;
+    b += threshold;
 #ifdef __ARM_FEATURE_SAT /* a core that shifts and saturates in one instruction does so */
     r = (uint32_t)max32(min32(asr32((int32_t)r, LOOP_FRACTION), 31), 0);
     g = (uint32_t)max32(min32(asr32((int32_t)g, LOOP_FRACTION), 63), 0);

@@ -54,11 +54,11 @@ static void make_segments(struct shades *shades, const struct colour_terms *t)
         struct shade_segment *s = &shades->segment[i];
         const uint32_t diffuse = i << (15 - SEGMENT_BITS);
         uint32_t at, step;
-        segment_of(t, 1, diffuse, 26, &s->at.green, &s->step.green);
+        segment_of(t, 1, diffuse, 26, &s->green, &s->green_step);
         segment_of(t, 2, diffuse, 11, &at, &step);
-        segment_of(t, 0, diffuse, 11, &s->at.red_blue, &s->step.red_blue);
-        s->at.red_blue = (s->at.red_blue << 16) + at;
-        s->step.red_blue = (s->step.red_blue << 16) + step;
+        segment_of(t, 0, diffuse, 11, &s->red_blue, &s->red_blue_step);
+        s->red_blue = (s->red_blue << 16) + at;
+        s->red_blue_step = (s->red_blue_step << 16) + step;
     }
 }
 

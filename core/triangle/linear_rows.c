@@ -67,10 +67,12 @@ SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s,
         int32_t x = span->x0, count = span->x1 - x;
         OPAQUE(s); /* the pixels' loop has the registers */
         if (count > 0) {
+            const threshold_t *thresholds = t->dither_rows[y & 7];
+            OPAQUE(thresholds); /* early: what loads them needs registers, too */
             const struct packed_at step = {s->s.depth.dx, {s->red_blue.dx, s->green.dx}};
             const struct packed_at at = {plane_at(&s->s.depth, x, y),
                                          {plane_at(&s->red_blue, x, y), plane_at(&s->green, x, y)}};
-            packed_run(t, line + x, count, at, step, way, t->dither_rows[y & 7]);
+            packed_run(t, line + x, count, at, step, way, thresholds);
         }
         line += t->pitch;
         y++;

@@ -30,21 +30,21 @@ PIXEL uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u
     return loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
 }
 
-/* 565 with the loop's terms, from (x, y) on. */
-SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, int32_t x, int32_t x1,
-                           int32_t y, const struct shaded_run *run, enum second second, unsigned dither, unsigned swap)
+/* 565 with the loop's terms; thresholds: of the row. */
+SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, int32_t count,
+                           const threshold_t *thresholds, const struct shaded_run *run, enum second second,
+                           unsigned dither, unsigned swap)
 {
     const struct loop_terms *q = &d->loop;
     const intptr_t to_pixel = t->to_pixel;
-    const uint16_t *end = depth + (x1 - x);
-    const threshold_t *thresholds = t->dither_rows[y & 7];
+    const uint16_t *end = depth + count;
     const uint32_t dz = run->dz, ddf = run->ddf, ddu = run->ddu;
     uint32_t z = run->z, f = run->f, df = run->df, u = run->u, du = run->du;
 
     do {
         if (nearer(t, depth, z)) {
             OPAQUE(q); /* the loop's numbers have the registers */
-            uint32_t value, threshold = dither ? threshold_pair(thresholds, depth) >> 20 << (LOOP_FRACTION - 7) : 0;
+            uint32_t value, threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
             if (second == SECOND_POWER && dither) {
                 value = dithered_pixel(q, f, u, threshold, t, depth);
             } else if (second == SECOND_POWER) {
@@ -72,22 +72,25 @@ PIXEL uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, u
 {
     const uint32_t lit = not_negative(f) >> (30 - SEGMENT_BITS - SEGMENT_STEPS_BITS);
     const uint32_t n = lit & ((1u << SEGMENT_STEPS_BITS) - 1);
-    const struct shade_segment *s = &segments[lit >> SEGMENT_STEPS_BITS];
-    OPAQUE(s); /* one address for all that is loaded */
+    const struct shade_segment *at = &segments[lit >> SEGMENT_STEPS_BITS];
+    OPAQUE(at); /* one address for all that is loaded */
+    struct shade_segment s = *at;
+    OPAQUE_BOTH(s.red_blue, s.red_blue_step); /* two in one load */
+    OPAQUE_BOTH(s.green, s.green_step);
 
-    return dithered_565(
-        t, depth, (struct packed){s->at.red_blue + n * s->step.red_blue, s->at.green + n * s->step.green}, pair, 0);
+    return dithered_565(t, depth, (struct packed){s.red_blue + n * s.red_blue_step, s.green + n * s.green_step}, pair,
+                        0);
 }
 
-/* The draw's shades: L.N alone, from (x, y) on. */
-SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth, int32_t x,
-                                   int32_t x1, int32_t y, const struct shaded_run *run, unsigned dither, unsigned swap)
+/* The draw's shades: L.N alone. */
+SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth, int32_t count,
+                                   const threshold_t *thresholds, const struct shaded_run *run, unsigned dither,
+                                   unsigned swap)
 {
     const uint16_t *pixels = shades->pixel + SHADES_GUARD;
-    const threshold_t *thresholds = t->dither_rows[y & 7];
     const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
-    const uint16_t *end = depth + (x1 - x);
+    const uint16_t *end = depth + count;
     uint32_t z = run->z, f = run->f, df = run->df;
 
     do {
@@ -119,16 +122,18 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
                       struct shaded_run *run, enum second second)
 {
     const uint32_t at = tile_offset(t, x, y);
+    const threshold_t *thresholds = t->dither_rows[y & 7];
 
     if (second == SECOND_NONE)
         run->u = run->du = run->ddu = 0; /* a specular intensity of none */
     if (shades_will_do(d, second))
-        t->dither ? cosine_shades_run(t, d->shades, t->depth + at, x, x1, y, run, 1, t->format->swap)
-                  : cosine_shades_run(t, d->shades, t->depth + at, x, x1, y, run, 0, 0);
+        t->dither ? cosine_shades_run(t, d->shades, t->depth + at, x1 - x, thresholds, run, 1, t->format->swap)
+                  : cosine_shades_run(t, d->shades, t->depth + at, x1 - x, thresholds, run, 0, 0);
     else if (FAST_LOOPS && d->is_565 && d->loop.usable && second == SECOND_POWER)
-        quick_run(t, d, t->depth + at, x, x1, y, run, SECOND_POWER, t->dither, t->format->swap);
+        t->dither ? quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_POWER, 1, t->format->swap)
+                  : quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_POWER, 0, t->format->swap);
     else if (FAST_LOOPS && d->is_565 && d->loop.usable)
-        quick_run(t, d, t->depth + at, x, x1, y, run, SECOND_SPECULAR, t->dither, t->format->swap);
+        quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_SPECULAR, t->dither, t->format->swap);
     else
         (d->fog       ? d->fog->mixer->shaded_run
          : d->by_ramp ? d->light.ramp->reader->shaded_run
@@ -138,30 +143,35 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 #if FAST_LOOPS
 SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second, unsigned dither)
 {
-    struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y), u = f;
-    struct quadric *stepped = &f, *second_stepped = &u;
     const struct draw *d = q->s.draw;
+    struct quadric stepped[2]; /* a row: L.N, and the second */
     int32_t y = t->first_row;
 
+    stepped[0] = sheen_quadric_from(&q->diffuse, y - q->y);
     if (second != SECOND_NONE)
-        u = sheen_quadric_from(&q->second, t->first_row - q->y);
+        stepped[1] = sheen_quadric_from(&q->second, y - q->y);
     for (const struct span *span = t->spans, *end = span + t->rows; span != end; span++, y++) {
         int32_t x = span->x0, x1 = span->x1;
-        OPAQUE(stepped); /* what is stepped a row stays in memory: the pixels' loop takes all registers */
-        OPAQUE(second_stepped);
+        struct quadric *at = stepped;
+        OPAQUE(at); /* it stays in memory: the pixels' loop takes all registers */
         if (x < x1) {
+            const threshold_t *thresholds = dither && second != SECOND_NONE ? t->dither_rows[y & 7] : NULL;
+            OPAQUE(thresholds); /* early: what loads them needs registers, too */
             struct shaded_run run = {plane_at(&q->s.depth, x, y), q->s.depth.dx, 0, 0, 0, 0, 0, 0};
-            quadric_run(stepped, x - q->x, &run.f, &run.df, &run.ddf);
+            quadric_run(&at[0], x - q->x, &run.f, &run.df, &run.ddf);
             if (second != SECOND_NONE)
-                quadric_run(second_stepped, x - q->x, &run.u, &run.du, &run.ddu);
+                quadric_run(&at[1], x - q->x, &run.u, &run.du, &run.ddu);
             if (second != SECOND_NONE)
-                quick_run(t, d, t->depth + tile_offset(t, x, y), x, x1, y, &run, second, dither, 1);
+                quick_run(t, d, t->depth + tile_offset(t, x, y), x1 - x, thresholds, &run, second, dither, 1);
             else
-                cosine_shades_run(t, d->shades, t->depth + tile_offset(t, x, y), x, x1, y, &run, dither, 1);
+                cosine_shades_run(t, d->shades, t->depth + tile_offset(t, x, y), x1 - x, t->dither_rows[y & 7], &run,
+                                  dither, 1);
         }
-        quadric_down(stepped);
+        at = stepped;
+        OPAQUE(at);
+        quadric_down(&at[0]);
         if (second != SECOND_NONE)
-            quadric_down(second_stepped);
+            quadric_down(&at[1]);
     }
 }
 

@@ -100,7 +100,11 @@ static void light_excesses(struct excesses *e, const struct facing *f)
     e->light[2] = sheen_cosine_excess(f->ln[1], f->ln[2], e->h[2], e->lean[2]);
 }
 
-/* 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4. */
+/*
+ * 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4.
+ * Dithered, one is left out as well that is faint throughout and beyond power.limit at two corners: over the triangle it
+ * is about as little as what is left out everywhere.
+ */
 static int has_highlight(struct excesses *e, const struct facing *f, const struct draw *d)
 {
     const int32_t lv1 = d->light.lv1[0], limit = (int32_t)d->power.limit;
@@ -115,7 +119,10 @@ static int has_highlight(struct excesses *e, const struct facing *f, const struc
     e->second[0] = reflected_excess(f, e->u, 0, 1, e->h[0], e->lean[0]);
     e->second[1] = reflected_excess(f, e->u, 0, 2, e->h[1], e->lean[1]);
     e->second[2] = reflected_excess(f, e->u, 1, 2, e->h[2], e->lean[2]);
-    return least + (min32(e->second[0], 0) + min32(e->second[1], 0) + min32(e->second[2], 0)) * (1 << 12) < limit;
+    least += (min32(e->second[0], 0) + min32(e->second[1], 0) + min32(e->second[2], 0)) * (1 << 12);
+    if (least >= limit)
+        return 0;
+    return least < d->power.faint << 16 || (e->u[0] < limit) + (e->u[1] < limit) + (e->u[2] < limit) > 1;
 }
 
 /* 1 where a highlight is too sharp for the angle, or its argument may wrap. */

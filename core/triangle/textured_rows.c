@@ -272,7 +272,7 @@ SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
 
 SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
 {
-    return way->dither ? threshold_pair(way->thresholds, depth) >> 16 << (LIGHT_BITS - 11) : way->half;
+    return way->dither ? threshold_pair(way->thresholds, depth) << (LIGHT_BITS - 11) : way->half;
 }
 
 /* Of channels, with LIGHT_BITS, to which the threshold was added; glossy: they may exceed the highest level. */

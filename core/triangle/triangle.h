@@ -122,7 +122,7 @@ static inline uint32_t plane_at(const struct plane *p, int32_t x, int32_t y)
 /* x (x - 1) / 2, the binomial; |x| < 2^15. */
 static inline uint32_t pairs(int32_t x)
 {
-    return (uint32_t)(x * (x - 1) / 2);
+    return (uint32_t)(x * (x - 1)) / 2;
 }
 
 /* The three corners of an entry, with what shading needs of them. */
