@@ -124,16 +124,16 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
 }
 
 /*
- * The power table's first entry, of all, with which a specular part of `most` gives less than `faint`; they fall.
+ * The power table's first entry with which a specular part of `most` gives less than `faint`; they fall.
  * Range: most < 2^16, grey's sum with 2^15 < 2^31.
  */
-static uint32_t faint_entry(const uint32_t *table, uint32_t most, uint32_t faint)
+static uint32_t faint_entry(const struct power *power, uint32_t most, uint32_t faint)
 {
-    uint32_t low = 0, high = table != NULL ? SHEEN_POWER_ENTRIES : 0;
+    uint32_t low = 0, high = power->table != NULL ? SHEEN_POWER_ENTRIES : 0;
 
     while (low < high) {
         uint32_t middle = (low + high) / 2;
-        if (most * (table[middle + 1] >> 16) < faint)
+        if (most * (power->table[middle + 1] >> 16) < faint)
             high = middle;
         else
             low = middle + 1;
@@ -149,9 +149,10 @@ void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct co
 
     for (int k = 0; k < 3; k++)
         most = format->grey ? most + t->c[k] : t->c[k] > most ? t->c[k] : most;
-    const uint32_t end = faint_entry(power->table, most, faint_highlight(least, dither));
-    power->limit = end << (POWER_STEP - power->up);
-    power->faint = (uint16_t)(faint_entry(power->table, most, least) << (POWER_STEP - 16 - power->up));
+    const uint32_t end = faint_entry(power, most, faint_highlight(least, dither));
+    const unsigned shift = POWER_STEP - 16u - power->up; /* an entry in Q2.13 */
+    power->limit = end << shift << 16;
+    power->faint = (uint16_t)(faint_entry(power, most, least) << shift);
     for (int k = 0; k < 3; k++) {
         q->ab[2 * k] = t->a[k] + half;
         q->ab[2 * k + 1] = t->b[k];

@@ -248,9 +248,9 @@ extern const uint8_t sheen_thresholds[9][8];
 extern const uint8_t sheen_reversed_thresholds[9][8];
 
 /*
- * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Shifted to
- * 24 bits the high half's is gone. Loops that count no columns find a pixel's by where its depth stands, from an entry
- * on that holds for the row of a tile.
+ * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Shifted
+ * to 24 bits the high half's is gone. Loops that count no columns find a pixel's by where its depth stands, from an
+ * entry on that holds for the row of a tile.
  */
 #if FAST_LOOPS
 typedef uint32_t threshold_t;

@@ -102,8 +102,8 @@ static void light_excesses(struct excesses *e, const struct facing *f)
 
 /*
  * 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4.
- * Dithered, one is left out as well that is faint throughout and beyond power.limit at two corners: over the triangle it
- * is about as little as what is left out everywhere.
+ * Dithered, one is left out as well that is faint throughout and beyond power.limit at two corners: over the triangle
+ * it is about as little as what is left out everywhere.
  */
 static int has_highlight(struct excesses *e, const struct facing *f, const struct draw *d)
 {
