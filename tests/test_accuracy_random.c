@@ -4,8 +4,8 @@
  *   test_accuracy_random PICTURES [FIRST]
  *
  * What test_accuracy's views do not have: light from behind, shininess from 1, strong highlights on coarse meshes,
- * cuts by the guard band, dither, any way forced, texels, fog, pixels left out (random_scene.c). A picture depends on its number alone, so one that
- * is outside its limits is drawn again by `test_accuracy_random 1 NUMBER`.
+ * cuts by the guard band, dither, any way forced, texels, fog, pixels left out (random_scene.c). A picture depends on
+ * its number alone, so one that is outside its limits is drawn again by `test_accuracy_random 1 NUMBER`.
  *
  * Every picture keeps the limits of its shading, with these differences. Where light is computed at corners and
  * polygons, the 16 bits of one normal move a highlight of n = 128 by some .07 level, over as many pixels as there are
