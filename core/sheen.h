@@ -91,6 +91,18 @@ static inline sheen_angle_t sheen_degrees(int32_t degrees)
 
 /* ---- what is drawn ---- */
 
+#define SHEEN_NO_TRIANGLE 0xffffu /* beyond a border */
+
+/*
+ * A triangle's three edges; edge k leads from its corner k to the next. Each edge of a mesh stands twice, once in
+ * either triangle, or once where it is a border.
+ */
+struct sheen_triangle_edges {
+    uint16_t across[3]; /* the triangle beyond each edge; SHEEN_NO_TRIANGLE: none */
+    uint8_t sharp;      /* bit k: the two polygons' normals lie farther apart than a crease, or there is one polygon */
+    uint8_t inner;      /* bit k: both triangles are of one polygon */
+};
+
 /*
  * A mesh, usually const data in flash. Corners that differ in position or normal
  * are different vertices; triangles are counter-clockwise seen from outside.
@@ -117,6 +129,7 @@ struct sheen_mesh {
     uint8_t uv_bits;          /* 0..15 */
     sheen_q16_t uv_offset[2]; /* of u and v */
     const uint8_t *colors;    /* 3 a vertex: r, g, b, 255 = 1.0, for shaders that are colored; NULL: white */
+    const struct sheen_triangle_edges *edges; /* 1 a triangle, of sheen_mesh_edges; NULL: none to be drawn */
 };
 
 #define SHEEN_POWER_ENTRIES 256 /* steps of a power table */
@@ -198,6 +211,7 @@ struct sheen_material {
     const struct sheen_shine *shine;     /* MUST be there where specular is not 0 */
     const struct sheen_texture *texture; /* of textured and matcap: MUST be there; others do not read it */
     const struct sheen_ramp *ramp;       /* in place of max(0, L.N); NULL: that itself */
+    uint8_t line[3];                     /* r, g, b of the lines that sheen_edges_outline and sheen_edges_wire draw */
 };
 
 /* A light at infinity. `to` points to it, any length but zero. */
@@ -264,6 +278,16 @@ struct sheen_stipple;
  * thresholds are. What does that is linked where it is named.
  */
 extern const struct sheen_stipple sheen_stipple;
+struct sheen_edges;
+
+/*
+ * What is drawn of a mesh's edges, over the triangles, where these do not hide them; what is named is linked. It takes
+ * room (max_edges).
+ * outline: contours, where a triangle that faces the eye meets one that does not, or none, and sharp edges, as lines
+ *   1 px wide in the material's `line`, not dithered.
+ * wire: so are all edges but those within a polygon. What they hide is what the triangles hide, whatever their colour.
+ */
+extern const struct sheen_edges sheen_edges_outline, sheen_edges_wire;
 
 struct sheen_morpher;
 
@@ -305,6 +329,7 @@ struct sheen_object {
      */
     int16_t depth_bias;
     const struct sheen_morph *morph; /* borrowed likewise; NULL: the mesh as it is */
+    const struct sheen_edges *edges; /* what is drawn of the mesh's edges, which then MUST be there; NULL: nothing */
 };
 
 /*
@@ -379,6 +404,11 @@ struct sheen_config {
     uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
     uint8_t max_shades;   /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
+    /*
+     * Edges drawn in a frame, and 1 for each 64 triangles of the mesh whose edges are listed [0: none]. With them bands
+     * are drawn with a row more above and below, which edges look at and which is not sent; an underlay gets it too.
+     */
+    uint16_t max_edges;
     /*
      * For workers on several threads: one at a time is let through between lock and
      * unlock, both with lock_ctx. The core calls them in pairs, never one pair within
@@ -458,7 +488,9 @@ enum sheen_subject {
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
     SHEEN_ABOUT_FOG,          /* of the view */
     SHEEN_ABOUT_DEPTH_BIAS,
-    SHEEN_ABOUT_MORPH /* its mesh is not of the object's shape, weight out of range, or no morpher */
+    SHEEN_ABOUT_MORPH,    /* its mesh is not of the object's shape, weight out of range, or no morpher */
+    SHEEN_ABOUT_EDGES,    /* of an object: its mesh has none */
+    SHEEN_ABOUT_MAX_EDGES /* a capacity */
 };
 
 /*
@@ -494,6 +526,7 @@ void sheen_invalidate(struct sheen_frame *frame);
 struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
     uint32_t used;                             /* vertices: what max_used holds */
+    uint32_t edges;                            /* listed to be drawn */
     uint32_t setups, spans;   /* set-ups made, more than one for a triangle that was not carried; rows of triangles */
     uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels;                            /* pushes and their area */
@@ -514,7 +547,19 @@ void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stat
 #define SHEEN_WARP_UNKNOWN 255
 void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp);
 
-/* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index or polygon id is out of range. */
+/*
+ * For a mesh that is made at run time: its `edges`, one a triangle. Corners at one place are one; an edge joins two
+ * triangles that run along it in opposite directions, where there are more of them the first ones. It is sharp where
+ * the polygons' normals lie farther apart than the crease angle, the cosine of which is given (0.5 for 60 degrees).
+ * Triangles of which two corners are at one place have borders only. The mesh MUST have polygon normals and have
+ * passed sheen_mesh_check with `edges` NULL. scratch: SHEEN_EDGES_WORDS(vertices, triangles), the caller's.
+ * Time: for each edge the triangles around one of its corners.
+ */
+#define SHEEN_EDGES_WORDS(vertices, triangles) (3 * (vertices) + 3 * (triangles))
+void sheen_mesh_edges(const struct sheen_mesh *mesh, sheen_q30_t crease, uint32_t *scratch,
+                      struct sheen_triangle_edges *edges);
+
+/* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index, polygon id or edge is out of range. */
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
 
 sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 3 raw steps of exact */

@@ -5,7 +5,8 @@
  *
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
  * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take
- * SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES).
+ * SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES), and max_edges
+ * SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES.
  * The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H
@@ -16,14 +17,14 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 560
-#define SHEEN_BYTES_DRAW 312
+#define SHEEN_BYTES_FRAME 576
+#define SHEEN_BYTES_DRAW 328
 #define SHEEN_BYTES_WORKER 240
 #define SHEEN_BYTES_SETUP 184
 #else
-#define SHEEN_BYTES_FRAME 436
-#define SHEEN_BYTES_DRAW 264
-#define SHEEN_BYTES_WORKER 180
+#define SHEEN_BYTES_FRAME 448
+#define SHEEN_BYTES_DRAW 272
+#define SHEEN_BYTES_WORKER 184
 #define SHEEN_BYTES_SETUP 168
 #endif
 #define SHEEN_BYTES_VERTEX 12
@@ -31,6 +32,7 @@
 #define SHEEN_BYTES_PIECE 56
 #define SHEEN_BYTES_BAND 20
 #define SHEEN_BYTES_SPAN 4
+#define SHEEN_BYTES_EDGE 8
 #define SHEEN_BYTES_SHADES 2100
 #define SHEEN_BYTES_CLIPPING 648
 
@@ -48,6 +50,17 @@
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
     (SHEEN_BYTES_CLIPPING + SHEEN_STORE(1, SHEEN_BYTES_WORKER) +                                                       \
      SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
+
+/* What max_edges takes besides, in each worker: two rows more of spans, depth and pixels. */
+#define SHEEN_APRON_BYTES(width, rows, bytes)                                                                          \
+    (SHEEN_STORE((width) * ((size_t)(rows) + 2), bytes) - SHEEN_STORE((width) * (size_t)(rows), bytes))
+#define SHEEN_EDGE_WORKER_BYTES(width, pixel_bytes, band_rows, buffers)                                                \
+    (SHEEN_APRON_BYTES(1, band_rows, SHEEN_BYTES_SPAN) + SHEEN_APRON_BYTES(width, band_rows, 2) +                      \
+     (buffers)*SHEEN_APRON_BYTES(width, band_rows, pixel_bytes))
+
+/* What it takes with one worker: to be added to the bytes of an arena. */
+#define SHEEN_EDGE_BYTES(width, pixel_bytes, band_rows, buffers, edges)                                                \
+    (SHEEN_STORE(edges, SHEEN_BYTES_EDGE) + SHEEN_EDGE_WORKER_BYTES(width, pixel_bytes, band_rows, buffers))
 
 /* Bytes of an arena, see above. */
 #define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, used, triangles, draws, clipped,   \

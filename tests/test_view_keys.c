@@ -131,6 +131,8 @@ static void test_keys(void **state)
                  {'s', 6, ""},
                  {'d', 1, "--dither off"},
                  {'d', 2, ""},
+                 {'e', 1, "--edges outline"},
+                 {'e', 2, "--edges wire"},
                  {'a', 1, "--perspective affine"},
                  {'o', 1, "--ortho"},
                  {'l', 12, ""},

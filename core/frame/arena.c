@@ -52,7 +52,8 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    sizeof(struct worker) == SHEEN_BYTES_WORKER && SETUP_BYTES == SHEEN_BYTES_SETUP &&
                    sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
                    sizeof(struct piece) == SHEEN_BYTES_PIECE && sizeof(struct band) == SHEEN_BYTES_BAND &&
-                   sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct shades) == SHEEN_BYTES_SHADES &&
+                   sizeof(struct span) == SHEEN_BYTES_SPAN && sizeof(struct line) == SHEEN_BYTES_EDGE &&
+                   sizeof(struct shades) == SHEEN_BYTES_SHADES &&
                    sizeof(struct stippled_rows) <= SHEEN_BYTES_CLIPPING && SHEEN_BYTES_CLIPPING % 8 == 0 &&
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
@@ -70,7 +71,8 @@ static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
 static size_t lay_out(struct sheen_frame *f, uint8_t *base)
 {
     const struct sheen_config *c = &f->config;
-    size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, tile = (size_t)c->target->width * c->band_rows;
+    size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, width = c->target->width;
+    size_t rows = c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0), tile = width * rows;
 
     (void)take(base, &used, 1, SHEEN_BYTES_FRAME);
     f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
@@ -85,6 +87,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
     if (c->max_clipped == 0)
         f->cut = NULL;
+    f->line = take(base, &used, c->max_edges, SHEEN_BYTES_EDGE);
     f->worker = take(base, &used, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
@@ -92,7 +95,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
         f->scratch = i == 0 ? scratch : f->scratch;
         w->carried = take(base, &used, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(base, &used, bits, sizeof(uint32_t));
-        w->spans = take(base, &used, c->band_rows, SHEEN_BYTES_SPAN);
+        w->spans = take(base, &used, rows, SHEEN_BYTES_SPAN);
         w->depth = take(base, &used, tile, sizeof(uint16_t));
         for (unsigned k = 0; k < c->buffers; k++)
             w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);

@@ -10,39 +10,19 @@
 
 #include "frame.h"
 
-#define NO_SLOT 255
-
 /* ---- pending triangles ---- */
-
-static void add_list(const struct sheen_frame *f, struct worker *w, unsigned band)
-{
-    for (uint32_t e = f->band[band].first; e != NONE; e = f->entry[e].next)
-        w->pending[e >> 5] |= 1u << (e & 31u);
-}
-
-static struct setup *slot_of(const struct worker *w, unsigned slot)
-{
-    return (struct setup *)(void *)(w->carried + slot * SETUP_BYTES);
-}
-
-static void carried_clear(struct worker *w, unsigned slots)
-{
-    w->first_carried = NO_SLOT;
-    w->first_free = 0;
-    for (unsigned i = 0; i < slots; i++)
-        slot_of(w, i)->next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
-}
 
 /* Entries that reach band b: what is left of the band above, or, after a jump, all that may have begun above. */
 static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
 {
-    if (w->last_band + 1 != (int32_t)b || b == 0) {
-        memset(w->pending, 0, (f->entries + 31) / 32 * sizeof(uint32_t));
-        carried_clear(w, f->config.max_carried);
-        for (unsigned above = b - f->band[b].back; above < b; above++)
-            add_list(f, w, above);
+    unsigned from = b;
+
+    if (w->last_band + 1 != (int32_t)b) {
+        pending_clear(f, w);
+        from = b - f->band[b].back;
     }
-    add_list(f, w, b);
+    for (; from <= b; from++)
+        add_list(f, w, from);
     w->last_band = (int32_t)b;
 }
 
@@ -172,7 +152,7 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
         w->by_way[s->way]++;
     }
     draw_rows(f, w, t, &d->as, s);
-    *going_on = s->row < s->end_row;
+    *going_on = s->end_row > t->rect.y1 - (f->edges != NULL ? 2 * LINE_APRON : 0);
     if (*going_on && !carried && slot != NO_SLOT) { /* free list -> carried list */
         w->first_free = s->next;
         s->next = *link;
@@ -231,10 +211,14 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
 #if SHEEN_STATS
     t.shaded = &w->stats.shaded;
 #endif
+    if (f->edges != NULL)
+        f->edges->begin(f, w, &t, b);
     sheen_dither_begin(&t, w->dither_rows);
     collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);
+    if (f->edges != NULL)
+        f->edges->draw(f, w, &t, rect);
     if (f->view.overlay != NULL) {
         const struct sheen_canvas canvas = {rect, t.pitch, t.pixels, t.depth};
         f->view.overlay(f->view.ctx, &canvas);

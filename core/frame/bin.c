@@ -110,6 +110,14 @@ int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], u
     return 1;
 }
 
+void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect)
+{
+    const struct box b = {rect.x0, rect.y0, rect.x1, rect.y1};
+
+    for (unsigned i = band_of(f, b.y0), last = band_of(f, b.y1 - 1); i <= last; i++)
+        cover(&f->band[i].cover, b);
+}
+
 /* No triangle yet; what the last frame touched is kept. */
 void sheen_bin_clear(struct sheen_frame *f)
 {
@@ -141,6 +149,8 @@ void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
         sheen_entry_corners(f, &f->draw[d], e, &c);
         (void)sheen_bin_triangle(f, c.v, f->entry[e].triangle, is_cut(f, e));
     }
+    if (f->edges != NULL)
+        f->edges->cover(f, 0);
 }
 
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c)

@@ -25,14 +25,6 @@ static int same_background(const struct sheen_view *a, const struct sheen_view *
            (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
-/* Notes what an error is about. */
-static int refuse(struct sheen_frame *f, int error, enum sheen_subject subject, uint32_t needed)
-{
-    f->about = (uint8_t)subject;
-    f->needed = needed;
-    return error;
-}
-
 /* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
 static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
 {
@@ -109,6 +101,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                                 .flat_weight = view->affine || projection.orthographic != 0};
     f->vertices = f->used = f->entries = f->pieces = f->draws = 0;
     f->shaded_colors = 0;
+    f->edges = NULL;
     memset(&f->stats, 0, sizeof f->stats);
     workers_begin(f);
     bands_begin(f);
@@ -367,6 +360,9 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
             return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_TRANSPARENCY, 0);
     }
     error = draw_triangles(f, d, &t, &viewpoint);
+    d->edges = object->edges;
+    if (error == SHEEN_OK && object->edges != NULL)
+        error = object->edges->list(f, d, object, &t);
     if (error < 0) {
         f->pieces = pieces;
         f->shaded_colors = shaded;

@@ -8,6 +8,9 @@
 #ifndef SHEEN_FRAME_H
 #define SHEEN_FRAME_H
 
+#include <string.h>
+
+#include "../lines/lines.h"
 #include "../shading/shading.h"
 #include "../triangle/fog.h"
 #include "../triangle/morph.h"
@@ -19,9 +22,11 @@
 
 /* What a draw call left behind for the bands. */
 struct draw_record {
-    struct draw as;        /* what its triangles need */
-    uint32_t first_vertex; /* of the mesh in the frame's `place` */
-    uint32_t end_entry;    /* entries of this draw end here */
+    struct draw as;                  /* what its triangles need */
+    uint32_t first_vertex;           /* of the mesh in the frame's `place` */
+    uint32_t end_entry;              /* entries of this draw end here */
+    const struct sheen_edges *edges; /* NULL: it has none */
+    uint16_t end_line, line;         /* lines of this draw end here; their pixel, in the target's form */
 };
 
 /* A visible triangle, in submission order; `next` links those that begin in the same band. */
@@ -51,7 +56,7 @@ struct band {
 struct worker {
     void *pixels[2];
     uint16_t *depth;
-    struct span *spans;                /* band_rows */
+    struct span *spans;                /* band_rows, and those of the apron */
     uint32_t *pending;                 /* a bit an entry: begun, not done */
     const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
     uint8_t *carried;                  /* SETUP_BYTES each: max_carried slots and a spare one */
@@ -75,6 +80,12 @@ enum frame_state {
 };
 
 #define NOBODY MAX_WORKERS
+#define NO_SLOT 255
+
+static inline struct setup *slot_of(const struct worker *w, unsigned slot)
+{
+    return (struct setup *)(void *)(w->carried + slot * SETUP_BYTES);
+}
 
 /* What is small stands first, within reach of one instruction; and what is used much before what is not. */
 struct sheen_frame {
@@ -94,8 +105,9 @@ struct sheen_frame {
     struct piece *piece;
     struct draw_record *draw;
     struct band *band;
-    struct worker *worker; /* config.workers */
-    int error;             /* the first of this frame's pushes and waits */
+    struct worker *worker;           /* config.workers */
+    const struct sheen_edges *edges; /* NULL: no draw has any yet; else the first one's */
+    int error;                       /* the first of this frame's pushes and waits */
     unsigned bands, bands_left;
     uint32_t *done;      /* a bit a band of this frame that has begun */
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
@@ -112,6 +124,7 @@ struct sheen_frame {
     unsigned shaded_colors;
     struct fog_terms fog;                /* of the view */
     const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
+    struct line *line;                   /* config.max_edges, the first stats.edges are listed */
     struct sheen_stats stats;
     size_t arena_bytes;
 };
@@ -139,6 +152,51 @@ static inline struct vertex *used_vertex(const struct sheen_frame *f, const stru
 void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                         uint16_t triangle);
 
+/* What begins in a band is pending. */
+static inline void add_list(const struct sheen_frame *f, struct worker *w, unsigned band)
+{
+    for (uint32_t e = f->band[band].first; e != NONE; e = f->entry[e].next)
+        w->pending[e >> 5] |= 1u << (e & 31u);
+}
+
+/* Nothing is. */
+static inline void pending_clear(const struct sheen_frame *f, struct worker *w)
+{
+    const unsigned slots = f->config.max_carried;
+
+    memset(w->pending, 0, (f->entries + 31) / 32 * sizeof(uint32_t));
+    w->first_carried = NO_SLOT;
+    w->first_free = 0;
+    for (unsigned i = 0; i < slots; i++)
+        slot_of(w, i)->next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
+}
+
+/* Notes what an error is about, and returns it. */
+static inline int refuse(struct sheen_frame *f, int error, enum sheen_subject subject, uint32_t needed)
+{
+    f->about = (uint8_t)subject;
+    f->needed = needed;
+    return error;
+}
+
+/*
+ * edges.c: what a frame does for the edges of its draws, linked where a caller names them.
+ *
+ * list: of a draw, after its triangles; draws that have no edges on this target lose d->edges. On an error the draw is
+ *   taken back.
+ * cover: the bands that lines cross, from line `first` on, are to be drawn.
+ * begin: before band b is drawn: the tile gets an apron, what that shows is pending.
+ * draw: after its triangles: lines on the tile's rows within `rect`, which the tile then has again.
+ */
+struct sheen_edges {
+    int (*list)(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
+                const struct transform *t);
+    void (*cover)(struct sheen_frame *f, uint32_t first);
+    void (*begin)(const struct sheen_frame *f, struct worker *w, struct tile *t, unsigned b);
+    void (*draw)(const struct sheen_frame *f, struct worker *w, struct tile *t, struct sheen_rect rect);
+    const struct line_kind *kind;
+};
+
 static inline uint32_t or_default(uint32_t value, uint32_t fallback)
 {
     return value != 0 ? value : fallback;
@@ -148,6 +206,8 @@ static inline uint32_t or_default(uint32_t value, uint32_t fallback)
 void sheen_bin_clear(struct sheen_frame *f);
 int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3]);
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece);
+/* Grow the bands that a rectangle within the viewport, not empty, crosses. */
+void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect);
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c);
 struct sheen_rect sheen_rect_union(struct sheen_rect a, struct sheen_rect b);

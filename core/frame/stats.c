@@ -7,7 +7,8 @@
 void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
 {
     const struct sheen_config *c = &f->config;
-    size_t tile = (size_t)c->target->width * c->band_rows, pixel = f->format.grey ? 1 : 2;
+    size_t tile = (size_t)c->target->width * (c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0)),
+           pixel = f->format.grey ? 1 : 2;
 
     *stats = f->stats;
     stats->used = f->used;
@@ -49,11 +50,12 @@ enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *need
 
 const char *sheen_subject_name(enum sheen_subject subject)
 {
-    static const char *const name[] = {
-        "nothing",       "target",    "buffers",     "workers",      "lock",     "max_vertices", "max_used",
-        "max_triangles", "max_draws", "max_clipped", "max_carried",  "viewport", "fov",          "z_near, z_far",
-        "pose",          "mesh",      "normals",     "material",     "shine",    "ramp",         "shader",
-        "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias",   "morph"};
+    static const char *const name[] = {"nothing",      "target",     "buffers",       "workers",       "lock",
+                                       "max_vertices", "max_used",   "max_triangles", "max_draws",     "max_clipped",
+                                       "max_carried",  "viewport",   "fov",           "z_near, z_far", "pose",
+                                       "mesh",         "normals",    "material",      "shine",         "ramp",
+                                       "shader",       "lights",     "uvs",           "texture",       "transparency",
+                                       "fog",          "depth_bias", "morph",         "edges",         "max_edges"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }
@@ -69,6 +71,11 @@ int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
     for (uint32_t i = 0; i < mesh->triangles && mesh->polygon_normals != NULL; i++)
         if ((mesh->polygons != NULL ? mesh->polygons[i] : i) >= polygon_count)
             return SHEEN_ERR_ARGUMENT;
+    for (uint32_t i = 0; i < 3u * mesh->triangles && mesh->edges != NULL; i++) {
+        uint32_t other = mesh->edges[i / 3].across[i % 3];
+        if (other != SHEEN_NO_TRIANGLE && other >= mesh->triangles)
+            return SHEEN_ERR_ARGUMENT;
+    }
     return SHEEN_OK;
 }
 

@@ -241,7 +241,12 @@ unsigned sheen_edges_begin(struct edge edge[3], const struct screen_corner at[3]
                            struct span *spans);
 void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column);
 
-/* spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row. */
+/*
+ * spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row.
+ * Before that it may go back to `row`, above where it stands: 0 where an edge that ended since then is not known any
+ * more, and the triangle has to be set up again.
+ */
+int sheen_spans_back(struct setup *s, int32_t row);
 unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans);
 void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect);
 

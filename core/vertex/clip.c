@@ -145,3 +145,18 @@ void sheen_clip(struct clip_job *job, unsigned first, unsigned end)
         job->next = swapped;
     }
 }
+
+int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2])
+{
+    for (unsigned plane = 0; plane < CLIP_PLANES; plane++) {
+        unsigned first = end[0].v.flags >> plane & 1u, second = end[1].v.flags >> plane & 1u;
+        struct clip_corner cut;
+        if (first && second)
+            return 0;
+        if (first == second)
+            continue;
+        cut_edge(job, &end[first], &end[second], plane, &cut);
+        end[second] = cut;
+    }
+    return 1;
+}

@@ -192,5 +192,7 @@ struct clip_job {
 
 /* Cuts by the planes from `first` to before `end`. polygon and next have room for MAX_CLIP_CORNERS each. */
 void sheen_clip(struct clip_job *job, unsigned first, unsigned end);
+/* The part of a line inside all of them: its ends move there; 0 where nothing is left. job: no polygon. */
+int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2]);
 
 #endif

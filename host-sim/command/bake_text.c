@@ -11,10 +11,10 @@
 
 enum {
     COLUMNS = 116,
-    STRUCT_BYTES = 64 /* struct sheen_mesh with 32-bit pointers */
+    STRUCT_BYTES = 72 /* struct sheen_mesh with 32-bit pointers */
 };
 
-size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
+size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int edges)
 {
     const struct sheen_mesh *mesh = &quantised->mesh;
     size_t bytes = STRUCT_BYTES + mesh->vertices * 12u + mesh->triangles * 3u * mesh->index_bytes;
@@ -25,7 +25,7 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat)
         bytes += STRUCT_BYTES + mesh->vertices * 12u + (flat ? quantised->polygon_count * 6u : 0);
     if (flat)
         bytes += quantised->polygon_count * 7u + (quantised->polygons ? mesh->triangles * 2u : 0);
-    return bytes;
+    return bytes + (edges ? mesh->triangles * sizeof *mesh->edges : 0);
 }
 
 /* One number of an array; *column is where the line has got to. */
@@ -63,7 +63,28 @@ static void put_unsigned(FILE *stream, const char *name, const char *what, const
     fputs("\n};\n", stream);
 }
 
-static void put_mesh(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat)
+/* A triangle: those across its edges, and the bits of sharp and inner ones. */
+static void put_edges(FILE *stream, const char *name, const struct sheen_mesh *mesh)
+{
+    size_t column = 0;
+
+    fprintf(stream, "static const struct sheen_triangle_edges %s_edges[%u] = {", name, mesh->triangles);
+    for (size_t t = 0; t < mesh->triangles; t++) {
+        const struct sheen_triangle_edges *e = &mesh->edges[t];
+        char text[48];
+        size_t length = (size_t)snprintf(text, sizeof text, "{{%u, %u, %u}, %u, %u},", e->across[0], e->across[1],
+                                         e->across[2], e->sharp, e->inner);
+        if (column == 0 || column + 1 + length > COLUMNS) {
+            fputs("\n   ", stream);
+            column = 3;
+        }
+        fprintf(stream, " %s", text);
+        column += 1 + length;
+    }
+    fputs("\n};\n", stream);
+}
+
+static void put_mesh(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat, int edges)
 {
     const struct sheen_mesh *mesh = &quantised->mesh;
 
@@ -78,6 +99,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
     put_unsigned(stream, name, "indices", mesh->indices, mesh->index_bytes, 3u * mesh->triangles);
     if (mesh->uvs)
         put_signed(stream, name, "uvs", mesh->uvs, 2u * mesh->vertices);
+    if (edges)
+        put_edges(stream, name, mesh);
 
     fprintf(stream, "static const struct sheen_mesh %s = {\n", name);
     fprintf(stream, "    .positions = %s_positions,\n    .normals = %s_normals,\n", name, name);
@@ -94,6 +117,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
     if (mesh->uvs)
         fprintf(stream, "    .uvs = %s_uvs,\n    .uv_bits = %u,\n    .uv_offset = {%" PRId32 ", %" PRId32 "},\n", name,
                 mesh->uv_bits, mesh->uv_offset[0], mesh->uv_offset[1]);
+    if (edges)
+        fprintf(stream, "    .edges = %s_edges,\n", name);
     fputs("};\n\n", stream);
 }
 
@@ -242,7 +267,7 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
             snprintf(name, sizeof name, "%s_%zu", bake->name, i);
         else
             snprintf(name, sizeof name, "%s", bake->name);
-        put_mesh(stream, name, &bake->meshes[i], bake->flat);
+        put_mesh(stream, name, &bake->meshes[i], bake->flat, bake->edges);
         if (bake->meshes[i].second.positions)
             put_second(stream, name, &bake->meshes[i], bake->flat);
     }

@@ -23,10 +23,11 @@ struct sheen_bake {
     const char *name;         /* a C identifier: what the mesh is called */
     const char *source;       /* the command line that made it, for the header's comment */
     int flat;                 /* 1: with polygon normals, for flat shading */
+    int edges;                /* 1: with the mesh's edges */
 };
 
 /* B of flash that a mesh takes on a 32-bit machine. */
-size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat);
+size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int edges);
 
 /* The header's text. The same on every machine. 0, or SHEEN_ERR_ARGUMENT where the stream fails. */
 int sheen_bake_text(FILE *stream, const struct sheen_bake *bake);

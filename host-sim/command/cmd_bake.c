@@ -176,6 +176,8 @@ static void set_source(struct baking *baking)
         add_source(baking, " --groups");
     if (options->no_flat)
         add_source(baking, " --no-flat");
+    if (options->bake_edges)
+        add_source(baking, " --edges");
     add_texture_source(baking);
 }
 
@@ -226,6 +228,27 @@ static void measure(const struct sheen_host_mesh *host, double *position, double
     }
 }
 
+/* An edge between two triangles stands with both. Those within polygons are none of the file's. */
+static void report_edges(const struct baking *baking, uint32_t triangles)
+{
+    uint32_t edges = 0, sharp = 0, borders = 0;
+
+    for (size_t i = 0; i < baking->count; i++) {
+        const struct sheen_mesh *mesh = &baking->meshes[i].mesh;
+        for (uint32_t h = 0; h < 3u * mesh->triangles; h++) {
+            const struct sheen_triangle_edges *e = &mesh->edges[h / 3];
+            uint32_t k = h % 3, other = e->across[k];
+            if ((e->inner >> k & 1) != 0 || (other != SHEEN_NO_TRIANGLE && other < h / 3))
+                continue;
+            edges++;
+            borders += other == SHEEN_NO_TRIANGLE;
+            sharp += e->sharp >> k & 1;
+        }
+    }
+    printf("edges: %u, %u of them sharp, %u borders; %zu B of the flash\n", edges, sharp, borders,
+           triangles * sizeof(struct sheen_triangle_edges));
+}
+
 static void report(const struct baking *baking)
 {
     uint32_t vertices = 0, triangles = 0, polygons = 0;
@@ -236,7 +259,7 @@ static void report(const struct baking *baking)
         vertices += baking->meshes[i].mesh.vertices;
         triangles += baking->meshes[i].mesh.triangles;
         polygons += baking->meshes[i].polygon_count;
-        bytes += sheen_bake_bytes(&baking->meshes[i], !baking->options->no_flat);
+        bytes += sheen_bake_bytes(&baking->meshes[i], !baking->options->no_flat, baking->options->bake_edges);
     }
     for (size_t i = 0; i < baking->host.picture_count; i++)
         texture_bytes += sheen_texels_bytes(&baking->texels[i]);
@@ -247,6 +270,8 @@ static void report(const struct baking *baking)
     if (baking->host.picture_count)
         printf(", %zu B of them texture%s", texture_bytes, baking->host.picture_count > 1 ? "s" : "");
     putchar('\n');
+    if (baking->options->bake_edges)
+        report_edges(baking, triangles);
     printf("rounding: positions by at most %.2g of the radius, normals by at most %.2g rad\n", position, normal);
     printf("one unit is %.9g of the file's, its origin at %.9g %.9g %.9g\n", baking->host.radius,
            baking->host.center[0], baking->host.center[1], baking->host.center[2]);
@@ -265,7 +290,8 @@ static int write_text(const struct baking *baking, FILE *stream)
                                     .pictures = baking->pictures,
                                     .name = baking->name,
                                     .source = baking->source,
-                                    .flat = !baking->options->no_flat};
+                                    .flat = !baking->options->no_flat,
+                                    .edges = baking->options->bake_edges};
 
     if (is_shine(baking->options))
         return sheen_bake_shine_text(stream, &baking->shine, baking->name, baking->source);

@@ -79,6 +79,8 @@ struct sheen_options {
     struct sheen_paint fog_color; /* not given: the background's */
     double opacity;               /* 0..1 */
     int phase;                    /* of its pattern, 0..7 */
+    int edges;                    /* enum sheen_edging */
+    uint8_t line[3];              /* their colour */
     int two_sided, average, affine, ortho;
     double crease;  /* degrees; 180 averages all */
     int equal;      /* weights of an average */
@@ -101,7 +103,7 @@ struct sheen_options {
     int morph_target;
     double morph_weight; /* 0..1 */
     const char *name;    /* bake: of the mesh, a C identifier; NULL: from the output's name */
-    int groups, no_flat;
+    int groups, no_flat, bake_edges;
     /* view: */
     int view_frames; /* 0: not given */
     int scale;       /* 0: not given */

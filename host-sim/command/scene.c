@@ -41,6 +41,7 @@ static void set_material(struct sheen_material *material, const struct sheen_shi
     material->diffuse = to_q16(options->diffuse);
     material->specular = to_q16(options->specular);
     material->shine = shine;
+    memcpy(material->line, options->line, sizeof material->line);
 }
 
 /* One mesh of everything, or one a material that has faces. */
@@ -181,6 +182,8 @@ void sheen_scene_look(struct sheen_scene *scene)
     view->orthographic = options->ortho ? to_q24(options->distance) : 0;
     view->affine = (uint8_t)options->affine;
     view->dither = options->undithered < 0 ? scene->target->pixel != SHEEN_GREY256 : !options->undithered;
+    if (options->edges == SHEEN_WIRE)
+        view->dither = 0; /* the background is not either */
     memcpy(view->background, options->background, sizeof view->background);
     for (int i = 0; i < options->lights.count; i++) {
         const double *to = options->lights.to[i];
@@ -224,13 +227,16 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
         vertices += scene->meshes[i].mesh.vertices;
         triangles += scene->meshes[i].mesh.triangles;
     }
+    uint32_t edges =
+        scene->options->edges != SHEEN_NO_EDGES ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
     *config = (struct sheen_config){.target = scene->target,
                                     .band_rows = (uint16_t)scene->options->band,
                                     .buffers = (uint8_t)scene->options->buffers,
                                     .max_vertices = (uint16_t)vertices,
                                     .max_triangles = (uint16_t)(triangles < UINT16_MAX ? triangles : UINT16_MAX),
                                     .max_draws = (uint16_t)scene->count,
-                                    .max_clipped = (uint16_t)pieces};
+                                    .max_clipped = (uint16_t)pieces,
+                                    .max_edges = (uint16_t)(edges < UINT16_MAX ? edges : UINT16_MAX)};
     size_t size = sheen_arena_size(config);
     if (size == 0)
         return SHEEN_ERR_ARGUMENT;
@@ -284,6 +290,16 @@ void sheen_scene_close(struct sheen_scene *scene)
 
 /* ---- a frame ---- */
 
+/* What `--edges wire` has its faces look like: as if they were not there, but for what they hide. */
+static struct sheen_material hidden_faces(const struct sheen_options *options)
+{
+    struct sheen_material material = {.ambient = to_q16(1)};
+
+    memcpy(material.base, options->background, sizeof material.base);
+    memcpy(material.line, options->line, sizeof material.line);
+    return material;
+}
+
 enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
 {
     enum sheen_shading asked = (enum sheen_shading)scene->options->shade;
@@ -302,21 +318,24 @@ void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_
 static int draw_all(struct sheen_scene *scene, int number)
 {
     const struct sheen_options *options = scene->options;
-    enum sheen_shading shading = sheen_scene_shading(scene);
+    const struct sheen_material hidden = hidden_faces(options);
+    int wire = options->edges == SHEEN_WIRE;
+    enum sheen_shading shading = wire ? SHEEN_FLAT : sheen_scene_shading(scene);
     const struct sheen_shader *textured = shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
     struct sheen_object draw = {.lights = scene->lights,
-                                .light_count = (uint8_t)options->lights.count,
+                                .light_count = (uint8_t)(wire ? 0 : options->lights.count),
                                 .stipple = &sheen_stipple,
-                                .transparency = (uint8_t)(64 - (int)floor(64 * options->opacity + 0.5)),
+                                .transparency = (uint8_t)(wire ? 0 : 64 - (int)floor(64 * options->opacity + 0.5)),
                                 .phase = (uint8_t)options->phase,
-                                .two_sided = (uint8_t)options->two_sided};
+                                .two_sided = (uint8_t)options->two_sided,
+                                .edges = sheen_edges_of((unsigned)options->edges)};
 
     paint(scene);
     sheen_scene_pose(scene, number, &draw.pose);
     int error = sheen_begin(scene->frame, &scene->view);
     for (size_t i = 0; !error && i < scene->count; i++) {
         draw.mesh = &scene->meshes[i].mesh;
-        draw.material = &scene->materials[i];
+        draw.material = wire ? &hidden : &scene->materials[i];
         scene->morphs[i].weight = (uint16_t)lround(options->morph_weight * 32768);
         draw.morph = options->morph ? &scene->morphs[i] : NULL;
         draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : sheen_shader_of(shading);
@@ -328,8 +347,12 @@ static int draw_all(struct sheen_scene *scene, int number)
 /* Close to the eye more triangles are cut than the frame has room for: it is made anew with more. */
 int sheen_scene_begin(struct sheen_scene *scene, int number)
 {
-    int error = draw_all(scene, number);
+    int error = SHEEN_OK;
 
+    if (scene->options->edges != SHEEN_NO_EDGES && scene->config.max_edges == 0)
+        error = make_frame(scene, scene->config.max_clipped);
+    if (!error)
+        error = draw_all(scene, number);
     for (unsigned pieces = 256; error == SHEEN_ERR_CAPACITY && pieces <= UINT16_MAX / 2 + 1; pieces *= 2) {
         error = make_frame(scene, pieces);
         if (!error)

@@ -1,5 +1,6 @@
 /*
- * shadings.h - the shadings by number, for options, tables and loops of the host and the tests.
+ * shadings.h - the shadings, and what is drawn of edges, by number: for options, tables and loops of the host and the
+ * tests.
  */
 #ifndef SHEEN_SHADINGS_H
 #define SHEEN_SHADINGS_H
@@ -23,6 +24,20 @@ static inline const struct sheen_shader *sheen_shader_of(unsigned shading)
         &sheen_flat, &sheen_gouraud, &sheen_phong, &sheen_slerp, &sheen_matcap, &sheen_matcap_vertex};
 
     return shader[shading];
+}
+
+enum sheen_edging {
+    SHEEN_NO_EDGES = 0,
+    SHEEN_OUTLINE,
+    SHEEN_WIRE,
+    SHEEN_EDGINGS
+};
+
+static inline const struct sheen_edges *sheen_edges_of(unsigned edging)
+{
+    static const struct sheen_edges *const edges[SHEEN_EDGINGS] = {NULL, &sheen_edges_outline, &sheen_edges_wire};
+
+    return edges[edging];
 }
 
 #endif

@@ -406,6 +406,7 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     struct sheen_host_build other = {.from = second, .options = options, .mesh = &other_mesh, .first_frame = &build};
 
     memset(mesh, 0, sizeof *mesh);
+    mesh->crease = options->use_crease ? options->crease : 180;
     int error = sheen_polygons_check(polygons, name, problem);
     if (!error && second)
         error = sheen_host_frames_fit(polygons, second, name, options->morph, problem);

@@ -101,6 +101,7 @@ struct sheen_host_mesh {
     struct sheen_host_part *part;
     size_t part_count; /* 1 or more */
     struct sheen_host_frame second;
+    double crease;            /* of the options, degrees; 180 where none was used: no edge is sharp */
     double center[3], radius; /* fitted = (file - center) / radius */
     uint8_t z_up;             /* as in the polygons, and so are the notes */
     struct sheen_notes notes;

@@ -215,6 +215,21 @@ static void fill_triangles(struct sheen_quantised *out, const struct sheen_host_
     }
 }
 
+/* Where corners do not meet as 16 bits, they do not as floats either, or less than 1/65534 of the radius is between. */
+static int find_edges(struct sheen_quantised *out, double crease)
+{
+    const struct sheen_mesh *mesh = &out->mesh;
+    uint32_t *scratch = calloc(SHEEN_EDGES_WORDS((size_t)mesh->vertices, (size_t)mesh->triangles), sizeof *scratch);
+
+    out->edges = calloc(mesh->triangles, sizeof *out->edges);
+    if (scratch && out->edges) {
+        sheen_mesh_edges(mesh, sheen_cos((sheen_angle_t)(crease / 360 * 4294967296.0)), scratch, out->edges);
+        out->mesh.edges = out->edges;
+    }
+    free(scratch);
+    return out->mesh.edges ? SHEEN_OK : SHEEN_ERR_MEMORY;
+}
+
 int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t part)
 {
     struct chosen chosen = {0};
@@ -250,6 +265,7 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
                                           .vertices = out->mesh.vertices,
                                           .triangles = out->mesh.triangles,
                                           .scale = out->mesh.scale};
+        error = find_edges(out, host->crease);
     }
     free(chosen.vertex);
     free(chosen.polygon);
@@ -270,6 +286,7 @@ void sheen_quantised_free(struct sheen_quantised *quantised)
     free(quantised->colors);
     free(quantised->polygons);
     free(quantised->warp);
+    free(quantised->edges);
     free(quantised->indices);
     memset(quantised, 0, sizeof *quantised);
 }

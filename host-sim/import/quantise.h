@@ -23,6 +23,7 @@ struct sheen_quantised {
     sheen_q16_t uv_offset[2];
     uint16_t *polygons; /* NULL where every polygon is a triangle */
     uint8_t *warp;
+    struct sheen_triangle_edges *edges;
     void *indices;
     uint32_t polygon_count;
     struct sheen_mesh second; /* the other frame, on the same grid; its positions are NULL where there is none */

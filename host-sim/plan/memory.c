@@ -61,7 +61,7 @@ void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, c
     flash->panel = record ? sheen_plan_panel_flash[cpu][0][driver_kind(record)] : 0;
     flash->mesh = flash->textures = 0;
     for (size_t i = 0; i < scene->count; i++)
-        flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1);
+        flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1, 0);
     if (is_matcap)
         flash->textures = (uint32_t)sheen_texels_bytes(&scene->matcap);
     for (size_t i = 0; i < scene->texel_count && !is_matcap; i++)

@@ -107,6 +107,9 @@ static int scene_key(struct sheen_viewer *viewer, int key)
     case 'd':
         options->undithered = viewer->table.scene.view.dither;
         return 1;
+    case 'e':
+        options->edges = (options->edges + 1) % SHEEN_EDGINGS;
+        return 1;
     case 'a':
         options->affine = !options->affine;
         return 1;

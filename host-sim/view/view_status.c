@@ -26,13 +26,14 @@ void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t si
 {
     static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
                                                              "slerp", "matcap",  "matcap-vertex"};
+    static const char *const edges[] = {"", ", outline", ", wire"};
     const struct sheen_turntable *table = &viewer->table;
     const struct sheen_view *view = &table->scene.view;
     char frame[80];
 
     put_frame(viewer, frame, sizeof frame);
-    snprintf(text, size, "%s  %s  %s%s%s%s  %ux%u, orientation %u", sheen_turntable_panel_name(table), frame,
-             shadings[sheen_scene_shading(&table->scene)], view->affine ? ", affine" : "",
+    snprintf(text, size, "%s  %s  %s%s%s%s%s  %ux%u, orientation %u", sheen_turntable_panel_name(table), frame,
+             shadings[sheen_scene_shading(&table->scene)], edges[viewer->options.edges], view->affine ? ", affine" : "",
              view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "", table->choice.width,
              table->choice.height, table->choice.orientation);
 }

@@ -128,7 +128,8 @@ static void write_lines(const struct window *window)
     sheen_viewer_counts(viewer, lines[1], sizeof lines[1]);
     snprintf(lines[2], sizeof lines[2], "%s%s", viewer->gif ? "recording  " : "", viewer->message);
     snprintf(lines[3], sizeof lines[3],
-             "space stop  n frame  b band  s shade  l light  d dither  a affine  o ortho  r turn  p panel  t theme  "
+             "space stop  n frame  b band  s shade  l light  d dither  e edges  a affine  o ortho  r turn  p panel  t "
+             "theme  "
              "w PNG  g GIF  q end");
     struct sheen_letters letters = {canvas->pixels, canvas->w, canvas->h, canvas->pitch};
     for (int i = 0; i < LINES; i++)

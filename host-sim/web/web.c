@@ -96,6 +96,8 @@ static void copy_look(struct sheen_options *to, const struct sheen_options *from
     to->fog_color = from->fog_color;
     to->opacity = from->opacity;
     to->phase = from->phase;
+    to->edges = from->edges;
+    memcpy(to->line, from->line, sizeof to->line);
     to->two_sided = from->two_sided;
     to->affine = from->affine;
     to->ortho = from->ortho;
@@ -321,7 +323,7 @@ unsigned EXPORT(web_flash)(void)
     size_t bytes = 0;
 
     for (size_t i = 0; i < viewer.table.scene.count; i++)
-        bytes += sheen_bake_bytes(&viewer.table.scene.meshes[i], 1);
+        bytes += sheen_bake_bytes(&viewer.table.scene.meshes[i], 1, 0);
     return (unsigned)bytes;
 }
 

@@ -8,10 +8,15 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
-# Functions of sheen_shader, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher by who calls them: what else could stand there does not.
-SHADER_CALLS = [(r"(^|:)(sheen_draw|begin_colours|object_valid)$", r"(_light|_begin|begin_by_ramp|fog_draw|morph_fits)$"),
+# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher by who calls them: what else could stand there does not.
+SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
+                (r"(^|:)begin_colours(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
+                (r"(^|:)object_valid$", r"morph_fits$"),
+                (r"(^|:)sheen_bin_rollback$", r"edges_cover$"),
+                (r"(^|:)(edges_draw|draw_lines_of)$", r"(^|:)draw_lines$"),
+                (r"(^|:)(draw_and_send|sheen_band)$", r"edges_(begin|draw)$"),
                 (r"(^|:)sheen_begin$", r"fog_begin$"),
-                (r"(^|:)use_corners$", r"morph_position$"),
+                (r"(^|:)(use_corners|corner_point)$", r"morph_position$"),
                 (r"(^|:)(light_corners|draw_triangle)$", r"_light$|morph_normal$"),
                 (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
                 (r"(^|:)(cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),

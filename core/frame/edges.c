@@ -1,0 +1,143 @@
+/*
+ * edges.c - what a frame does for the edges of its draws: nothing of it is linked where none are named.
+ *
+ * Lines look at the pixels around them, those in the bands above and below too: tiles are drawn with an apron, whose
+ * rows are drawn again in the next band.
+ */
+#include <string.h>
+
+#include "frame.h"
+
+/* Entries of the lines' store that hold a bit for each triangle of a mesh. */
+static uint32_t front_lines(const struct sheen_mesh *mesh)
+{
+    const uint32_t each = 8 * (uint32_t)sizeof(struct line);
+
+    return (mesh->triangles + each - 1) / each;
+}
+
+/* Lines' own pixels, and the neighbours that they look at. */
+static void edges_cover(struct sheen_frame *f, uint32_t first)
+{
+    for (const struct line *l = f->line + first; l != f->line + f->stats.edges; l++) {
+        const struct vertex *from = &f->vertex[l->from], *to = &f->vertex[l->to];
+        int32_t left = asr32(min32(from->x, to->x) + f->screen.centre_x, SUBPIXEL_BITS) - 1;
+        int32_t right = asr32(max32(from->x, to->x) + f->screen.centre_x, SUBPIXEL_BITS) + 2;
+        const struct sheen_rect rect = {
+            (int16_t)max32(left, f->viewport.x0), (int16_t)max32(l->row - 1, f->viewport.y0),
+            (int16_t)min32(right, f->viewport.x1), (int16_t)min32((l->end & LINE_END) + 1, f->viewport.y1)};
+        sheen_bin_cover(f, rect);
+    }
+}
+
+/* The lines of a draw whose triangles are listed. What is noted of triangles stands at the end of the lines' store. */
+static int edges_list(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
+                      const struct transform *t)
+{
+    const struct sheen_mesh *mesh = d->as.mesh;
+    const uint32_t noted = front_lines(mesh), most = f->config.max_edges, first = f->stats.edges;
+
+    if (mesh->edges == NULL)
+        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_EDGES, 0);
+    if (first + noted > most)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, first + noted);
+    struct line_list list = {.mesh = mesh,
+                             .draw = &d->as,
+                             .front = (uint32_t *)(void *)(f->line + most - noted),
+                             .place = f->place + d->first_vertex,
+                             .vertex = f->vertex,
+                             .used = f->used,
+                             .max_used = f->config.max_used,
+                             .projection = &f->projection,
+                             .transform = t,
+                             .screen = &f->screen,
+                             .line = f->line,
+                             .lines = first,
+                             .max_lines = most - noted,
+                             .two_sided = d->as.two_sided};
+    memset(list.front, 0, noted * sizeof(struct line));
+    sheen_list_edges(&list, d->edges->kind);
+    if (list.used > list.max_used)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_USED, list.used);
+    if (list.lines > list.max_lines)
+        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, list.lines + noted);
+    f->edges = d->edges;
+    f->used = list.used;
+    f->stats.edges = list.lines;
+    d->end_line = (uint16_t)list.lines;
+    d->line = sheen_colour_bytes(&f->format, object->material->line);
+    edges_cover(f, first);
+    return SHEEN_OK;
+}
+
+/*
+ * What begins in the next band is pending too; after a jump, what reaches the last row of the band above. So it is
+ * where the tile is less than the band: rows that were carried for the apron's sake end above it.
+ */
+static void edges_begin(const struct sheen_frame *f, struct worker *w, struct tile *t, unsigned b)
+{
+    const int32_t strip = f->viewport.y0 + (int32_t)b * f->config.band_rows;
+
+    if (w->last_band + 1 != (int32_t)b || t->rect.y0 != strip) {
+        pending_clear(f, w);
+        for (unsigned above = b > 0 ? b - 1 - f->band[b - 1].back : 0; above < b; above++)
+            add_list(f, w, above);
+        w->last_band = (int32_t)b - 1;
+    }
+    if (b + 1 < f->bands)
+        add_list(f, w, b + 1);
+    t->rect.y0 = (int16_t)max32(t->rect.y0 - LINE_APRON, f->viewport.y0);
+    t->rect.y1 = (int16_t)min32(t->rect.y1 + LINE_APRON, f->viewport.y1);
+}
+
+/* The lines of all draws, on the tile's rows [y0, y1). */
+static void draw_lines_of(const struct sheen_frame *f, const struct tile *t, int32_t y0, int32_t y1)
+{
+    struct line_tile lt = {.tile = t, .vertex = f->vertex, .y0 = y0, .y1 = y1};
+    const struct line *line = f->line;
+
+    for (const struct draw_record *d = f->draw; d != f->draw + f->draws; d++)
+        if (d->edges != NULL) {
+            lt.depth_bias = d->as.depth_bias;
+            d->edges->kind->draw(&lt, line, f->line + d->end_line, d->line);
+            line = f->line + d->end_line;
+        }
+}
+
+/* Set-ups that are carried go back to the next tile's first row, or are made again there. */
+static void carried_back(struct worker *w, int32_t row)
+{
+    uint8_t *link = &w->first_carried;
+
+    while (*link != NO_SLOT) {
+        const uint8_t slot = *link;
+        struct setup *s = slot_of(w, slot);
+        if (sheen_spans_back(s, row)) {
+            link = &s->next;
+        } else {
+            *link = s->next;
+            s->next = w->first_free;
+            w->first_free = slot;
+        }
+    }
+}
+
+/* Lines on the tile's rows within `rect`, which it has an apron around and is then left without. */
+static void edges_draw(const struct sheen_frame *f, struct worker *w, struct tile *t, struct sheen_rect rect)
+{
+    const size_t above = (size_t)t->pitch * (size_t)(rect.y0 - t->rect.y0);
+    const int32_t strip_end = f->viewport.y0 + (w->last_band + 1) * f->config.band_rows;
+
+    draw_lines_of(f, t, rect.y0, rect.y1);
+    if (rect.y1 != strip_end) /* what goes on does so below these rows alone */
+        w->last_band = -2;
+    carried_back(w, t->rect.y1 - 2 * LINE_APRON);
+    t->depth += above;
+    t->pixels = (char *)t->pixels + above * (t->format->grey ? 1 : 2);
+    t->rect = rect;
+}
+
+#define FRAME_PART .list = edges_list, .cover = edges_cover, .begin = edges_begin, .draw = edges_draw
+
+const struct sheen_edges sheen_edges_outline = {FRAME_PART, .kind = &sheen_outline_lines};
+const struct sheen_edges sheen_edges_wire = {FRAME_PART, .kind = &sheen_wire_lines};

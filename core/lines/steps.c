@@ -1,0 +1,65 @@
+/*
+ * steps.c - a line made ready to be stepped along its longer side.
+ */
+#include "lines.h"
+
+/* |numerator| 2^up / size with the numerator's sign; |numerator| < 2^16, up <= 16. */
+static int32_t slope_of(int32_t numerator, unsigned up, int32_t size)
+{
+    uint32_t slope = (magnitude32(numerator) << up) / (uint32_t)size;
+
+    return numerator < 0 ? -(int32_t)slope : (int32_t)slope;
+}
+
+/* As the triangles' corners have it. */
+static int32_t biased_z(const struct line_tile *t, const struct vertex *v)
+{
+    return t->depth_bias == 0 ? v->z : max32(DEPTH_FAR, min32(v->z + t->depth_bias, DEPTH_FAR + DEPTH_RANGE));
+}
+
+/*
+ * Steps stand at centres, from the line's lower end on. Range: a centre lies before the other end, so what is added up
+ * to it stays below a line's own extent: 2^16 px in Q.16, z16 in Q.8.
+ */
+int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line)
+{
+    const struct vertex *a = &t->vertex[line->from], *b = &t->vertex[line->to];
+    const struct sheen_rect rect = t->tile->rect;
+    int32_t dx = b->x - a->x, dy = b->y - a->y, low = t->tile->centre_x, side = t->tile->centre_y;
+    int32_t from = rect.x0, to = rect.x1, along, across, size;
+
+    s->steep = magnitude32(dy) >= magnitude32(dx);
+    size = s->steep ? dy : dx;
+    if (size == 0)
+        return 0;
+    s->low_inside = s->steep ? dy < 0 : dx > 0;
+    if (size < 0) {
+        a = b;
+        dx = -dx;
+        dy = -dy;
+        size = -size;
+    }
+    if (s->steep) {
+        along = a->y + side;
+        across = a->x + low;
+        from = t->y0;
+        to = t->y1;
+    } else {
+        along = a->x + low;
+        across = a->y + side;
+    }
+    s->first = first_centre(along);
+    s->end = min32(first_centre(along + size), to);
+    if (max32(s->first, from) >= s->end)
+        return 0;
+    int32_t rest = s->first * SUBPIXEL_ONE + SUBPIXEL_HALF - along, skipped = max32(from - s->first, 0);
+    const struct vertex *other = a == b ? &t->vertex[line->from] : b;
+    s->across_step = slope_of(s->steep ? dx : dy, 16, size);
+    const int32_t z = biased_z(t, a);
+    s->z_step = slope_of(biased_z(t, other) - z, 14, size);
+    s->across =
+        across * (1 << (16 - SUBPIXEL_BITS)) + asr32(s->across_step * rest, SUBPIXEL_BITS) + s->across_step * skipped;
+    s->z = z * 256 + asr32(s->z_step * rest, SUBPIXEL_BITS) + s->z_step * skipped;
+    s->first += skipped;
+    return 1;
+}
