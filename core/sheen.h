@@ -283,11 +283,13 @@ struct sheen_edges;
 /*
  * What is drawn of a mesh's edges, over the triangles, where these do not hide them; what is named is linked. It takes
  * room (max_edges).
- * outline: contours, where a triangle that faces the eye meets one that does not, or none, and sharp edges, as lines
- *   1 px wide in the material's `line`, not dithered.
+ * smooth: contours, where a triangle that faces the eye meets one that does not, or none, are smoothed: a pixel that
+ *   one crosses is mixed with its neighbours across it, by how much of it lies on either side. On targets of 2 levels
+ *   nothing is drawn. It needs config.smooth.
+ * outline: contours and sharp edges, as lines 1 px wide in the material's `line`, not dithered.
  * wire: so are all edges but those within a polygon. What they hide is what the triangles hide, whatever their colour.
  */
-extern const struct sheen_edges sheen_edges_outline, sheen_edges_wire;
+extern const struct sheen_edges sheen_edges_smooth, sheen_edges_outline, sheen_edges_wire;
 
 struct sheen_morpher;
 
@@ -403,6 +405,7 @@ struct sheen_config {
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
     uint8_t max_shades;   /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
+    uint8_t smooth;       /* 1: room for sheen_edges_smooth, a byte a pixel of a band and of 8 rows more [0] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
     /*
      * Edges drawn in a frame, and 1 for each 64 triangles of the mesh whose edges are listed [0: none]. With them bands
@@ -488,9 +491,10 @@ enum sheen_subject {
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
     SHEEN_ABOUT_FOG,          /* of the view */
     SHEEN_ABOUT_DEPTH_BIAS,
-    SHEEN_ABOUT_MORPH,    /* its mesh is not of the object's shape, weight out of range, or no morpher */
-    SHEEN_ABOUT_EDGES,    /* of an object: its mesh has none */
-    SHEEN_ABOUT_MAX_EDGES /* a capacity */
+    SHEEN_ABOUT_MORPH,     /* its mesh is not of the object's shape, weight out of range, or no morpher */
+    SHEEN_ABOUT_EDGES,     /* of an object: its mesh has none */
+    SHEEN_ABOUT_MAX_EDGES, /* a capacity */
+    SHEEN_ABOUT_SMOOTH     /* likewise */
 };
 
 /*

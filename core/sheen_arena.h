@@ -6,7 +6,7 @@
  * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y;
  * buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take
  * SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES), and max_edges
- * SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES.
+ * SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES, and smooth SHEEN_SMOOTH_BYTES in each.
  * The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H
@@ -58,7 +58,10 @@
     (SHEEN_APRON_BYTES(1, band_rows, SHEEN_BYTES_SPAN) + SHEEN_APRON_BYTES(width, band_rows, 2) +                      \
      (buffers)*SHEEN_APRON_BYTES(width, band_rows, pixel_bytes))
 
-/* What it takes with one worker: to be added to the bytes of an arena. */
+/* What smooth takes besides, in each worker. */
+#define SHEEN_SMOOTH_BYTES(width, band_rows) (((width) + (size_t)7) / 8 * 8 * ((size_t)(band_rows) + 8))
+
+/* What max_edges takes with one worker: to be added to the bytes of an arena. */
 #define SHEEN_EDGE_BYTES(width, pixel_bytes, band_rows, buffers, edges)                                                \
     (SHEEN_STORE(edges, SHEEN_BYTES_EDGE) + SHEEN_EDGE_WORKER_BYTES(width, pixel_bytes, band_rows, buffers))
 

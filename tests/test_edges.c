@@ -49,6 +49,18 @@ static void check(const struct screen_corner *upper, int32_t width, int32_t heig
                upper->x, upper->y, width, height);
 }
 
+/* Below row `next` an edge that may be asked for again goes back to where it began in its tile. */
+static void walk_back(const struct screen_corner *upper, int32_t width, int32_t height, const struct edge *e,
+                      int32_t first, int32_t next)
+{
+    int64_t at = e->at;
+
+    for (int32_t row = next - 1; row >= first; row--) {
+        at -= e->step;
+        check(upper, width, height, row, (int32_t)(at >> 32));
+    }
+}
+
 /*
  * An edge there and back, as the sides of a triangle without area, in tiles of `rows` rows, the first of which begins
  * at row `from`. rows 0: one tile, and the triangle has no other.
@@ -68,6 +80,8 @@ static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t fr
             check(&upper, width, height, row, spans[row - to.row].x0);
             check(&upper, width, height, row, spans[row - to.row].x1);
         }
+        if (!to.whole && to.end > upper.row && to.row < lower.row)
+            walk_back(&upper, width, height, &edge[0], max32(upper.row, to.row), min32(lower.row, to.end));
         if (to.end >= lower.row)
             return;
         to.row = to.end;
@@ -83,7 +97,7 @@ static void short_edges(int all)
         int32_t sparse = all || height < 70 || height > 1980 || height % 64 == 0 ? 1 : 41;
         for (int32_t width = 1 - SHORT + (int32_t)lot((uint32_t)sparse); width < SHORT; width += sparse) {
             for (int32_t rest = all ? 0 : (int32_t)lot(29); rest < 64; rest += all ? 1 : 29)
-                walk((int32_t)lot(64), 32 - rest, width, height, 0, 0);
+                walk((int32_t)lot(64), 32 - rest, width, height, 0, width & 1 ? 0 : 1 + (int32_t)lot(40));
         }
     }
 }

@@ -73,6 +73,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     const struct sheen_config *c = &f->config;
     size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, width = c->target->width;
     size_t rows = c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0), tile = width * rows;
+    size_t marks = c->smooth * (MARK_PITCH(width) / 4) * (c->band_rows + MARK_ROWS);
 
     (void)take(base, &used, 1, SHEEN_BYTES_FRAME);
     f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
@@ -95,7 +96,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
         f->scratch = i == 0 ? scratch : f->scratch;
         w->carried = take(base, &used, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(base, &used, bits, sizeof(uint32_t));
-        w->spans = take(base, &used, rows, SHEEN_BYTES_SPAN);
+        w->spans = take(base, &used, rows + marks, SHEEN_BYTES_SPAN);
         w->depth = take(base, &used, tile, sizeof(uint16_t));
         for (unsigned k = 0; k < c->buffers; k++)
             w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);

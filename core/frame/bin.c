@@ -130,11 +130,6 @@ void sheen_bin_clear(struct sheen_frame *f)
     }
 }
 
-static int is_cut(const struct sheen_frame *f, uint32_t entry)
-{
-    return f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0;
-}
-
 /* Forget the entries from `entries` on: the others are listed anew, each in its place, and rectangles are as before. */
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 {

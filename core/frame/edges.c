@@ -30,6 +30,24 @@ static void edges_cover(struct sheen_frame *f, uint32_t first)
     }
 }
 
+/* What smoothing keeps of a worker's band: see struct line_tile. */
+static struct mixed *smooth_mixed(const struct sheen_frame *f, const struct worker *w)
+{
+    return (struct mixed *)(void *)(w->spans + f->config.band_rows + 2 * LINE_APRON);
+}
+
+static uint8_t *smooth_marks(const struct sheen_frame *f, const struct worker *w)
+{
+    return (uint8_t *)smooth_mixed(f, w) + MARK_ROWS * MARK_PITCH((size_t)f->target->width);
+}
+
+/* Marks of all workers are clear. */
+static void smooth_begin(const struct sheen_frame *f)
+{
+    for (unsigned i = 0; i < f->config.workers; i++)
+        memset(smooth_marks(f, &f->worker[i]), 0, MARK_PITCH((size_t)f->target->width) * f->config.band_rows);
+}
+
 /* The lines of a draw whose triangles are listed. What is noted of triangles stands at the end of the lines' store. */
 static int edges_list(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
                       const struct transform *t)
@@ -37,6 +55,15 @@ static int edges_list(struct sheen_frame *f, struct draw_record *d, const struct
     const struct sheen_mesh *mesh = d->as.mesh;
     const uint32_t noted = front_lines(mesh), most = f->config.max_edges, first = f->stats.edges;
 
+    if (d->edges->kind->finish != NULL) {
+        if (f->format.level_bits == 1) {
+            d->edges = NULL;
+            return SHEEN_OK;
+        }
+        if (!f->config.smooth)
+            return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_SMOOTH, 1);
+        smooth_begin(f);
+    }
     if (mesh->edges == NULL)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_EDGES, 0);
     if (first + noted > most)
@@ -62,12 +89,30 @@ static int edges_list(struct sheen_frame *f, struct draw_record *d, const struct
     if (list.lines > list.max_lines)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, list.lines + noted);
     f->edges = d->edges;
+    f->screen.again = 2 * LINE_APRON;
     f->used = list.used;
     f->stats.edges = list.lines;
     d->end_line = (uint16_t)list.lines;
     d->line = sheen_colour_bytes(&f->format, object->material->line);
     edges_cover(f, first);
     return SHEEN_OK;
+}
+
+/* Whether an entry has a row above `row`; of pieces that is not asked. */
+static int begins_above(const struct sheen_frame *f, uint32_t e, int32_t row)
+{
+    const int32_t below = row * SUBPIXEL_ONE + SUBPIXEL_HALF - f->screen.centre_y;
+    const struct draw_record *d = f->draw;
+    const uint32_t first = 3u * f->entry[e].triangle;
+
+    if (is_cut(f, e))
+        return 1;
+    while (e >= d->end_entry)
+        d++;
+    for (uint32_t i = first; i < first + 3; i++)
+        if (used_vertex(f, d, mesh_index(d->as.mesh, i))->y <= below - SUBPIXEL_ONE)
+            return 1;
+    return 0;
 }
 
 /*
@@ -85,41 +130,55 @@ static void edges_begin(const struct sheen_frame *f, struct worker *w, struct ti
         w->last_band = (int32_t)b - 1;
     }
     if (b + 1 < f->bands)
-        add_list(f, w, b + 1);
+        for (uint32_t e = f->band[b + 1].first; e != NONE; e = f->entry[e].next)
+            if (begins_above(f, e, t->rect.y1 + LINE_APRON))
+                w->pending[e >> 5] |= 1u << (e & 31u);
     t->rect.y0 = (int16_t)max32(t->rect.y0 - LINE_APRON, f->viewport.y0);
     t->rect.y1 = (int16_t)min32(t->rect.y1 + LINE_APRON, f->viewport.y1);
 }
 
-/* The lines of all draws, on the tile's rows [y0, y1). */
-static void draw_lines_of(const struct sheen_frame *f, const struct tile *t, int32_t y0, int32_t y1)
+/* The lines of all draws that are finished together, or of those that are not. What finishes them, or NULL. */
+static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct line_tile *lt, int finished)
 {
-    struct line_tile lt = {.tile = t, .vertex = f->vertex, .y0 = y0, .y1 = y1};
     const struct line *line = f->line;
+    const struct line_kind *found = NULL;
 
-    for (const struct draw_record *d = f->draw; d != f->draw + f->draws; d++)
-        if (d->edges != NULL) {
-            lt.depth_bias = d->as.depth_bias;
-            d->edges->kind->draw(&lt, line, f->line + d->end_line, d->line);
-            line = f->line + d->end_line;
+    for (const struct draw_record *d = f->draw; d != f->draw + f->draws; d++) {
+        if (d->edges == NULL)
+            continue;
+        const struct line_kind *kind = d->edges->kind;
+        const struct line *end = f->line + d->end_line;
+        if ((kind->finish != NULL) == finished) {
+            found = kind;
+            lt->depth_bias = d->as.depth_bias;
+            kind->draw(lt, line, end, d->line);
         }
+        line = end;
+    }
+    return found;
 }
 
-/* Set-ups that are carried go back to the next tile's first row, or are made again there. */
-static void carried_back(struct worker *w, int32_t row)
+/* On the tile's rows [y0, y1). */
+static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, const struct tile *t, int32_t y0,
+                           int32_t y1)
 {
-    uint8_t *link = &w->first_carried;
+    const struct span none = {INT16_MAX, -1};
+    struct line_tile lt = {.tile = t,
+                           .vertex = f->vertex,
+                           .y0 = y0,
+                           .y1 = y1,
+                           .apron = y0 - t->rect.y0,
+                           .rows = (uint32_t)(y1 - y0),
+                           .touched = w->spans,
+                           .marks = smooth_marks(f, w),
+                           .mixed = smooth_mixed(f, w)};
 
-    while (*link != NO_SLOT) {
-        const uint8_t slot = *link;
-        struct setup *s = slot_of(w, slot);
-        if (sheen_spans_back(s, row)) {
-            link = &s->next;
-        } else {
-            *link = s->next;
-            s->next = w->first_free;
-            w->first_free = slot;
-        }
-    }
+    for (uint32_t row = 0; row < lt.rows; row++)
+        w->spans[row] = none;
+    const struct line_kind *smoothed = draw_lines_of(f, &lt, 1);
+    if (smoothed != NULL)
+        smoothed->finish(&lt);
+    (void)draw_lines_of(f, &lt, 0);
 }
 
 /* Lines on the tile's rows within `rect`, which it has an apron around and is then left without. */
@@ -128,10 +187,11 @@ static void edges_draw(const struct sheen_frame *f, struct worker *w, struct til
     const size_t above = (size_t)t->pitch * (size_t)(rect.y0 - t->rect.y0);
     const int32_t strip_end = f->viewport.y0 + (w->last_band + 1) * f->config.band_rows;
 
-    draw_lines_of(f, t, rect.y0, rect.y1);
+    draw_all_lines(f, w, t, rect.y0, rect.y1);
     if (rect.y1 != strip_end) /* what goes on does so below these rows alone */
         w->last_band = -2;
-    carried_back(w, t->rect.y1 - 2 * LINE_APRON);
+    for (unsigned slot = w->first_carried; slot != NO_SLOT; slot = slot_of(w, slot)->next)
+        sheen_spans_back(slot_of(w, slot), t->rect.y1 - f->screen.again);
     t->depth += above;
     t->pixels = (char *)t->pixels + above * (t->format->grey ? 1 : 2);
     t->rect = rect;
@@ -139,5 +199,6 @@ static void edges_draw(const struct sheen_frame *f, struct worker *w, struct til
 
 #define FRAME_PART .list = edges_list, .cover = edges_cover, .begin = edges_begin, .draw = edges_draw
 
+const struct sheen_edges sheen_edges_smooth = {FRAME_PART, .kind = &sheen_smooth_lines};
 const struct sheen_edges sheen_edges_outline = {FRAME_PART, .kind = &sheen_outline_lines};
 const struct sheen_edges sheen_edges_wire = {FRAME_PART, .kind = &sheen_wire_lines};

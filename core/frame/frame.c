@@ -98,7 +98,8 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
                                 .centre_y = SUBPIXEL_HALF * (viewport.y0 + viewport.y1),
                                 .weight_offset = projection.weight_offset,
                                 .weight_shift = (uint8_t)projection.weight_shift,
-                                .flat_weight = view->affine || projection.orthographic != 0};
+                                .flat_weight = view->affine || projection.orthographic != 0,
+                                .again = 0};
     f->vertices = f->used = f->entries = f->pieces = f->draws = 0;
     f->shaded_colors = 0;
     f->edges = NULL;

@@ -56,7 +56,7 @@ struct band {
 struct worker {
     void *pixels[2];
     uint16_t *depth;
-    struct span *spans;                /* band_rows, and those of the apron */
+    struct span *spans;                /* band_rows, and those of the apron; then what smoothing keeps */
     uint32_t *pending;                 /* a bit an entry: begun, not done */
     const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
     uint8_t *carried;                  /* SETUP_BYTES each: max_carried slots and a spare one */
@@ -146,6 +146,12 @@ static inline int32_t target_y(const struct sheen_frame *f, int32_t y)
 static inline struct vertex *used_vertex(const struct sheen_frame *f, const struct draw_record *d, uint32_t index)
 {
     return &f->vertex[f->place[d->first_vertex + index]];
+}
+
+/* Whether an entry's `triangle` is a piece of one. */
+static inline int is_cut(const struct sheen_frame *f, uint32_t entry)
+{
+    return f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0;
 }
 
 /* pieces.c: cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */

@@ -50,12 +50,12 @@ enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *need
 
 const char *sheen_subject_name(enum sheen_subject subject)
 {
-    static const char *const name[] = {"nothing",      "target",     "buffers",       "workers",       "lock",
-                                       "max_vertices", "max_used",   "max_triangles", "max_draws",     "max_clipped",
-                                       "max_carried",  "viewport",   "fov",           "z_near, z_far", "pose",
-                                       "mesh",         "normals",    "material",      "shine",         "ramp",
-                                       "shader",       "lights",     "uvs",           "texture",       "transparency",
-                                       "fog",          "depth_bias", "morph",         "edges",         "max_edges"};
+    static const char *const name[] = {
+        "nothing",       "target",    "buffers",     "workers",      "lock",     "max_vertices", "max_used",
+        "max_triangles", "max_draws", "max_clipped", "max_carried",  "viewport", "fov",          "z_near, z_far",
+        "pose",          "mesh",      "normals",     "material",     "shine",    "ramp",         "shader",
+        "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias",   "morph",
+        "edges",         "max_edges", "smooth"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }

@@ -37,25 +37,42 @@ struct line_list {
     uint8_t two_sided;
 };
 
+/* What a marked pixel becomes. */
+struct mixed {
+    uint16_t x; /* from the tile's corner */
+    uint16_t pixel;
+};
+
 /* A band's lines: those of a draw that reach it are drawn on its rows [y0, y1), which the tile has an apron around. */
 struct line_tile {
     const struct tile *tile;
     const struct vertex *vertex;
     int32_t y0, y1;
-    int32_t depth_bias; /* of the draw, as in struct draw */
+    int32_t depth_bias;   /* of the draw, as in struct draw */
+    int32_t apron;        /* y0 - tile->rect.y0 */
+    uint32_t rows;        /* y1 - y0 */
+    struct span *touched; /* a row: the first and the last column of a mark, from the tile's corner */
+    uint8_t *marks;       /* a byte a pixel, MARK_PITCH a row; clear before and after */
+    struct mixed *mixed;  /* two rows */
 };
+
+/* Bytes of a row of marks, a multiple of 8; and how many such rows `mixed` takes the room of. */
+#define MARK_PITCH(width) (((width) + 7u) & ~7u)
+#define MARK_ROWS 8
 
 /*
  * What is drawn of edges.
  * draw: lines [line, end) in a band; pixel: as it stands in a tile.
+ * finish: NULL, or once a band, after all draws' lines with it: marks become pixels. Those come before lines without.
  */
 struct line_kind {
     void (*draw)(const struct line_tile *t, const struct line *line, const struct line *end, uint16_t pixel);
+    void (*finish)(const struct line_tile *t);
     uint8_t sharp; /* sharp edges are listed */
     uint8_t all;   /* all but inner ones are */
 };
 
-extern const struct line_kind sheen_outline_lines, sheen_wire_lines;
+extern const struct line_kind sheen_smooth_lines, sheen_outline_lines, sheen_wire_lines;
 
 void sheen_list_edges(struct line_list *list, const struct line_kind *kind);
 
@@ -74,5 +91,7 @@ struct steps {
 /* The steps of a line at rows [y0, y1) if it is steep, at all columns of the tile otherwise; 0: none. */
 int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line);
 void sheen_line_rows(const struct line_tile *t, const struct steps *s, uint16_t pixel, int contour);
+void sheen_smooth_rows(const struct line_tile *t, const struct steps *s);
+void sheen_smooth_finish(const struct line_tile *t);
 
 #endif

@@ -145,8 +145,13 @@ static inline void short_edge(const struct edge_job *j, struct edge *e)
     if (j->rows > 0)
         c.start = short_columns(c.start, c.step, whole, j->rows, j->column);
     if (e != NULL) {
-        e->at = (int64_t)whole * ((int64_t)1 << 32) + (int64_t)c.start * 128;
+        e->at = (int64_t)whole * ((int64_t)1 << 32);
         e->step = (int64_t)c.step * 128;
+        if (j->rows > 0) { /* from its last row: below that 32 bits may be too few */
+            e->at += e->step;
+            c.start = (int32_t)((uint32_t)c.start - (uint32_t)c.step);
+        }
+        e->at += (int64_t)c.start * 128;
     }
 }
 
@@ -167,8 +172,6 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
         e->end = (int16_t)end;
         j.skipped = max32(row - first, 0);
         j.rows = min32(end, to->end) - first - j.skipped;
-        if (end <= to->end)
-            e = NULL;
     }
     if (end <= first + j.skipped)
         return;

@@ -116,7 +116,8 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
     }
     int32_t top = min32(at[0].row, min32(at[1].row, at[2].row)), bottom = max32(at[0].row, max32(at[1].row, at[2].row));
     int32_t end_row = min32(bottom, screen->viewport.y1);
-    const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1), top >= rect.y0 && bottom <= rect.y1};
+    const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1),
+                                 top >= rect.y0 && bottom <= rect.y1 - screen->again};
     s->row = (int16_t)to.end;
     s->end_row = (int16_t)end_row;
     if (to.row >= to.end)

@@ -11,16 +11,11 @@ void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
     }
 }
 
-int sheen_spans_back(struct setup *s, int32_t row)
+void sheen_spans_back(struct setup *s, int32_t row)
 {
     const int32_t end = s->row;
     int32_t top = end;
 
-    if (s->end_row <= end)
-        return 0;
-    for (int k = 0; k < 3; k++)
-        if (s->edge[k].end > row && s->edge[k].end <= end)
-            return 0;
     for (int k = 0; k < 3; k++) {
         struct edge *e = &s->edge[k];
         for (int32_t rows = min32(e->end, end) - max32(e->first, row); rows > 0; rows--) {
@@ -30,7 +25,6 @@ int sheen_spans_back(struct setup *s, int32_t row)
         top = min32(top, e->first);
     }
     s->row = (int16_t)max32(row, top);
-    return 1;
 }
 
 unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)

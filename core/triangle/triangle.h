@@ -70,6 +70,7 @@ struct screen {
     uint32_t weight_offset;     /* as in struct projection */
     uint8_t weight_shift;
     uint8_t flat_weight; /* affine or orthographic: all weights are equal */
+    uint16_t again;      /* of a tile's last rows, how many the next tile has too */
 };
 
 /* ---- set-up: three vertices -> edges and gradients ---- */
@@ -224,7 +225,7 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
 /* Rows of a tile: spans[0] is row `row`. */
 struct edge_rows {
     int32_t row, end;
-    int whole; /* the triangle has no other rows */
+    int whole; /* the triangle has no other rows, and these are not asked for again */
 };
 
 /* A corner on the target, 1/64 px, and the first row whose centre is at or below it. */
@@ -243,10 +244,9 @@ void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *colum
 
 /*
  * spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row.
- * Before that it may go back to `row`, above where it stands: 0 where an edge that ended since then is not known any
- * more, and the triangle has to be set up again.
+ * Before that it may go back to `row`, no farther above where it stands than the screen's `again`.
  */
-int sheen_spans_back(struct setup *s, int32_t row);
+void sheen_spans_back(struct setup *s, int32_t row);
 unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans);
 void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect);
 

@@ -83,9 +83,9 @@ const struct sheen_option sheen_option_table[] = {
      7, 0},
     {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
      SHEEN_DRAWS, AT(two_sided), 0, 0, 0},
-    {"edges", "none|outline|wire", "none",
-     "over the faces: outline: contours and sharp edges as lines; wire: all edges, the faces in the background's "
-     "colour",
+    {"edges", "none|smooth|outline|wire", "none",
+     "over the faces: smooth: contours, on panels of more than two levels; outline: contours and sharp edges as lines; "
+     "wire: all edges as lines, the faces in the background's colour",
      SHEEN_OPTION_CHOICE, SHEEN_RENDER | SHEEN_VIEW, AT(edges), 0, 0, 0},
     {"edges", NULL, NULL, "the mesh's edges too, for what a firmware draws of them: 8 B a triangle", SHEEN_OPTION_FLAG,
      SHEEN_BAKE, AT(bake_edges), 0, 0, 0},

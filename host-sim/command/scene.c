@@ -227,8 +227,8 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
         vertices += scene->meshes[i].mesh.vertices;
         triangles += scene->meshes[i].mesh.triangles;
     }
-    uint32_t edges =
-        scene->options->edges != SHEEN_NO_EDGES ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
+    const int wants_edges = scene->options->edges != SHEEN_NO_EDGES;
+    uint32_t edges = wants_edges ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
     *config = (struct sheen_config){.target = scene->target,
                                     .band_rows = (uint16_t)scene->options->band,
                                     .buffers = (uint8_t)scene->options->buffers,
@@ -236,7 +236,8 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
                                     .max_triangles = (uint16_t)(triangles < UINT16_MAX ? triangles : UINT16_MAX),
                                     .max_draws = (uint16_t)scene->count,
                                     .max_clipped = (uint16_t)pieces,
-                                    .max_edges = (uint16_t)(edges < UINT16_MAX ? edges : UINT16_MAX)};
+                                    .max_edges = (uint16_t)(edges < UINT16_MAX ? edges : UINT16_MAX),
+                                    .smooth = wants_edges && scene->target->pixel != SHEEN_GREY2};
     size_t size = sheen_arena_size(config);
     if (size == 0)
         return SHEEN_ERR_ARGUMENT;

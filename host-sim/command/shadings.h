@@ -28,6 +28,7 @@ static inline const struct sheen_shader *sheen_shader_of(unsigned shading)
 
 enum sheen_edging {
     SHEEN_NO_EDGES = 0,
+    SHEEN_SMOOTH,
     SHEEN_OUTLINE,
     SHEEN_WIRE,
     SHEEN_EDGINGS
@@ -35,7 +36,8 @@ enum sheen_edging {
 
 static inline const struct sheen_edges *sheen_edges_of(unsigned edging)
 {
-    static const struct sheen_edges *const edges[SHEEN_EDGINGS] = {NULL, &sheen_edges_outline, &sheen_edges_wire};
+    static const struct sheen_edges *const edges[SHEEN_EDGINGS] = {NULL, &sheen_edges_smooth, &sheen_edges_outline,
+                                                                   &sheen_edges_wire};
 
     return edges[edging];
 }

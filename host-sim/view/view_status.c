@@ -26,7 +26,7 @@ void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t si
 {
     static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
                                                              "slerp", "matcap",  "matcap-vertex"};
-    static const char *const edges[] = {"", ", outline", ", wire"};
+    static const char *const edges[] = {"", ", smooth edges", ", outline", ", wire"};
     const struct sheen_turntable *table = &viewer->table;
     const struct sheen_view *view = &table->scene.view;
     char frame[80];

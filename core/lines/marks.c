@@ -1,0 +1,179 @@
+/*
+ * marks.c - pixels that contours cross: first marked, by all lines, then mixed with what neighbours were before.
+ *
+ * So a pixel depends on the triangles around it and on the contours that cross it and its neighbours, not on the order
+ * of lines, on what else was smoothed or in which band.
+ */
+#include "lines.h"
+
+/*
+ * A mark: where the other share comes from, in bits 0 and 1; that share in 1/64; whether the pixel belongs to what the
+ * contour bounds. Of several the largest stands: of those that do the one that covers most, of others likewise. For
+ * what lies behind other surfaces of a mesh has contours there too, of which the outermost is seen.
+ */
+#define FROM 3u
+#define FROM_LEFT 0u
+#define FROM_RIGHT 1u
+#define FROM_ABOVE 2u
+#define FROM_BELOW 3u
+#define MOST_SHARE 31
+#define MARK_INSIDE 0x80u
+
+/* share: 0..MOST_SHARE. */
+static inline uint32_t inside_mark(uint32_t from, int32_t share)
+{
+    return MARK_INSIDE | (uint32_t)(MOST_SHARE - share) << 2 | from;
+}
+
+static inline uint32_t marked_share(uint32_t mark)
+{
+    uint32_t share = mark >> 2 & MOST_SHARE;
+
+    return (mark & MARK_INSIDE) != 0 ? MOST_SHARE - share : share;
+}
+
+/* Steps of z16 by which what lies beyond a contour is farther away at least. */
+#define BEYOND 16
+
+/* x and y from the tile's corner; rows of the apron have no marks. */
+static APART void set_mark(const struct line_tile *lt, int32_t x, int32_t y, uint32_t value)
+{
+    const uint32_t row = (uint32_t)(y - lt->apron);
+
+    if (row >= lt->rows)
+        return;
+    uint8_t *mark = lt->marks + row * MARK_PITCH(lt->tile->pitch) + (uint32_t)x;
+    struct span *touched = &lt->touched[row];
+    if (*mark >= value)
+        return;
+    *mark = (uint8_t)value;
+    if (x < touched->x0)
+        touched->x0 = (int16_t)x;
+    if (x > touched->x1)
+        touched->x1 = (int16_t)x;
+}
+
+/*
+ * The pixel that is crossed lies beyond the contour where it is farther away than the contour and what is inside of
+ * it: then it takes the inside's share, and the pixel inside has none of what is beyond. Else it belongs to the inside
+ * and takes a share of its neighbour beyond. What is mixed has both neighbours.
+ */
+SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, int steep)
+{
+    const struct tile *t = lt->tile;
+    const int32_t pitch = (int32_t)t->pitch, size = steep ? pitch : t->rect.y1 - t->rect.y0;
+    const int32_t low = s->low_inside, in = low ? -1 : 1, next = steep ? in : low ? -pitch : pitch;
+    const uint32_t beyond = (steep ? FROM_LEFT : FROM_ABOVE) | (uint32_t)low, flip = low ? 0 : 0xffff;
+    int32_t across = s->across - (steep ? t->rect.x0 : t->rect.y0) * 65536, z = s->z;
+    int32_t along = s->first - (steep ? t->rect.y0 : t->rect.x0), end = s->end - s->first + along;
+
+    for (; along < end; along++, across += s->across_step, z += s->z_step) {
+        const int32_t place = asr32(across, 16);
+        if ((uint32_t)(place - low) >= (uint32_t)(size - 1)) /* it has a neighbour inside */
+            continue;
+        const int32_t x = steep ? place : along, y = steep ? along : place;
+        const uint16_t *depth = t->depth + y * pitch + x;
+        const int32_t own = depth[0], inside = depth[next], edge_z = asr32(z, 8);
+        const int32_t covered = (int32_t)(((((uint32_t)across ^ flip) & 0xffff) + 512) >> 10); /* 0..64 */
+        const int mixed = (uint32_t)(place - in) < (uint32_t)size;
+        if (own + BEYOND < min32(inside, edge_z)) {
+            const int32_t share = min32(covered, MOST_SHARE);
+            if (mixed && share > 0)
+                set_mark(lt, x, y, (uint32_t)share << 2 | (beyond ^ 1));
+            set_mark(lt, steep ? x + in : x, steep ? y : y + in, inside_mark(beyond, 0));
+        } else if (mixed && depth[-next] + BEYOND < min32(own, edge_z)) {
+            set_mark(lt, x, y, inside_mark(beyond, min32(64 - covered, MOST_SHARE)));
+        }
+    }
+}
+
+void sheen_smooth_rows(const struct line_tile *t, const struct steps *s)
+{
+    if (s->steep)
+        smooth_rows(t, s, 1);
+    else
+        smooth_rows(t, s, 0);
+}
+
+/*
+ * What a pixel becomes by its neighbour's share in 1/64, from: where that one lies. The rest is its own, and the more
+ * of the neighbour's on the other side the more its centre nears the contour: there it is that one's alone, whichever
+ * side the centre is on, so that nothing jumps when the contour passes it.
+ */
+static APART uint32_t mixed_565(const uint16_t *p, int32_t from, uint32_t share, unsigned swap)
+{
+    const uint32_t odd = 0xf81fu, even = 0x07e0u;
+    uint32_t side = (64 - share) * share >> 5, pixel = pixel_order(p[from], swap), red_blue, green;
+
+    red_blue = 0x10020u + (pixel & odd) * share; /* fields of 5 and 6 bits times 64 do not meet */
+    green = 0x0400u + (pixel & even) * share;
+    pixel = pixel_order(p[-from], swap);
+    red_blue += (pixel & odd) * side;
+    green += (pixel & even) * side;
+    pixel = pixel_order(p[0], swap);
+    side = 64 - share - side;
+    red_blue += (pixel & odd) * side;
+    green += (pixel & even) * side;
+    return pixel_order((red_blue >> 6 & odd) | (green >> 6 & even), swap);
+}
+
+static inline uint32_t mixed_grey(const uint8_t *p, int32_t from, uint32_t share)
+{
+    const uint32_t side = (64 - share) * share >> 5;
+
+    return (p[from] * share + p[-from] * side + p[0] * (64 - share - side) + 32) >> 6;
+}
+
+/* What the marked pixels of a row become, the marks cleared; returns the end of the list. */
+static struct mixed *mix_row(const struct line_tile *lt, uint32_t row, uint32_t line, struct mixed *list)
+{
+    const struct tile *t = lt->tile;
+    const int32_t pitch = (int32_t)t->pitch;
+    uint8_t *mark = lt->marks + row * MARK_PITCH(t->pitch);
+    const uint32_t end = (uint32_t)(lt->touched[row].x1 + 1);
+
+    for (uint32_t word = (uint32_t)lt->touched[row].x0 & ~3u; word < end; word += 4) {
+        if (*(uint32_t *)(void *)(mark + word) == 0)
+            continue;
+        for (uint32_t x = word; x < word + 4; x++) {
+            const uint32_t value = mark[x], share = marked_share(value);
+            if (value == 0 || share == 0)
+                continue;
+            int32_t from = (value & FROM_ABOVE) != 0 ? pitch : 1;
+            if ((value & FROM_RIGHT) == 0)
+                from = -from;
+            list->x = (uint16_t)x;
+            list->pixel = (uint16_t)(t->format->grey ? mixed_grey((const uint8_t *)t->pixels + line + x, from, share)
+                                                     : mixed_565((const uint16_t *)t->pixels + line + x, from, share,
+                                                                 t->format->swap));
+            list++;
+        }
+        *(uint32_t *)(void *)(mark + word) = 0;
+    }
+    return list;
+}
+
+/* Once they are not looked at any more. */
+static void put_row(const struct tile *t, uint32_t line, const struct mixed *list, const struct mixed *end)
+{
+    for (; list != end; list++)
+        if (t->format->grey)
+            ((uint8_t *)t->pixels)[line + list->x] = (uint8_t)list->pixel;
+        else
+            ((uint16_t *)t->pixels)[line + list->x] = list->pixel;
+}
+
+void sheen_smooth_finish(const struct line_tile *lt)
+{
+    const uint32_t pitch = lt->tile->pitch;
+    struct mixed *above = lt->mixed, *end = above;
+    uint32_t line = (uint32_t)lt->apron * pitch;
+
+    for (uint32_t row = 0; row < lt->rows; row++, line += pitch) {
+        struct mixed *list = above == lt->mixed ? above + pitch : lt->mixed, *mixed = mix_row(lt, row, line, list);
+        put_row(lt->tile, line - pitch, above, end);
+        above = list;
+        end = mixed;
+    }
+    put_row(lt->tile, line - pitch, above, end);
+}

@@ -1,0 +1,17 @@
+/*
+ * smooth.c - contours smoothed: each pixel that one crosses is marked with its neighbour across it, and with that
+ * one's share.
+ */
+#include "lines.h"
+
+static void draw_smooth(const struct line_tile *t, const struct line *line, const struct line *end, uint16_t pixel)
+{
+    struct steps s;
+
+    (void)pixel;
+    for (; line != end; line++)
+        if (line->row <= t->y1 && (int32_t)(line->end & LINE_END) >= t->y0 && sheen_line_begin(&s, t, line))
+            sheen_smooth_rows(t, &s);
+}
+
+const struct line_kind sheen_smooth_lines = {.draw = draw_smooth, .finish = sheen_smooth_finish};
