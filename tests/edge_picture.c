@@ -73,7 +73,8 @@ int edge_picture(uint16_t *values, const struct ref_scene *scene, const struct s
                                         .max_vertices = (uint16_t)(mesh->vertices + CLIPPED),
                                         .max_triangles = (uint16_t)(mesh->triangles + CLIPPED),
                                         .max_clipped = CLIPPED,
-                                        .max_edges = (uint16_t)(drawing->edges ? 4 * mesh->triangles : 0)};
+                                        .max_edges = (uint16_t)(drawing->edges ? 4 * mesh->triangles : 0),
+                                        .smooth = drawing->edges == &sheen_edges_smooth};
     int status = core_frame_make(&f, &config);
     if (status == SHEEN_OK) {
         status = draw(f.frame, scene, mesh, drawing);

@@ -26,6 +26,9 @@ sheen_test(test_morph accuracy SOURCES test_morph.c textured_scene.c accuracy_li
   LIBRARIES core_picture sheen::core)
 sheen_test(test_lines frames SOURCES test_lines.c edge_picture.c edge_meshes.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
+add_executable(test_smooth test_smooth.c edge_picture.c edge_meshes.c loaded_mesh.c)
+target_link_libraries(test_smooth PRIVATE core_picture sheen_host sheen::core)
+sheen_script(smooth accuracy COMMAND $<TARGET_FILE:test_smooth>)
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c textured_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 6000)

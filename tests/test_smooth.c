@@ -1,0 +1,284 @@
+/*
+ * test_smooth.c - what smoothed contours are worth: against 4x4 samples a pixel of the reference, and over frames of a
+ * slow turn. Pictures with faults have to be refused.
+ *
+ *   test_smooth   judges, and prints what it measured
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "edge_picture.h"
+
+enum {
+    WIDTH = 240,
+    HEIGHT = 240,
+    PIXELS = WIDTH * HEIGHT,
+    SAMPLES = 4, /* a side */
+    VIEWS = 6,
+    FRAMES = 100
+};
+
+#define JUMP 0.02 /* of depth: a contour lies between two samples */
+
+static struct edge_mesh meshes[EDGE_MESHES];
+static const struct edge_drawing forms[] = {
+    {.pixel = SHEEN_RGB565_BE}, {.pixel = SHEEN_GREY256}, {.pixel = SHEEN_GREY16}};
+static const char *const form_names[] = {"565", "256 greys", "16 greys"};
+static const int form_levels[] = {0, 256, 16};
+
+static void scene_of(struct ref_scene *scene, const struct edge_mesh *mesh, int form, double yaw)
+{
+    ref_scene_default(scene, mesh->reference);
+    ref_scene_orbit(scene, yaw, 20, 0, 3.5);
+    scene->width = WIDTH;
+    scene->height = HEIGHT;
+    scene->levels = form_levels[form];
+}
+
+static void fail(const char *what)
+{
+    printf("%s\n", what);
+    exit(1);
+}
+
+/* What is drawn wrong, to see that it is refused. */
+enum fault {
+    FAULTLESS,
+    UNSMOOTHED, /* nothing is smoothed */
+    OVERDONE,   /* by twice as much: a pixel goes on as far again */
+    UNSTEADY,   /* every other frame is not smoothed */
+    TREMBLING,  /* in every third frame red and green of what is smoothed are two levels off */
+    FAULTS
+};
+
+static const char *const fault_names[FAULTS] = {"faultless", "unsmoothed", "overdone", "unsteady", "trembling"};
+
+static void picture(uint16_t *values, const struct ref_scene *scene, const struct edge_mesh *mesh,
+                    struct edge_drawing drawing, const struct sheen_edges *edges)
+{
+    drawing.edges = edges;
+    if (edge_picture(values, scene, &mesh->mesh, &drawing) != SHEEN_OK)
+        fail("a picture cannot be drawn");
+}
+
+static uint16_t overdone(unsigned plain, unsigned smooth, int form)
+{
+    static const unsigned shift[] = {11, 5, 0}, most[] = {31, 63, 31};
+    unsigned value = 0;
+
+    if (form != 0)
+        return (uint16_t)fmin(fmax(2. * smooth - plain, 0), form_levels[form] - 1);
+    for (int k = 0; k < 3; k++) {
+        double level = 2. * (smooth >> shift[k] & most[k]) - (plain >> shift[k] & most[k]);
+        value |= (unsigned)fmin(fmax(level, 0), most[k]) << shift[k];
+    }
+    return (uint16_t)value;
+}
+
+/* Without smoothing, and with it. */
+static void pictures(uint16_t *plain, uint16_t *smooth, const struct ref_scene *scene, const struct edge_mesh *mesh,
+                     int form, enum fault fault, int frame)
+{
+    picture(plain, scene, mesh, forms[form], NULL);
+    picture(smooth, scene, mesh, forms[form], &sheen_edges_smooth);
+    for (int at = 0; at < PIXELS; at++) {
+        if (fault == UNSMOOTHED || (fault == UNSTEADY && frame % 2 == 0))
+            smooth[at] = plain[at];
+        if (fault == OVERDONE)
+            smooth[at] = overdone(plain[at], smooth[at], form);
+        if (fault == TREMBLING && smooth[at] != plain[at] && frame % 3 == 0)
+            smooth[at] = (uint16_t)(smooth[at] ^ (2 << 5) ^ (2 << 11));
+    }
+}
+
+/* ---- against 4x4 samples ---- */
+
+struct samples {
+    struct ref_picture fine;
+    struct ref_scene scene;
+};
+
+static void samples_of(struct samples *s, const struct ref_scene *scene)
+{
+    s->scene = *scene;
+    s->scene.width *= SAMPLES;
+    s->scene.height *= SAMPLES;
+    if (ref_render(&s->fine, &s->scene) != 0)
+        fail("no reference");
+}
+
+static const struct ref_pixel *sample(const struct samples *s, int x, int y, int i)
+{
+    return &s->fine.pixels[(y * SAMPLES + i / SAMPLES) * s->fine.width + x * SAMPLES + i % SAMPLES];
+}
+
+/* Whether a silhouette crosses the pixel: its samples lie on both sides of a jump in depth. */
+static bool is_silhouette(const struct samples *s, int x, int y)
+{
+    double nearest = INFINITY, farthest = 0;
+
+    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
+        const struct ref_pixel *p = sample(s, x, y, i);
+        double m = p->covered ? p->m : INFINITY;
+        nearest = fmin(nearest, m);
+        farthest = fmax(farthest, m);
+    }
+    return nearest < INFINITY && farthest > nearest * (1 + JUMP);
+}
+
+static double squared_error(const struct samples *s, const struct edge_drawing *drawing, int x, int y, unsigned value)
+{
+    double is[3], want[3] = {0, 0, 0}, sum = 0;
+
+    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
+        const struct ref_pixel *p = sample(s, x, y, i);
+        if (s->scene.levels == 0) {
+            for (int k = 0; k < 3; k++)
+                want[k] += (p->covered ? p->color[k] : s->scene.background[k]) / (SAMPLES * SAMPLES);
+        } else {
+            for (int k = 0; k < 3; k++)
+                want[k] += p->value / (double)(s->scene.levels - 1) / (SAMPLES * SAMPLES);
+        }
+    }
+    edge_channels(is, drawing, value);
+    for (int k = 0; k < 3; k++)
+        sum += (is[k] - want[k]) * (is[k] - want[k]) / 3;
+    return sum;
+}
+
+/* The error that smoothing leaves of what there is without. */
+static double error_left(const struct edge_mesh *mesh, int form, enum fault fault)
+{
+    static uint16_t plain[PIXELS], smooth[PIXELS];
+    double before = 0, after = 0;
+    long count = 0;
+
+    for (int view = 0; view < VIEWS; view++) {
+        struct ref_scene scene;
+        struct samples samples;
+        scene_of(&scene, mesh, form, 30 + 61 * view);
+        pictures(plain, smooth, &scene, mesh, form, fault, 0);
+        samples_of(&samples, &scene);
+        for (int at = 0; at < PIXELS; at++) {
+            int x = at % WIDTH, y = at / WIDTH;
+            if (!is_silhouette(&samples, x, y))
+                continue;
+            count++;
+            before += squared_error(&samples, &forms[form], x, y, plain[at]);
+            after += squared_error(&samples, &forms[form], x, y, smooth[at]);
+        }
+        ref_picture_free(&samples.fine);
+    }
+    printf("%-6s %-9s: %6ld silhouette pixels, rms %.4f without, %.4f smooth: %.3f\n", mesh->name, form_names[form],
+           count, sqrt(before / (double)count), sqrt(after / (double)count), sqrt(after / before));
+    return sqrt(after / before);
+}
+
+/* The mean over the meshes is at most half of what it is without, none is above .65. */
+static bool judge_errors(int form, enum fault fault)
+{
+    double sum = 0, most = 0;
+
+    for (int m = 0; m < EDGE_MESHES; m++) {
+        double left = error_left(&meshes[m], form, fault);
+        sum += left;
+        most = fmax(most, left);
+    }
+    printf("%-9s, %s: mean %.3f, most %.3f\n", form_names[form], fault_names[fault], sum / EDGE_MESHES, most);
+    return sum / EDGE_MESHES <= 0.5 && most <= 0.65;
+}
+
+/* ---- over frames ---- */
+
+/* Of 31: red and blue have a level a step, green two. */
+static double level(unsigned value, int channel)
+{
+    return channel == 0 ? value >> 11 : channel == 1 ? (value >> 5 & 63) / 2. : value & 31;
+}
+
+/* By how much a channel goes one way in a frame and back in the next. */
+static double returned(uint16_t *const frame[3], int at, int channel)
+{
+    double first = level(frame[1][at], channel) - level(frame[0][at], channel);
+    double second = level(frame[2][at], channel) - level(frame[1][at], channel);
+
+    return first * second < 0 ? fmin(fabs(first), fabs(second)) : 0;
+}
+
+#define STEP 1.  /* of red or blue */
+#define SEEN 3.1 /* a tenth of a channel's range */
+
+/*
+ * What goes back and forth. A pixel that is smoothed takes many values in between, and moves in nearly every frame;
+ * rounding to 565 and the grid of 1/64 px that corners stand on make it return by a step, as they do any pixel whose
+ * colour moves slowly: 4x4 samples a pixel, rounded to 565, do so more often than pictures that are not smoothed (the
+ * gear, 2726 pixels to 1639). So counted are steps above one, and those that are seen.
+ */
+struct flicker {
+    long any, above, seen; /* pixels that return at all, by more than STEP, by more than SEEN */
+    double steps, power;   /* sums over channels: of what is above STEP; of all, squared */
+};
+
+static void add_flicker(struct flicker *f, uint16_t *const frame[3])
+{
+    for (int at = 0; at < PIXELS; at++) {
+        double most = 0;
+        for (int k = 0; k < 3; k++) {
+            double by = returned(frame, at, k);
+            most = fmax(most, by);
+            f->steps += by > STEP ? by : 0;
+            f->power += by * by;
+        }
+        f->any += most > 0;
+        f->above += most > STEP;
+        f->seen += most > SEEN;
+    }
+}
+
+static void print_flicker(const struct edge_mesh *mesh, const char *what, const struct flicker *f)
+{
+    printf(
+        "%-6s over %d frames, %s: %ld pixels return, %ld by more than a step, %ld by a tenth; %.0f steps, power %.0f\n",
+        mesh->name, FRAMES, what, f->any, f->above, f->seen, f->steps, f->power);
+}
+
+static bool judge_flicker(const struct edge_mesh *mesh, enum fault fault)
+{
+    static uint16_t pixels[2][3][PIXELS];
+    struct flicker flicker[2] = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+
+    for (int f = 0; f < FRAMES; f++) {
+        struct ref_scene scene;
+        scene_of(&scene, mesh, 0, 30 + 0.25 * f);
+        pictures(pixels[0][f % 3], pixels[1][f % 3], &scene, mesh, 0, fault, f);
+        for (int i = 0; f >= 2 && i < 2; i++) {
+            uint16_t *const frame[3] = {pixels[i][(f - 2) % 3], pixels[i][(f - 1) % 3], pixels[i][f % 3]};
+            add_flicker(&flicker[i], frame);
+        }
+    }
+    print_flicker(mesh, "not smoothed", &flicker[0]);
+    print_flicker(mesh, fault_names[fault], &flicker[1]);
+    return flicker[1].steps <= flicker[0].steps && flicker[1].seen <= flicker[0].seen &&
+           flicker[1].power <= flicker[0].power;
+}
+
+int main(void)
+{
+    bool right = true;
+
+    for (unsigned m = 0; m < EDGE_MESHES; m++)
+        if (edge_mesh_make(&meshes[m], (enum edge_mesh_name)m) != 0)
+            fail("a mesh cannot be made");
+    for (int form = 0; form < 3; form++)
+        right &= judge_errors(form, FAULTLESS);
+    right &= !judge_errors(0, UNSMOOTHED) && !judge_errors(1, OVERDONE);
+    for (int m = 0; m < EDGE_MESHES; m++)
+        right &= judge_flicker(&meshes[m], FAULTLESS);
+    right &= !judge_flicker(&meshes[EDGE_TEAPOT], UNSTEADY) && !judge_flicker(&meshes[EDGE_RABBIT], TREMBLING);
+    for (int m = 0; m < EDGE_MESHES; m++)
+        edge_mesh_free(&meshes[m]);
+    return right ? 0 : 1;
+}
