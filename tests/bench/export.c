@@ -257,8 +257,21 @@ static struct scene {
 };
 #define SCENES (int)(sizeof scenes / sizeof scenes[0])
 
-/* What the baker would say of the mesh. */
-static void print_warp(const struct scene *s)
+static void print_edges(int scene, const struct sheen_mesh *mesh)
+{
+    static struct sheen_triangle_edges edges[MAX_TRIANGLES];
+    static uint32_t scratch[SHEEN_EDGES_WORDS(MAX_VERTICES, MAX_TRIANGLES)];
+
+    sheen_mesh_edges(mesh, SHEEN_Q30(0.5), scratch, edges);
+    printf("static const struct sheen_triangle_edges edges_%d[] = {", scene);
+    for (int i = 0; i < triangles; i++)
+        printf("%s{{%u, %u, %u}, %u, %u},", i % 6 ? " " : "\n    ", edges[i].across[0], edges[i].across[1],
+               edges[i].across[2], edges[i].sharp, edges[i].inner);
+    printf("\n};\n");
+}
+
+/* What the baker would say of the mesh: warp, and edges. */
+static void print_baked(const struct scene *s)
 {
     static int16_t positions[3 * MAX_VERTICES], facing[3 * MAX_TRIANGLES];
     static uint16_t polygon_of[MAX_TRIANGLES], indices[3 * MAX_TRIANGLES];
@@ -268,6 +281,7 @@ static void print_warp(const struct scene *s)
                                     .polygons = polygon_of,
                                     .indices = indices,
                                     .index_bytes = 2,
+                                    .vertices = (uint16_t)vertices,
                                     .triangles = (uint16_t)triangles};
 
     for (int i = 0; i < 3 * vertices; i++)
@@ -283,6 +297,7 @@ static void print_warp(const struct scene *s)
     for (int i = 0; i < polygons; i++)
         printf("%s%d,", i % 24 ? " " : "\n    ", warp[i]);
     printf("\n};\n");
+    print_edges(s->number, &mesh);
 }
 
 static void print_scene(const struct scene *s)
@@ -292,9 +307,10 @@ static void print_scene(const struct scene *s)
     printf("    {\"S%d\",\n"
            "     {.positions = positions_%d, .normals = normals_%d, .polygon_normals = polygon_normals_%d,\n"
            "      .polygons = polygons_%d, .indices = indices_%d, .warp = warp_%d, .index_bytes = 2,\n"
-           "      .vertices = %d, .triangles = %d, .scale = %ld, .uvs = uvs_%d, .uv_bits = 12},\n     {",
+           "      .vertices = %d, .triangles = %d, .scale = %ld, .uvs = uvs_%d, .uv_bits = 12,\n      .edges = "
+           "edges_%d},\n     {",
            number, number, number, number, number, number, number, s->vertices, s->triangles,
-           lround(s->unit * 32768 / 32767 * 16777216), number);
+           lround(s->unit * 32768 / 32767 * 16777216), number, number);
     print_pose(s->degrees - 1, s->depth);
     printf(",\n      ");
     print_pose(s->degrees, s->depth);
@@ -315,7 +331,7 @@ int main(void)
         print_vectors("polygon_normals", s->number, polygon_normal, polygons, 1);
         print_numbers("polygons", s->number, polygon, triangles);
         print_numbers("indices", s->number, triangle[0], 3 * triangles);
-        print_warp(s);
+        print_baked(s);
         print_uvs(s->number);
     }
     print_texels();

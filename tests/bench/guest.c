@@ -33,13 +33,14 @@ enum more {
     DITHERED,
     FOGGED,
     STIPPLED,
-    MORPHED
+    MORPHED,
+    SMOOTH
 };
 
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
 static int measure(const struct frame *frame, int band_rows, enum more more)
 {
-    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled ", " morphed "};
+    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled ", " morphed ", " smooth "};
     static struct bench bench;
 
     bench_config(&bench, frame->scene, (enum sheen_shading)frame->shading, band_rows);
@@ -49,6 +50,7 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
     bench.morphed = more == MORPHED;
     if (bench.morphed)
         bench.config.max_used = frame->scene->mesh.vertices;
+    bench.smooth = more == SMOOTH;
     bench.texture = frame->texture;
     int status = bench_begin(&bench, arena, sizeof arena);
     if (status == SHEEN_OK)
@@ -74,7 +76,7 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
 
 /*
  * Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too; S1
- * by Gouraud half way between two frames.
+ * by Gouraud half way between two frames, and smooth.
  */
 static void measure_all(const struct frame *frame)
 {
@@ -84,7 +86,7 @@ static void measure_all(const struct frame *frame)
         measure(frame, BENCH_HEIGHT, PLAIN) < 0)
         guest_leave(1);
     if (frame->scene == &bench_scenes[0] && frame->texture == BENCH_PLAIN && frame->shading == SHEEN_GOURAUD &&
-        measure(frame, 16, MORPHED) < 0)
+        (measure(frame, 16, MORPHED) < 0 || measure(frame, 16, SMOOTH) < 0))
         guest_leave(1);
     if (frame->scene != &bench_scenes[2] || (frame->texture != BENCH_MATCAP && !lit) || frame->texture == BENCH_GLOSSY)
         return;

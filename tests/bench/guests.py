@@ -36,7 +36,7 @@ GUESTS = {
     "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
     "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
 }
-MORE = "( dithered| fogged| stippled| morphed)?"
+MORE = "( dithered| fogged| stippled| morphed| smooth)?"
 LINE = re.compile(rf"^(S\d) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
 
 
@@ -100,7 +100,7 @@ def rows_of(machine, counts):
 
 def memory_rows(lines):
     """Of S1 in bands of 16 rows, whichever shading takes most."""
-    parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[4]) == ("S1", "16")]
+    parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[4]) == ("S1", "16") and m[3] != " smooth"]
     arena, vertices, lists, bands, tables = map(max, zip(*parts))
     for what, size in (("whole", arena + tables), ("vertices", vertices), ("lists", lists), ("bands", bands),
                        ("rest", arena + tables - vertices - lists - bands)):

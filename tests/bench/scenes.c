@@ -3,6 +3,8 @@
  */
 #include "scenes.h"
 
+#define MAX_CONTOURS 300 /* of S1, and a bit a triangle */
+
 static const struct sheen_light light = {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)},
                                          .intensity = 65536};
 
@@ -18,7 +20,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
-    bench->dither = bench->transparency = bench->fogged = bench->morphed = 0;
+    bench->dither = bench->transparency = bench->fogged = bench->morphed = bench->smooth = 0;
     bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
@@ -71,6 +73,10 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
                                               .diffuse = SHEEN_Q16(0.7),
                                               .specular = SHEEN_Q16(0.5),
                                               .shine = &sheen_shine_16};
+    if (bench->smooth) {
+        bench->config.smooth = 1;
+        bench->config.max_edges = MAX_CONTOURS;
+    }
     if (bench->texture != BENCH_PLAIN)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
@@ -98,6 +104,7 @@ static int run(struct bench *bench, int frame)
                                 .light_count = 1,
                                 .shader = shader_of(bench),
                                 .pose = bench->scene->pose[frame],
+                                .edges = bench->smooth ? &sheen_edges_smooth : NULL,
                                 .stipple = &sheen_stipple,
                                 .transparency = bench->transparency,
                                 .morph = bench->morphed ? &morph : NULL};

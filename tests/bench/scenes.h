@@ -60,6 +60,7 @@ struct bench {
     uint8_t fogged;       /* likewise: from near to far */
     uint8_t transparency; /* likewise */
     uint8_t morphed;      /* likewise: half way from the mesh to itself; max_used has to be all vertices */
+    uint8_t smooth;       /* likewise: contours are; before bench_begin */
 };
 
 /* The configuration alone, for the size of its arena. */
