@@ -42,7 +42,7 @@ static uint8_t *smooth_marks(const struct sheen_frame *f, const struct worker *w
 }
 
 /* Marks of all workers are clear. */
-static void smooth_begin(const struct sheen_frame *f)
+static APART void smooth_begin(const struct sheen_frame *f)
 {
     for (unsigned i = 0; i < f->config.workers; i++)
         memset(smooth_marks(f, &f->worker[i]), 0, MARK_PITCH((size_t)f->target->width) * f->config.band_rows);
