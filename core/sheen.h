@@ -205,6 +205,7 @@ struct sheen_texture {
 struct sheen_material {
     uint8_t base[3];                     /* r, g, b, 255 = 1.0 */
     uint8_t highlight[3];                /* r, g, b of the specular part; all 0: white */
+    uint8_t ambient_color[3];            /* r, g, b, for shaders that are colored; all 0: white */
     sheen_q16_t ambient;                 /* Ia ka, 0..4 */
     sheen_q16_t diffuse;                 /* Ip kd, 0..4 */
     sheen_q16_t specular;                /* Ip ks, 0..4 */
@@ -220,6 +221,7 @@ struct sheen_light {
     sheen_q16_t intensity; /* white, 0..1, times the material's diffuse and specular; 0: 1.0 */
     uint8_t no_highlight;  /* 1: no specular part from this light */
     uint8_t with_eye;      /* 1: it stays where it is before the eye when the view turns */
+    uint8_t color[3];      /* r, g, b, for shaders that are colored; all 0: white */
 };
 
 #define SHEEN_MAX_LIGHTS 4 /* of an object */
@@ -240,9 +242,11 @@ struct sheen_shader;
 extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_slerp;
 
 /*
- * With the mesh's colours: at a corner, base times the vertex's colour takes the place of base, and what that gives is
- * linear in space between (affine: on the screen); the highlight is as without. Light is one a polygon, as flat's, or
- * of the vertices, as gouraud's. The others do not read colors.
+ * With the colours of the mesh, the lights and the ambient light, which the others do not read. At a corner, base times
+ * the vertex's colour takes the place of base, and what that gives is linear in space between (affine: on the screen);
+ * the highlight is not tinted by it. A light's diffuse and specular part are multiplied by its colour, ambient light by
+ * its own; of a ramp's low what is not below 0 counts as the lights'. Light is one a polygon, as flat's, or of the
+ * vertices, as gouraud's; where lights have colours it is computed for each triangle.
  */
 extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
 

@@ -28,6 +28,7 @@ sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/s
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_textures cli COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
+sheen_script(cli_colors cli COMMAND tests/cli/colors $<TARGET_FILE:sheen>)
 
 # Headers baked while building, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)

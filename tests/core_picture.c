@@ -227,6 +227,19 @@ void core_pose(struct sheen_pose *pose, const struct ref_scene *scene)
         pose->translation[k] = (sheen_q24_t)lround(scene->translation[k] * 16777216);
 }
 
+/* 1 where the light has a colour. */
+static bool is_tinted(const struct ref_scene *scene)
+{
+    bool tinted = false;
+
+    for (int k = 0; k < 3; k++) {
+        tinted |= scene->ambient_color[k] != 1;
+        for (int i = 0; i < scene->light_count; i++)
+            tinted |= scene->light_color[i][k] != 1;
+    }
+    return tinted;
+}
+
 void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene)
 {
     for (int i = 0; i < scene->light_count; i++) {
@@ -234,6 +247,8 @@ void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_s
         for (int k = 0; k < 3; k++)
             reach = fmax(reach, fabs(scene->light[i][k]));
         lights[i] = (struct sheen_light){.intensity = 65536};
+        for (int k = 0; k < 3 && is_tinted(scene); k++)
+            lights[i].color[k] = (uint8_t)lround(255 * scene->light_color[i][k]);
         for (int k = 0; k < 3; k++)
             lights[i].to[k] = (sheen_q30_t)lround(scene->light[i][k] / reach * 1073741824);
     }
@@ -251,6 +266,7 @@ int core_material(struct sheen_material *material, struct core_tables *tables, c
     for (int k = 0; k < 3; k++) {
         material->base[k] = (uint8_t)lround(255 * scene->base[k]);
         material->highlight[k] = (uint8_t)lround(255 * scene->highlight[k]);
+        material->ambient_color[k] = is_tinted(scene) ? (uint8_t)lround(255 * scene->ambient_color[k]) : 0;
     }
     int status = sheen_shine_make(&tables->shine, (unsigned)lround(scene->shininess));
     if (status == SHEEN_OK && scene->ramp == REF_GAMMA)
@@ -344,7 +360,7 @@ static const struct sheen_shader *shader_of(const struct ref_scene *scene)
         return scene->texels == REF_TEXELS_NORMAL ? &sheen_matcap : &sheen_matcap_vertex;
     if (scene->texture)
         return scene->shading == REF_FLAT ? &sheen_textured_flat : &sheen_textured;
-    return scene->colored ? colored[scene->shading] : sheen_shader_of((unsigned)scene->shading);
+    return scene->colored || is_tinted(scene) ? colored[scene->shading] : sheen_shader_of((unsigned)scene->shading);
 }
 
 #define CLIPPED 2000 /* pieces, more than any test makes */
@@ -361,7 +377,8 @@ static int draw_scene(const struct sheen_target *target, const struct ref_scene 
     struct sheen_material material;
     struct core_tables tables;
     struct sheen_view view;
-    struct sheen_object draw = {.mesh = mesh,
+    struct sheen_mesh own = *mesh;
+    struct sheen_object draw = {.mesh = &own,
                                 .material = &material,
                                 .lights = lights,
                                 .light_count = (uint8_t)scene->light_count,
@@ -379,6 +396,8 @@ static int draw_scene(const struct sheen_target *target, const struct ref_scene 
 
     if (status < 0)
         return status;
+    if (!scene->colored && is_tinted(scene))
+        own.colors = NULL;
     sheen_frame_force(f.frame, way);
     core_view(&view, scene);
     core_fog(&fog, scene);

@@ -7,6 +7,7 @@
  * but the last four's, on every triangle that admits it (struct sheen_object's `way`), and has to keep the same
  * limits. With an argument each picture that fails is written as PPM files with that prefix.
  */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -31,10 +32,11 @@ enum variant {
     GAMMA,
     TOON,
     COLORS, /* of the vertices: one light, several, dithered, cut, in turns */
+    TINTS,  /* of lights and ambient light, every other picture with the vertices'; by ramps too */
     VARIANTS
 };
 static const char *const variant_name[VARIANTS] = {"",       "lights", "ortho", "behind", "strong", "cut",
-                                                   "dither", "half",   "gamma", "toon",   "colors"};
+                                                   "dither", "half",   "gamma", "toon",   "colors", "tints"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
 #define FORCED 9
@@ -157,6 +159,21 @@ static void vary_colors(struct ref_scene *scene, int i)
     }
 }
 
+static void vary_tints(struct ref_scene *scene, int i)
+{
+    static const double color[4][3] = {{1, 0.6, 0.2}, {0.2, 0.4, 1}, {1, 1, 1}, {0.8, 0.2, 0.6}};
+    static const double ambient[3] = {0.4, 0.6, 1};
+
+    vary_colors(scene, i);
+    accuracy_more_lights(scene);
+    scene->colored = i % 2;
+    for (int k = 0; k < 12; k++)
+        scene->light_color[k / 3][k % 3] = floor(255 * color[k / 3][k % 3]) / 255;
+    memcpy(scene->ambient_color, ambient, sizeof ambient);
+    if (i >= 9)
+        scene->ramp = i == 9 ? REF_GAMMA : REF_HALF;
+}
+
 static void vary(struct ref_scene *scene, enum variant variant, int i)
 {
     static const double shininess[4] = {1, 4, 24, 128};
@@ -197,6 +214,9 @@ static void vary(struct ref_scene *scene, enum variant variant, int i)
     case COLORS:
         vary_colors(scene, i);
         break;
+    case TINTS:
+        vary_tints(scene, i);
+        break;
     default:
         break;
     }
@@ -216,6 +236,8 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
         line.least_compared = 0.1; /* much of what is left lies at the cut */
     if (variant == TOON)
         line.least_compared = 0.2; /* around its jumps, which are edges; four lights have twelve */
+    if (variant >= COLORS)
+        line.least_compared = 0.5; /* of every fourth picture, which is cut */
     for (int i = 0; i < 12; i++) {
         struct ref_scene scene;
         accuracy_view(&scene, &mesh->reference, view);
@@ -277,7 +299,7 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
     if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)
         failed += judge_line(&lines, mesh, 1, shading, STRONG);
     if (shading <= REF_GOURAUD && mesh->reference.color)
-        failed += judge_line(&lines, mesh, 1, shading, COLORS);
+        failed += judge_line(&lines, mesh, 1, shading, COLORS) + judge_line(&lines, mesh, 2, shading, TINTS);
     print_ways(&lines, mesh, shading);
     return failed;
 }

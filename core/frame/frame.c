@@ -320,7 +320,7 @@ static APART void begin_colours(struct sheen_frame *f, struct draw *d, const str
     if (d->by_ramp)
         d->loop.usable = 0; /* its loops know no ramp */
     if (d->shader->begin != NULL)
-        d->shader->begin(d, m, &f->format);
+        d->shader->begin(d, m, &f->format, object);
     d->fog = NULL;
     if (f->view.fog != NULL)
         f->fog.mixer->draw(d, &f->fog);

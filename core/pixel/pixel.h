@@ -214,6 +214,19 @@ struct texel_terms {
     uint8_t unlit;  /* it is 1.0 everywhere, and there is no highlight */
 };
 
+/* Colours of lights, for draws that read them. */
+struct tint_terms {
+    uint32_t low[3]; /* of channels, what a ramp's low gives of white lights: not in `a` then */
+    uint8_t color[SHEEN_MAX_LIGHTS][3];
+    uint8_t lights; /* 1: lights have colours */
+};
+
+/* x times a byte that is 1.0 at 255. */
+static inline uint32_t by_colour(uint32_t x, uint8_t colour)
+{
+    return colour == 255 ? x : mul_high(x, colour * 0x01010101u);
+}
+
 static inline uint32_t clamped(uint32_t x, uint32_t top)
 {
     return x > top ? top : x;

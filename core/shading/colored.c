@@ -1,59 +1,137 @@
 /*
- * colored.c - flat and Gouraud shading with colours at the corners: three channels each, multiplied before they are
- * brought over the triangle.
+ * colored.c - flat and Gouraud shading with colours of vertices and lights: three channels a corner, multiplied before
+ * they are brought over the triangle.
  */
 #include "../triangle/morph.h"
 #include "../triangle/quotient.h"
 #include "shading.h"
 
-/* Channels of a corner, whose place in the mesh is `at` / 3. */
-static void tinted_channels(const struct draw *d, ptrdiff_t at, const struct lit *lit, uint32_t channel[3])
+_Static_assert(sizeof(struct tint_terms) <= offsetof(struct loop_terms, usable), "fog marks loops as unusable");
+
+/* Channels of light at a corner: what a vertex's colour multiplies, and the highlight. */
+struct glow {
+    uint32_t base[3], highlight[3];
+};
+
+static void white_glow(const struct draw *d, const struct lit *lit, struct glow *glow)
 {
     const struct colour_terms *terms = &d->colour;
-    const uint8_t *color = d->mesh->colors;
 
     for (int i = 0; i < 3; i++) {
-        uint32_t base = terms->a[i] + terms->b[i] * lit->diffuse;
-        if (color != NULL) /* 1.0 is 2^32 - 1 */
-            base = mul_high(base, color[at + i] * 0x01010101u);
-        channel[i] = base + terms->c[i] * lit->specular;
+        glow->base[i] = terms->a[i] + terms->b[i] * lit->diffuse;
+        glow->highlight[i] = terms->c[i] * lit->specular;
     }
 }
 
-/* channel: by component and corner. lit: of the corners. A piece's are the channels that it carries. */
-static void colored_corners(const struct setup *s, const struct surface_corners *c, const struct lit lit[3],
-                            uint32_t channel[3][3])
+static APART void white_light(const struct draw *d, const int16_t normal[3], struct glow *glow)
 {
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0;
+    struct lit lit;
 
-    for (int k = 0; k < 3; k++) {
-        uint32_t corner[3];
-        if (!piece)
-            tinted_channels(s->draw, c->at.normal[k] - s->draw->mesh->positions, &lit[k], corner);
-        for (int i = 0; i < 3; i++)
-            channel[i][k] = piece ? (uint32_t)c->at.normal[k][i] << 16 : corner[i];
+    light_normal(&d->light, &d->power, normal, &lit);
+    white_glow(d, &lit, glow);
+}
+
+static APART void tinted_light(const struct draw *d, const int16_t normal[3], struct glow *glow)
+{
+    const struct colour_terms *terms = &d->colour;
+    struct tinted lit;
+
+    sheen_light_tinted(&d->light, &d->power, d->tint.color, normal, &lit);
+    for (int i = 0; i < 3; i++) {
+        const uint32_t low = mul_high(d->tint.low[i], lit.low[i] << 16) * 2; /* 15 bits, up to 1.0 */
+        glow->base[i] = terms->a[i] + low + terms->b[i] * lit.diffuse[i];
+        glow->highlight[i] = terms->c[i] * lit.specular[i];
     }
+}
+
+static inline void glow_light(const struct draw *d, const int16_t seen[3], struct glow *glow)
+{
+    if (d->tint.lights)
+        tinted_light(d, seen, glow);
+    else
+        white_light(d, seen, glow);
+}
+
+/* Of a corner whose place in the mesh is `at` / 3. */
+static void vertex_channels(const struct draw *d, ptrdiff_t at, const struct glow *glow, uint32_t channel[3])
+{
+    const uint8_t *color = d->mesh->colors;
+
+    for (int i = 0; i < 3; i++)
+        channel[i] = (color != NULL ? by_colour(glow->base[i], color[at + i]) : glow->base[i]) + glow->highlight[i];
 }
 
 /* Channels of 15 bits, as pieces carry them. */
-static void carry_corner(const struct draw *d, uint16_t triangle, int k, const struct lit *lit, int16_t out[3])
+static APART void carry_corner(const struct draw *d, uint32_t index, const struct glow *glow, int16_t out[3])
 {
     uint32_t channel[3];
 
-    tinted_channels(d, 3 * (ptrdiff_t)mesh_index(d->mesh, 3u * triangle + (uint32_t)k), lit, channel);
+    vertex_channels(d, 3 * (ptrdiff_t)index, glow, channel);
     for (int i = 0; i < 3; i++)
         out[i] = (int16_t)min32((int32_t)((channel[i] + (1u << 15)) >> 16), 32767);
 }
 
+static int is_piece(const struct surface_corners *c)
+{
+    return (c->at.v[0]->flags & LIT_AS_SEEN) != 0;
+}
+
+static void carried_channels(const struct surface_corners *c, uint32_t channel[3][3])
+{
+    for (int i = 0; i < 9; i++)
+        channel[i % 3][i / 3] = (uint32_t)c->at.normal[i / 3][i % 3] << 16;
+}
+
+/* What lights have; ambient light as its colour has it, apart from what a ramp's low makes of the lights. */
+static void colored_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                          const struct sheen_object *object)
+{
+    const struct sheen_material *own = object->material;
+    const uint8_t *ambient = own->ambient_color;
+    const int white = (ambient[0] | ambient[1] | ambient[2]) == 0, is_low = own->ambient < material->ambient;
+    const uint32_t share = is_low ? sheen_ratio((uint32_t)own->ambient, (uint32_t)material->ambient) : 0;
+
+    (void)format;
+    d->tint.lights = 0;
+    for (unsigned i = 0; i < d->light.count; i++) {
+        const uint8_t *color = object->lights[i].color;
+        const int coloured = (color[0] | color[1] | color[2]) != 0;
+        for (int k = 0; k < 3; k++)
+            d->tint.color[i][k] = coloured ? color[k] : 255;
+        d->tint.lights |= (uint8_t)coloured;
+    }
+    for (int k = 0; k < 3; k++) {
+        const uint32_t a = d->colour.a[k], part = is_low ? mul_high(a, share) : a;
+        d->tint.low[k] = d->tint.lights ? a - part : 0;
+        d->colour.a[k] = by_colour(part, white ? 255 : ambient[k]) + (d->tint.lights ? 0 : a - part);
+    }
+}
+
 /* ---- flat: light of the polygon ---- */
+
+static void facet_glow(const struct draw *d, uint16_t triangle, int back, struct glow *glow)
+{
+    int16_t normal[3];
+
+    sheen_facet_normal(d, triangle, back, normal);
+    glow_light(d, normal, glow);
+}
 
 static APART void flat_corners(const struct setup *s, const struct surface_corners *c, uint32_t channel[3][3])
 {
-    struct lit lit[3];
+    struct glow glow;
 
-    sheen_facet_lit(s, c, &lit[0]);
-    lit[1] = lit[2] = lit[0];
-    colored_corners(s, c, lit, channel);
+    if (is_piece(c)) {
+        carried_channels(c, channel);
+        return;
+    }
+    facet_glow(s->draw, c->at.triangle, c->back, &glow);
+    for (int k = 0; k < 3; k++) {
+        uint32_t corner[3];
+        vertex_channels(s->draw, c->at.normal[k] - s->draw->mesh->positions, &glow, corner);
+        for (int i = 0; i < 3; i++)
+            channel[i][k] = corner[i];
+    }
 }
 
 static void flat_colored_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
@@ -66,29 +144,49 @@ static void flat_colored_setup(struct setup *s, struct surface_corners *c, const
 
 static void flat_colored_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
 {
-    int16_t normal[3];
-    struct lit lit;
+    struct glow glow;
 
-    sheen_facet_normal(d, triangle, back, normal);
-    light_normal(&d->light, &d->power, normal, &lit);
-    for (int k = 0; k < 3; k++)
-        carry_corner(d, triangle, k, &lit, out[k]);
+    facet_glow(d, triangle, back, &glow);
+    for (uint32_t k = 0; k < 3; k++)
+        carry_corner(d, mesh_index(d->mesh, 3u * triangle + k), &glow, out[k]);
 }
 
-const struct sheen_shader sheen_flat_colored = {.carry = flat_colored_carry, .setup = flat_colored_setup};
+const struct sheen_shader sheen_flat_colored = {
+    .begin = colored_begin, .carry = flat_colored_carry, .setup = flat_colored_setup};
 
 /* ---- Gouraud: light of the vertices ---- */
 
+static APART void vertex_light(const struct draw *d, const int16_t *first, int back, struct glow *glow)
+{
+    int16_t seen[3];
+    const int16_t *normal = normal_of(d, first, seen);
+
+    for (int i = 0; i < 3; i++)
+        seen[i] = (int16_t)(back ? -max32(normal[i], -32767) : normal[i]);
+    glow_light(d, seen, glow);
+}
+
 static APART void gouraud_corners(const struct setup *s, const struct surface_corners *c, uint32_t channel[3][3])
 {
-    const struct sheen_mesh *mesh = s->draw->mesh;
-    const int16_t *normal[3];
-    struct lit lit[3];
+    const struct draw *d = s->draw;
 
-    for (int k = 0; k < 3; k++) /* those of pieces are not read */
-        normal[k] = (c->at.v[k]->flags & LIT_AS_SEEN) != 0 ? NULL : mesh->normals + (c->at.normal[k] - mesh->positions);
-    (void)corners_lit(s, c, normal, lit);
-    colored_corners(s, c, lit, channel);
+    if (is_piece(c)) {
+        carried_channels(c, channel);
+        return;
+    }
+    for (int k = 0; k < 3; k++) {
+        const ptrdiff_t at = c->at.normal[k] - d->mesh->positions;
+        const struct lit kept = {c->at.v[k]->kept[0], c->at.v[k]->kept[1]};
+        struct glow glow;
+        uint32_t corner[3];
+        if (d->tint.lights || c->back)
+            vertex_light(d, d->mesh->normals + at, c->back, &glow);
+        else
+            white_glow(d, &kept, &glow);
+        vertex_channels(d, at, &glow, corner);
+        for (int i = 0; i < 3; i++)
+            channel[i][k] = corner[i];
+    }
 }
 
 static void gouraud_colored_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
@@ -101,26 +199,27 @@ static void gouraud_colored_setup(struct setup *s, struct surface_corners *c, co
 
 static void gouraud_colored_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
 {
-    for (int k = 0; k < 3; k++) {
-        int16_t seen[3];
-        const int16_t *first = d->mesh->normals + 3 * mesh_index(d->mesh, 3u * triangle + (uint32_t)k),
-                      *n = normal_of(d, first, seen);
-        struct lit lit;
-        for (int i = 0; i < 3; i++)
-            seen[i] = (int16_t)(back ? -max32(n[i], -32767) : n[i]);
-        light_normal(&d->light, &d->power, seen, &lit);
-        carry_corner(d, triangle, k, &lit, out[k]);
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint32_t index = mesh_index(d->mesh, 3u * triangle + k);
+        struct glow glow;
+        vertex_light(d, d->mesh->normals + 3 * index, back, &glow);
+        carry_corner(d, index, &glow, out[k]);
     }
 }
 
+/* White light alone: what has colours does not fit a vertex. */
 static void gouraud_colored_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
-    struct lit lit;
+    struct lit lit = {0, 0};
 
-    light_normal(&d->light, &d->power, normal, &lit);
+    if (!d->tint.lights)
+        light_normal(&d->light, &d->power, normal, &lit);
     kept[0] = (uint16_t)lit.diffuse;
     kept[1] = (uint16_t)lit.specular;
 }
 
-const struct sheen_shader sheen_gouraud_colored = {
-    .light = gouraud_colored_light, .carry = gouraud_colored_carry, .setup = gouraud_colored_setup, .needs_normals = 1};
+const struct sheen_shader sheen_gouraud_colored = {.begin = colored_begin,
+                                                   .light = gouraud_colored_light,
+                                                   .carry = gouraud_colored_carry,
+                                                   .setup = gouraud_colored_setup,
+                                                   .needs_normals = 1};

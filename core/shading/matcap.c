@@ -22,11 +22,13 @@ static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye
 static const uint32_t widest_quadratic[5] = {189000000u, 119000000u, 75000000u, 47000000u, 29000000u};
 
 /* The material's colour is all the light that there is. */
-static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format)
+static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                         const struct sheen_object *object)
 {
     struct sheen_material unlit = {.base = {material->base[0], material->base[1], material->base[2]},
                                    .ambient = 1 << 16};
 
+    (void)object;
     unlit.texture = material->texture;
     sheen_texel_begin(&d->texel, format, &unlit, 0, 0);
 }

@@ -14,7 +14,8 @@
 #define OF_MESH(array) (offsetof(struct sheen_mesh, array))
 
 /*
- * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing.
+ * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing. material: the object's, as its ramp has
+ *   it.
  * light: what the shading keeps of a vertex, from its normal (as the mesh has it, or as
  *   seen), once for each that a listed triangle uses; NULL: nothing. Between corners it is linear.
  * carry: of a triangle's corners three numbers each, for the side that is seen, which are linear in between: what its
@@ -23,7 +24,8 @@
  *   where the triangle is too flat for gradients. Sets way, fast and rows.
  */
 struct sheen_shader {
-    void (*begin)(struct draw *d, const struct sheen_material *material, const struct pixel_format *format);
+    void (*begin)(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                  const struct sheen_object *object);
     void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
     void (*carry)(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);

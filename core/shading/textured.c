@@ -4,8 +4,10 @@
 #include "../triangle/textured.h"
 #include "shading.h"
 
-static void textured_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format)
+static void textured_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                           const struct sheen_object *object)
 {
+    (void)object;
     sheen_texel_begin(&d->texel, format, material, d->light.diffuse_sum, d->light.specular_sum);
 }
 

@@ -42,6 +42,7 @@ struct draw {
     union {
         struct loop_terms loop;
         struct texel_terms texel; /* of shadings with a texture */
+        struct tint_terms tint;   /* of those with colours */
     };
 };
 

@@ -163,6 +163,16 @@ int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q3
 void sheen_light_plainly(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
 void sheen_light_by_ramp(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
 
+/* What lights that have colours give, by channel: relative to white lights', UQ1.15. */
+struct tinted {
+    uint32_t low[3]; /* whatever the normal */
+    uint32_t diffuse[3], specular[3];
+};
+
+/* tinted_light.c; color: of each light. */
+void sheen_light_tinted(const struct lighting *l, const struct power *power, const uint8_t color[][3],
+                        const int16_t normal[3], struct tinted *out);
+
 static inline void light_normal(const struct lighting *l, const struct power *power, const int16_t normal[3],
                                 struct lit *out)
 {

@@ -23,6 +23,8 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int e
         bytes += mesh->vertices * 4u;
     if (quantised->second.positions)
         bytes += STRUCT_BYTES + mesh->vertices * 12u + (flat ? quantised->polygon_count * 6u : 0);
+    if (mesh->colors)
+        bytes += mesh->vertices * 3u;
     if (flat)
         bytes += quantised->polygon_count * 7u + (quantised->polygons ? mesh->triangles * 2u : 0);
     return bytes + (edges ? mesh->triangles * sizeof *mesh->edges : 0);
@@ -101,6 +103,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
         put_signed(stream, name, "uvs", mesh->uvs, 2u * mesh->vertices);
     if (edges)
         put_edges(stream, name, mesh);
+    if (mesh->colors)
+        put_unsigned(stream, name, "colors", mesh->colors, 1, 3u * mesh->vertices);
 
     fprintf(stream, "static const struct sheen_mesh %s = {\n", name);
     fprintf(stream, "    .positions = %s_positions,\n    .normals = %s_normals,\n", name, name);
@@ -119,6 +123,8 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
                 mesh->uv_bits, mesh->uv_offset[0], mesh->uv_offset[1]);
     if (edges)
         fprintf(stream, "    .edges = %s_edges,\n", name);
+    if (mesh->colors)
+        fprintf(stream, "    .colors = %s_colors,\n", name);
     fputs("};\n\n", stream);
 }
 

@@ -178,6 +178,8 @@ static void set_source(struct baking *baking)
         add_source(baking, " --no-flat");
     if (options->bake_edges)
         add_source(baking, " --edges");
+    if (options->no_vertex_colors)
+        add_source(baking, " --vertex-colors off");
     add_texture_source(baking);
 }
 

@@ -109,16 +109,31 @@ static int set_size(const struct sheen_option *option, const char *text, unsigne
     return size[0] && size[1] ? SHEEN_OK : refuse(option, text, "no pixels", problem);
 }
 
+static int commas(const char *text)
+{
+    int count = 0;
+
+    for (; *text; text++)
+        count += *text == ',';
+    return count;
+}
+
 static int set_light(const struct sheen_option *option, const char *text, struct sheen_light_list *lights,
                      struct sheen_problem *problem)
 {
     const char *rest = text;
+    const int parts = commas(text);
+    uint8_t color[3] = {255, 255, 255};
     double to[3];
 
     for (int k = 0; k < 3; k++) {
-        if (read_real(&rest, k < 2 ? ',' : '\0', &to[k]) != 0)
-            return refuse(option, text, "not a direction x,y,z", problem);
+        if (read_real(&rest, k < 2 || parts == 3 ? ',' : '\0', &to[k]) != 0)
+            return refuse(option, text, "not a direction x,y,z, nor x,y,z,colour", problem);
     }
+    if (parts == 3 && set_color(option, rest, color, problem) != 0)
+        return refuse(option, text, "not a direction x,y,z, nor x,y,z,colour", problem);
+    if ((color[0] | color[1] | color[2]) == 0)
+        return refuse(option, text, "black gives no light", problem);
     if (to[0] == 0 && to[1] == 0 && to[2] == 0)
         return refuse(option, text, "points nowhere", problem);
     if (!lights->given)
@@ -126,6 +141,7 @@ static int set_light(const struct sheen_option *option, const char *text, struct
     if (lights->count == SHEEN_MAX_LIGHTS)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': at most %d lights", option->name, text,
                              SHEEN_MAX_LIGHTS);
+    memcpy(lights->color[lights->count], color, sizeof color);
     memcpy(lights->to[lights->count++], to, sizeof to);
     lights->given = 1;
     return SHEEN_OK;

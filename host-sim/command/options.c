@@ -35,7 +35,8 @@ const struct sheen_option sheen_option_table[] = {
     {"orientation", "K", NULL, "0..3 quarter turns of the glass, 4..7 mirrored [what fits the size]",
      SHEEN_OPTION_WHOLE, SHEEN_DRAWS | SHEEN_FIRST_LIGHT, AT(orientation), 0, 7, 0},
     {"shade", "flat|gouraud|phong|slerp|matcap|matcap-vertex", "phong",
-     "flat: a normal a polygon; gouraud: light at the corners, and the default where a texture is shown; phong: "
+     "flat: a normal a polygon; gouraud: light at the corners, and the default where a texture or colours of vertices "
+     "or lights are shown; phong: "
      "normals at the pixels; slerp: along great arcs; matcap, at the pixels or the corners: a picture of a lit sphere "
      "in place of light and textures",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS, AT(shade), 0, 0, 0},
@@ -52,8 +53,14 @@ const struct sheen_option sheen_option_table[] = {
      SHEEN_DRAWS, AT(affine), 0, 0, 0},
     {"ortho", NULL, NULL, "no perspective: sizes as at the mesh's centre", SHEEN_OPTION_FLAG, SHEEN_DRAWS, AT(ortho), 0,
      0, 0},
-    {"light", "X,Y,Z", "-0.4,0.6,0.8", "direction to a light, seen from the eye; up to 4 times", SHEEN_OPTION_LIGHT,
+    {"light", "X,Y,Z[,COLOR]", "-0.4,0.6,0.8",
+     "direction to a light, seen from the eye, and its colour, else white; up to 4 times", SHEEN_OPTION_LIGHT,
      SHEEN_DRAWS, AT(lights), 0, 0, 0},
+    {"ambient-color", "COLOR", "ffffff", "of the light from everywhere", SHEEN_OPTION_COLOR, SHEEN_DRAWS,
+     AT(ambient_color), 0, 0, 0},
+    {"vertex-colors", "on|off", "on",
+     "the file's colours of vertices, which --color multiplies; shown flat or gouraud, where no texture is",
+     SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(no_vertex_colors), 0, 0, 0},
     {"ambient", "K", "0.2", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(ambient), 0, 4, 0},
     {"diffuse", "K", "0.8", "light that scatters", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(diffuse), 0, 4, 0},
     {"ambient", "K", "0.2", "the material's, which ramp:gamma is made for", SHEEN_OPTION_REAL, SHEEN_BAKE, AT(ambient),

@@ -27,7 +27,7 @@ enum sheen_option_kind {
     SHEEN_OPTION_COLOR,  /* uint8_t[3]: six hex digits, with # or without, or a name (color_names.h) */
     SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or where `argument` has it the word `file` */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
-    SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one */
+    SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one, with a colour or white */
     SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`, gamma with :G or without */
     SHEEN_OPTION_DEPTHS, /* struct sheen_depths: START,END, 0 < START < END */
     SHEEN_OPTION_TEXT    /* const char * */
@@ -53,6 +53,7 @@ struct sheen_ramp_choice {
 
 struct sheen_light_list {
     double to[SHEEN_MAX_LIGHTS][3];
+    uint8_t color[SHEEN_MAX_LIGHTS][3];
     int count;
     int given; /* 0 while the list is the default, which the first given light replaces */
 };
@@ -74,7 +75,8 @@ struct sheen_options {
     int shininess;
     struct sheen_ramp_choice ramp;
     struct sheen_paint color;
-    uint8_t background[3];
+    uint8_t background[3], ambient_color[3];
+    int no_vertex_colors;
     struct sheen_depths fog;
     struct sheen_paint fog_color; /* not given: the background's */
     double opacity;               /* 0..1 */

@@ -31,6 +31,26 @@ static sheen_angle_t to_angle(double degrees)
 
 /* ---- what is drawn ---- */
 
+static int is_black(const uint8_t color[3])
+{
+    return (color[0] | color[1] | color[2]) == 0;
+}
+
+static int is_white(const uint8_t color[3])
+{
+    return (color[0] & color[1] & color[2]) == 255;
+}
+
+int sheen_scene_is_colored(const struct sheen_scene *scene)
+{
+    const struct sheen_options *options = scene->options;
+    int colored = scene->has_colors || !(is_white(options->ambient_color) || is_black(options->ambient_color));
+
+    for (int i = 0; i < options->lights.count; i++)
+        colored |= !is_white(options->lights.color[i]);
+    return colored;
+}
+
 static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
                          const struct sheen_options *options, const uint8_t color[3])
 {
@@ -42,6 +62,9 @@ static void set_material(struct sheen_material *material, const struct sheen_shi
     material->specular = to_q16(options->specular);
     material->shine = shine;
     memcpy(material->line, options->line, sizeof material->line);
+    memcpy(material->ambient_color, options->ambient_color, sizeof material->ambient_color);
+    if (is_black(options->ambient_color))
+        material->ambient = 0;
 }
 
 /* One mesh of everything, or one a material that has faces. */
@@ -110,7 +133,29 @@ struct sheen_host_options sheen_scene_host_options(const struct sheen_options *o
                                                              : SHEEN_UP_Y,
                                        .reduce = (unsigned)options->reduce,
                                        .morph = options->morph,
-                                       .morph_target = (unsigned)options->morph_target};
+                                       .morph_target = (unsigned)options->morph_target,
+                                       .colors = !options->no_vertex_colors};
+}
+
+/* What is lit flat or gouraud alone must not be asked for otherwise. */
+static int check_shading(struct sheen_scene *scene, struct sheen_problem *problem)
+{
+    const struct sheen_options *options = scene->options;
+    const int is_lit = options->shade_given && options->shade > SHEEN_GOURAUD && options->shade < SHEEN_MATCAP;
+
+    scene->is_usage = is_lit && (scene->texel_count || sheen_scene_is_colored(scene));
+    if (!scene->is_usage)
+        return SHEEN_OK;
+    if (scene->texel_count)
+        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                             "--shade: %s shows a texture, which is lit flat or gouraud; --texture off shows none",
+                             options->mesh);
+    if (scene->has_colors)
+        return sheen_problem(
+            problem, SHEEN_ERR_UNSUPPORTED,
+            "--shade: %s has colours of vertices, shown flat or gouraud; --vertex-colors off leaves them out",
+            options->mesh);
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: light with colours is for flat and gouraud");
 }
 
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
@@ -127,16 +172,13 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     if (!options->quiet)
         sheen_notes_print(&host.notes, options->color.from_file);
     scene->texel_count = host.picture_count;
+    scene->has_colors = host.has_colors;
     error = sheen_scene_texels(&scene->texels, &host, options);
     if (!error)
         error = make_meshes(scene, &host);
     sheen_host_mesh_free(&host);
-    scene->is_usage = !error && scene->texel_count && options->shade_given && options->shade > SHEEN_GOURAUD &&
-                      options->shade < SHEEN_MATCAP;
-    if (scene->is_usage)
-        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
-                             "--shade: %s shows a texture, which is lit flat or gouraud; --texture off shows none",
-                             options->mesh);
+    if (!error && (error = check_shading(scene, problem)) != 0)
+        return error;
     if (error)
         return sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error));
     return sheen_matcap_load(&scene->matcap, options->matcap, (unsigned)options->palette, options->bilinear, problem);
@@ -190,6 +232,7 @@ void sheen_scene_look(struct sheen_scene *scene)
         double largest = fmax(fabs(to[0]), fmax(fabs(to[1]), fabs(to[2])));
         for (int k = 0; k < 3; k++)
             scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
+        memcpy(scene->lights[i].color, options->lights.color[i], sizeof scene->lights[i].color);
         scene->lights[i].intensity = to_q16(1);
     }
     look_through_fog(scene);
@@ -201,14 +244,15 @@ static void paint(struct sheen_scene *scene)
     static const uint8_t white[3] = {255, 255, 255};
     const struct sheen_paint *paint = &scene->options->color;
     const int is_matcap = scene->options->shade >= SHEEN_MATCAP;
-    const int is_white = scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count || is_matcap;
+    const int shows_white =
+        scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count || scene->has_colors || is_matcap;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_material *material = &scene->materials[i];
         material->texture = is_matcap ? &scene->matcap.texture : scene->own_texture[i];
         if (scene->own_color[i])
             continue;
-        memcpy(material->base, is_white && !paint->given ? white : paint->color, sizeof material->base);
+        memcpy(material->base, shows_white && !paint->given ? white : paint->color, sizeof material->base);
     }
 }
 
@@ -305,7 +349,9 @@ enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
 {
     enum sheen_shading asked = (enum sheen_shading)scene->options->shade;
 
-    return scene->texel_count && asked > SHEEN_GOURAUD && asked < SHEEN_MATCAP ? SHEEN_GOURAUD : asked;
+    return (scene->texel_count || sheen_scene_is_colored(scene)) && asked > SHEEN_GOURAUD && asked < SHEEN_MATCAP
+               ? SHEEN_GOURAUD
+               : asked;
 }
 
 void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose)
@@ -323,6 +369,7 @@ static int draw_all(struct sheen_scene *scene, int number)
     int wire = options->edges == SHEEN_WIRE;
     enum sheen_shading shading = wire ? SHEEN_FLAT : sheen_scene_shading(scene);
     const struct sheen_shader *textured = shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
+    const struct sheen_shader *plain = !wire && sheen_scene_is_colored(scene) ? sheen_colored_shader_of(shading) : NULL;
     struct sheen_object draw = {.lights = scene->lights,
                                 .light_count = (uint8_t)(wire ? 0 : options->lights.count),
                                 .stipple = &sheen_stipple,
@@ -331,6 +378,8 @@ static int draw_all(struct sheen_scene *scene, int number)
                                 .two_sided = (uint8_t)options->two_sided,
                                 .edges = sheen_edges_of((unsigned)options->edges)};
 
+    if (plain == NULL)
+        plain = sheen_shader_of(shading);
     paint(scene);
     sheen_scene_pose(scene, number, &draw.pose);
     int error = sheen_begin(scene->frame, &scene->view);
@@ -339,7 +388,7 @@ static int draw_all(struct sheen_scene *scene, int number)
         draw.material = wire ? &hidden : &scene->materials[i];
         scene->morphs[i].weight = (uint16_t)lround(options->morph_weight * 32768);
         draw.morph = options->morph ? &scene->morphs[i] : NULL;
-        draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : sheen_shader_of(shading);
+        draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : plain;
         error = sheen_draw(scene->frame, &draw);
     }
     return error;

@@ -25,6 +25,7 @@ struct sheen_scene {
     size_t texel_count;
     const struct sheen_texture **own_texture; /* of each mesh; NULL: none */
     struct sheen_texels matcap;               /* in its place where the shading is a matcap */
+    int has_colors;                           /* 1: a mesh has colours of vertices */
     int is_usage;                             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
@@ -46,7 +47,10 @@ struct sheen_texture_options sheen_scene_texture_options(const struct sheen_opti
 int sheen_scene_texels(struct sheen_texels **texels, const struct sheen_host_mesh *host,
                        const struct sheen_options *options);
 
-/* How it is shaded: as the options say, or where a texture is shown by default gouraud. */
+/* 1 where there are colours of vertices, lights or ambient light. */
+int sheen_scene_is_colored(const struct sheen_scene *scene);
+
+/* How it is shaded: as the options say, or where a texture or colours are shown by default gouraud. */
 enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene);
 
 /*

@@ -18,6 +18,12 @@ enum sheen_shading {
     SHEEN_ALL_SHADINGS
 };
 
+/* The one that reads colours; NULL: there is none. */
+static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shading)
+{
+    return shading == SHEEN_FLAT ? &sheen_flat_colored : shading == SHEEN_GOURAUD ? &sheen_gouraud_colored : NULL;
+}
+
 static inline const struct sheen_shader *sheen_shader_of(unsigned shading)
 {
     static const struct sheen_shader *const shader[SHEEN_ALL_SHADINGS] = {

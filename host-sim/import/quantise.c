@@ -254,6 +254,7 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
         out->mesh.polygons = out->polygons;
         out->mesh.indices = out->indices;
         out->mesh.uvs = out->uvs;
+        out->mesh.colors = out->colors;
         out->mesh.uv_bits = out->uv_bits;
         memcpy(out->mesh.uv_offset, out->uv_offset, sizeof out->uv_offset);
         out->mesh.scale = SHEEN_Q24(32768 / ONE);

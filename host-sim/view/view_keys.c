@@ -82,12 +82,12 @@ static int look_key(struct sheen_viewer *viewer, int key)
     }
 }
 
-/* Textures are lit flat or gouraud alone; after the last shading the first. */
+/* Textures and colours are lit flat or gouraud alone; after the last shading the first. */
 static int next_shading(const struct sheen_scene *scene)
 {
     const int shading = (int)sheen_scene_shading(scene);
 
-    if (scene->texel_count && shading == SHEEN_GOURAUD)
+    if ((scene->texel_count || sheen_scene_is_colored(scene)) && shading == SHEEN_GOURAUD)
         return SHEEN_MATCAP;
     return (shading + 1) % SHEEN_ALL_SHADINGS;
 }

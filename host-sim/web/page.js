@@ -10,8 +10,8 @@ const SLIDERS = { // name: least, most, step, unit
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
     fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''],
 };
-const MORE = ['phase', 'fog', 'fog-color', 'dither', 'ramp', 'edges', 'line-color', 'perspective', 'cull', 'normals', 'weights', 'crease',
-    'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
+const MORE = ['phase', 'fog', 'fog-color', 'ambient-color', 'vertex-colors', 'dither', 'ramp', 'edges', 'line-color', 'perspective',
+    'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
     gold: ['d8a048', .18, .62, .9, 48], clay: ['c8694a', .25, .85, .05, 8], porcelain: ['f2efe8', .28, .72, .5, 96],

@@ -22,7 +22,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
                 (r"(^|:)set_up$", r"_setup$|morph_corners$"),
                 (r"(^|:)(sheen_facet_(lit|normal)|flat_colored_carry)$", r"_light_by_ramp$|morph_facet$"),
-                (r"(^|:)(sheen_light_back|gouraud_colored_carry)$", r"_light_by_ramp$|morph_normal$"),
+                (r"(^|:)(sheen_light_back|vertex_light)$", r"_light_by_ramp$|morph_normal$"),
                 (r"(^|:)(light_normal|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
                 (r"(^|:)(morph_(cut|corners)|position_of|normal_of)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),

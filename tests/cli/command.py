@@ -78,6 +78,11 @@ class Command:
         if why:
             self.refuse("sheen", *words, "-", "; ".join(why) + ":", said)
 
+    def is_true(self, what, *of):
+        self.cases += 1
+        if not what:
+            self.refuse(*of)
+
     def close(self):
         print(f"{self.cases} command lines, {self.refusals} refusals")
         os.chdir("/")

@@ -1,0 +1,39 @@
+/*
+ * tinted_light.c - light at a normal from lights that have colours.
+ */
+#include "vertex.h"
+
+/* Each light's share of the sum, 2^30 = 1.0, by channel. */
+static APART void add_tinted(uint32_t sum[3], uint32_t amount, const uint8_t color[3])
+{
+    for (int k = 0; k < 3; k++)
+        sum[k] += by_colour(amount, color[k]);
+}
+
+static uint32_t to_q15(uint32_t sum)
+{
+    return clamped((sum + (1u << 14)) >> 15, 32768);
+}
+
+void sheen_light_tinted(const struct lighting *l, const struct power *power, const uint8_t color[][3],
+                        const int16_t normal[3], struct tinted *out)
+{
+    const int32_t lacks = lacking(normal), nv = sheen_unit_cosine(normal, lacks, l->view);
+
+    *out = (struct tinted){{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; /* at first UQ2.30: weights sum to 1.0 */
+    for (unsigned i = 0; i < l->count && (normal[0] | normal[1] | normal[2]) != 0; i++) {
+        const int32_t ln = sheen_unit_cosine(normal, lacks, l->to[i]), rounded = asr32(ln + (1 << 14), 15);
+        const uint32_t response = l->ramp != NULL ? response_at(l->ramp, rounded) : (uint32_t)max32(rounded, 0);
+        add_tinted(out->low, (uint32_t)l->diffuse_weight[i] << 15, color[i]);
+        add_tinted(out->diffuse, l->diffuse_weight[i] * response, color[i]);
+        if (ln <= 0)
+            continue;
+        const int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)mul_round(ln, nv, 30));
+        add_tinted(out->specular, l->specular_weight[i] * highlight_at(*power, u, (uint32_t)rounded), color[i]);
+    }
+    for (int k = 0; k < 3; k++) {
+        out->low[k] = to_q15(out->low[k]);
+        out->diffuse[k] = to_q15(out->diffuse[k]);
+        out->specular[k] = to_q15(out->specular[k]);
+    }
+}
