@@ -17,6 +17,7 @@ struct fog_terms {
     uint16_t scale;    /* 2^30 / reach, rounded up */
     uint16_t level[3]; /* of its colour, whole ones; greys: the first alone */
     uint8_t shift;     /* 9..31 */
+    uint8_t is_565;    /* the target's pixels are */
 };
 
 struct texel_run;

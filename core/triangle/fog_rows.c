@@ -4,6 +4,7 @@
 #include "normal_rows.h"
 #include "quadric_rows.h"
 #include "quotient.h"
+#include "textured.h"
 
 /* ---- colours linear on the screen, or one ---- */
 
@@ -171,6 +172,7 @@ static int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const
     const unsigned shift = 48 - clz64((uint64_t)reach);
     const int64_t from = asr64(start, shift), most = 1 << 30;
     terms->mixer = fog->mixer;
+    terms->is_565 = !format->grey;
     terms->shift = (uint8_t)min32((int32_t)shift, 31); /* z is nothing there */
     terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
     terms->reach = (uint16_t)asr64(reach, shift);
@@ -190,9 +192,19 @@ static void fog_draw(struct draw *d, const struct fog_terms *terms)
     d->fog = terms;
 }
 
+/* 1 where texels are under light alone. */
+static int is_dull(const struct setup *s)
+{
+    const struct texel_terms *texel = &s->draw->texel;
+
+    return s->fast != TEXTURED_GLOSSY && (s->fast == TEXTURED_LIT || (texel->white && texel->gloss == 0));
+}
+
 static void fog_setup(struct setup *s)
 {
-    if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
+    if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->fast != TEXTURED_ANY)
+        s->fast = is_dull(s) ? TEXTURED_FOGGED : TEXTURED_ANY;
+    else if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
         s->rows = fogged_rows;
     else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT)
         s->rows = fogged_quotient_rows;

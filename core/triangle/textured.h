@@ -14,7 +14,8 @@ enum textured_pixels {
     TEXTURED_GLOSSY,
     TEXTURED_OTHER,
     TEXTURED_BILINEAR, /* 565 without key, unlit */
-    TEXTURED_BILINEAR_OTHER
+    TEXTURED_BILINEAR_OTHER,
+    TEXTURED_FOGGED /* as the others, without a highlight, under fog: see sheen_fogged_texel_run */
 };
 
 /*
@@ -83,10 +84,26 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
                           const struct at_corners at[4], int straight);
 
+/* Pixels of a run, TEXEL_PART at the most, from its numbers on. */
+struct texel_part {
+    uint16_t *depth;
+    int32_t count;
+    const struct texel_at *from, *step;
+};
+
+#define TEXEL_PART 32 /* px */
+
 /* Once a triangle in a tile; where the step is another; then a run from its first pixel's numbers on. */
 void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struct setup *s);
 void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
+
+/*
+ * Texels under fog. TEXTURED_FOGGED: of a part, light is what the fog leaves of it, and specular the fog's share, both
+ * UQ0.24; 565 without a highlight. Else any.
+ */
+void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part);
+void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from);
 
 void sheen_textured_blocks(const struct tile *t, const struct setup *s);
 

@@ -2,6 +2,7 @@
  * textured_planes.c - texel coordinates and light at the corners to planes, linear on the screen where that is good
  * enough, else as quotients (lecture, "Fixing Distortion").
  */
+#include "fog.h"
 #include "textured.h"
 
 SETUP_FITS(struct textured_setup);
@@ -88,6 +89,12 @@ static int nears_edges(const struct at_corners *at, unsigned size, int32_t edge)
     return near != 0;
 }
 
+/* Where fog or a pattern has them general loops, draws do not say so themselves. */
+static int shows_565(const struct draw *d)
+{
+    return d->is_565 || (d->fog != NULL && d->fog->is_565 && !d->stippled);
+}
+
 enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
@@ -101,7 +108,7 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
     if ((t->clamp_u && nears_edges(&at[0], t->width_log2, texel_edge(t))) ||
         (t->clamp_v && nears_edges(&at[1], t->height_log2, texel_edge(t))))
         return TEXTURED_ANY;
-    if (!d->is_565 || t->width_log2 + t->height_log2 > 16 || !terms->alike || light > 1 << LIGHT_BITS ||
+    if (!shows_565(d) || t->width_log2 + t->height_log2 > 16 || !terms->alike || light > 1 << LIGHT_BITS ||
         (highlight != 0 && !terms->white) || (t->bilinear && t->keyed))
         return TEXTURED_ANY;
     if (t->bilinear)

@@ -10,7 +10,7 @@
  * 2^-6 texel at the most, it is mended. Else U and V as they are.
  */
 #define PACKED_BITS 10
-#define RUN 32
+#define RUN TEXEL_PART
 
 /* Held to -width/2 .. width/2: a step to the left must not carry. */
 static uint32_t packed_step(uint32_t du, uint32_t dv, unsigned width)
@@ -225,14 +225,7 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
     any_loop(r, from, 0);
 }
 
-void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from)
-{
-    any_loop(r, from, 1);
-}
-
 /* ---- loops of their own: 565 that repeats on 565, light and highlight 1.0 at the most and without a hue ---- */
-
-#if FAST_LOOPS
 
 /* Where the processor holds a number in its range as it shifts it. */
 #ifdef __ARM_FEATURE_SAT
@@ -245,6 +238,8 @@ void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *fr
 struct way {
     unsigned packed, lit, glossy, dither, swap;
     unsigned other;                /* palettes, and a colour that is transparent */
+    unsigned fogged;               /* the highlight's place has the fog's share, and light is what that leaves of it */
+    uint32_t fog[3];               /* its levels */
     intptr_t to_pixel;             /* bytes from a pixel's depth */
     const threshold_t *thresholds; /* of the row, where something dithers */
     uint32_t half;                 /* of rounding, with LIGHT_BITS */
@@ -254,7 +249,7 @@ struct way {
 
 SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
 {
-    struct way way = {packed, lit, glossy, dither, swap, 0, 0, 0, 0, 0, NULL};
+    struct way way = {packed, lit, glossy, dither, swap, 0, 0, {0, 0, 0}, 0, NULL, 0, 0, NULL};
 
     return way;
 }
@@ -295,27 +290,33 @@ SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned 
     return (r << 6 | g) << 5 | b;
 }
 
-/* What is added to channels: a white highlight in red and blue, in green. */
+/* What is added to channels: a threshold; a white highlight; a share of the fog. */
 struct added {
-    uint32_t red_blue, green;
+    uint32_t red, green, blue;
 };
 
-SPECIALISED struct added added_at(uint32_t highlight, uint32_t threshold, unsigned glossy)
+SPECIALISED struct added added_at(uint32_t share, uint32_t threshold, const struct way *way)
 {
-    struct added a = {threshold, threshold};
+    struct added a = {threshold, threshold, threshold};
 
-    if (glossy) {
-        uint32_t specular = not_negative(highlight);
-        a.red_blue += 31 * specular;
+    if (way->glossy) {
+        uint32_t specular = not_negative(share);
+        a.red += 31 * specular;
         a.green += 63 * specular;
+        a.blue += 31 * specular;
+    }
+    if (way->fogged) {
+        a.red += way->fog[0] * share;
+        a.green += way->fog[1] * share;
+        a.blue += way->fog[2] * share;
     }
     return a;
 }
 
 SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, struct added more, unsigned glossy)
 {
-    return rounded_texel((texel >> 11) * light + more.red_blue, (texel >> 5 & 63u) * light + more.green,
-                         (texel & 31u) * light + more.red_blue, glossy);
+    return rounded_texel((texel >> 11) * light + more.red, (texel >> 5 & 63u) * light + more.green,
+                         (texel & 31u) * light + more.blue, glossy);
 }
 
 /* Reads a texel by its number, or by its place in bytes of 565. */
@@ -348,7 +349,7 @@ SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const s
         at->light += step->light;
         OPAQUE(at->light);
     }
-    if (way->glossy) {
+    if (way->glossy || way->fogged) {
         at->specular += step->specular;
         OPAQUE(at->specular);
     }
@@ -363,21 +364,28 @@ SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last
 SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct way *way)
 {
     if (way->lit)
-        texel = lit_texel(texel, at->light, added_at(at->specular, threshold_at(depth, way), way->glossy), way->glossy);
+        texel = lit_texel(texel, at->light, added_at(at->specular, threshold_at(depth, way), way), way->glossy);
     *pixel_at(depth, way->to_pixel) = pixel_order(texel, way->swap);
 }
 
-SPECIALISED void nearest_run(const struct texel_run *r, const struct texel_at *from, struct way way)
+SPECIALISED struct texel_part whole_run(const struct texel_run *r, const struct texel_at *from)
 {
+    struct texel_part whole = {r->depth, r->count, from, &r->step};
+
+    return whole;
+}
+
+SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part, struct way way)
+{
+    const struct texel_at *from = part.from, *by = part.step;
     const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
     const uint8_t *texels = r->d->texel.texture->texels;
     const uint32_t columns = r->columns << down, rows = r->rows << down, mend = way.packed ? r->mend : 0;
-    const struct stepped step = {r->step.z, r->step.light, r->step.specular, way.packed ? r->packed : r->step.u,
-                                 r->step.v << width};
+    const struct stepped step = {by->z, by->light, by->specular, way.packed ? r->packed : by->u, by->v << width};
     struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(from, width) : from->u,
                          from->v << width};
-    uint16_t *depth = r->depth;
-    const uint16_t *last = depth + r->count;
+    uint16_t *depth = part.depth;
+    const uint16_t *last = depth + part.count;
 
     way_begin(&way, r);
     for (;;) {
@@ -406,8 +414,8 @@ SPECIALISED uint32_t unlit_mixed(uint32_t sum, const struct way *way, uint32_t t
 SPECIALISED uint32_t lit_mixed(uint32_t sum, uint32_t light, struct added more, unsigned glossy)
 {
     light >>= 5;
-    return rounded_texel((sum >> 11 & 1023u) * light + more.red_blue, (sum >> 21) * light + more.green,
-                         (sum & 1023u) * light + more.red_blue, glossy);
+    return rounded_texel((sum >> 11 & 1023u) * light + more.red, (sum >> 21) * light + more.green,
+                         (sum & 1023u) * light + more.blue, glossy);
 }
 
 /* What the four texels of a pixel are read by, as texel_at does. */
@@ -470,26 +478,24 @@ SPECIALISED uint32_t cell_mixed(const struct texel_cell *c, const struct stepped
 SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t sum, const struct way *way)
 {
     const uint32_t threshold = threshold_at(depth, way);
-    const uint32_t value = way->lit
-                               ? lit_mixed(sum, at->light, added_at(at->specular, threshold, way->glossy), way->glossy)
-                               : unlit_mixed(sum, way, threshold);
+    const uint32_t value = way->lit ? lit_mixed(sum, at->light, added_at(at->specular, threshold, way), way->glossy)
+                                    : unlit_mixed(sum, way, threshold);
 
     *pixel_at(depth, way->to_pixel) = pixel_order(value, way->swap);
 }
 
-SPECIALISED void bilinear_run(const struct texel_run *r, const struct texel_at *from, struct way way)
+SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part, struct way way)
 {
+    const struct texel_at *from = part.from, *by = part.step;
     const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
     const struct bilinear_at b = {r->d->texel.texture->texels, r->columns << down, r->rows << down,
                                   1u << (width + down), width};
     const struct texel_at middle = {from->z, from->u + TO_MIDDLE, from->v + TO_MIDDLE, from->light, from->specular};
-    const struct stepped step = {r->step.z, r->step.light, r->step.specular, way.packed ? r->packed : r->step.u,
-                                 r->step.v};
+    const struct stepped step = {by->z, by->light, by->specular, way.packed ? r->packed : by->u, by->v};
     struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(&middle, width) : middle.u,
                          middle.v};
-    uint16_t *depth = r->depth;
-    const uint16_t *last = depth + r->count;
-
+    uint16_t *depth = part.depth;
+    const uint16_t *last = depth + part.count;
     struct texel_cell cell = {~at.u, ~at.v, 0, 0, 0, 0}; /* none yet */
 
     way_begin(&way, r);
@@ -509,7 +515,53 @@ SPECIALISED void bilinear_run(const struct texel_run *r, const struct texel_at *
     }
 }
 
+/* ---- fog ---- */
+
+SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned dither, unsigned swap)
+{
+    struct way way = way_of(packed, 1, 0, dither, swap);
+
+    way.fogged = 1;
+    for (int k = 0; k < 3; k++)
+        way.fog[k] = r->d->fog->level[k] >> 10;
+    return way;
+}
+
+/* Texels under light and fog that are linear along the part. */
+static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part)
+{
+    const struct sheen_texture *texture = r->d->texel.texture;
+    struct way way = fogged_way(r, r->d->texel.packed, r->t->dither, r->t->format->swap);
+
+    way.other = (texture->bits & 15) != 0 || texture->keyed;
+    if (texture->bilinear)
+        bilinear_part(r, *part, way);
+    else
+        nearest_part(r, *part, way);
+}
+
+void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
+{
+    const struct sheen_texture *texture = r->d->texel.texture;
+
+    if (!FAST_LOOPS || !r->t->format->swap || (texture->bits & 15) != 0 || texture->keyed || texture->bilinear)
+        any_fogged_part(r, part);
+    else if (!r->d->texel.packed)
+        nearest_part(r, *part, fogged_way(r, 0, r->t->dither, 1));
+    else if (r->t->dither)
+        nearest_part(r, *part, fogged_way(r, 1, 1, 1));
+    else
+        nearest_part(r, *part, fogged_way(r, 1, 0, 1));
+}
+
+void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from)
+{
+    any_loop(r, from, 1);
+}
+
 /* ---- which ---- */
+
+#if FAST_LOOPS
 
 SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at, unsigned lit, unsigned glossy,
                             unsigned dither)
@@ -517,11 +569,11 @@ SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at
     const unsigned swap = r->t->format->swap;
 
     if (r->d->texel.packed)
-        swap ? nearest_run(r, at, way_of(1, lit, glossy, dither, 1))
-             : nearest_run(r, at, way_of(1, lit, glossy, dither, 0));
+        swap ? nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 1))
+             : nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 0));
     else
-        swap ? nearest_run(r, at, way_of(0, lit, glossy, dither, 1))
-             : nearest_run(r, at, way_of(0, lit, glossy, dither, 0));
+        swap ? nearest_part(r, whole_run(r, at), way_of(0, lit, glossy, dither, 1))
+             : nearest_part(r, whole_run(r, at), way_of(0, lit, glossy, dither, 0));
 }
 
 static APART void unlit_run(const struct texel_run *r, const struct texel_at *at)
@@ -550,7 +602,7 @@ static APART void other_run(const struct texel_run *r, const struct texel_at *at
     struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
 
     way.other = 1;
-    nearest_run(r, at, way);
+    nearest_part(r, whole_run(r, at), way);
 }
 
 static APART void mixed_run(const struct texel_run *r, const struct texel_at *at)
@@ -558,9 +610,11 @@ static APART void mixed_run(const struct texel_run *r, const struct texel_at *at
     const unsigned swap = r->t->format->swap;
 
     if (r->d->texel.packed)
-        swap ? bilinear_run(r, at, way_of(1, 0, 0, 0, 1)) : bilinear_run(r, at, way_of(1, 0, 0, 0, 0));
+        swap ? bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 1))
+             : bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 0));
     else
-        swap ? bilinear_run(r, at, way_of(0, 0, 0, 0, 1)) : bilinear_run(r, at, way_of(0, 0, 0, 0, 0));
+        swap ? bilinear_part(r, whole_run(r, at), way_of(0, 0, 0, 0, 1))
+             : bilinear_part(r, whole_run(r, at), way_of(0, 0, 0, 0, 0));
 }
 
 static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
@@ -569,7 +623,7 @@ static APART void other_mixed_run(const struct texel_run *r, const struct texel_
     struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
 
     way.other = 1;
-    bilinear_run(r, at, way);
+    bilinear_part(r, whole_run(r, at), way);
 }
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
