@@ -99,8 +99,8 @@ def rows_of(machine, counts):
 
 
 def memory_rows(lines):
-    """Of S1 in bands of 16 rows, whichever shading takes most."""
-    parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[4]) == ("S1", "16") and m[3] != " smooth"]
+    """Of S1 in bands of 16 rows, without edges or another frame, whichever shading takes most."""
+    parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[3], m[4]) == ("S1", None, "16")]
     arena, vertices, lists, bands, tables = map(max, zip(*parts))
     for what, size in (("whole", arena + tables), ("vertices", vertices), ("lists", lists), ("bands", bands),
                        ("rest", arena + tables - vertices - lists - bands)):
