@@ -414,6 +414,7 @@ struct sheen_config {
     /*
      * Edges drawn in a frame, and 1 for each 64 triangles of the mesh whose edges are listed [0: none]. With them bands
      * are drawn with a row more above and below, which edges look at and which is not sent; an underlay gets it too.
+     * Ends that the view volume cuts count with max_vertices and max_used.
      */
     uint16_t max_edges;
     /*

@@ -15,7 +15,7 @@
 #define HEIGHT 80
 
 static uint8_t picture[WIDTH * HEIGHT * 2];
-static uint64_t arena[24 * 1024];
+static uint64_t arena[40 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
 static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
@@ -167,6 +167,40 @@ static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
 static enum beside beside;
 static uint16_t weight; /* of another frame */
 
+/* As sheen_edges_of has them. */
+static const char *const edges_name[] = {"", "smooth ", "outline ", "wire "};
+#define EDGES (sizeof edges_name / sizeof edges_name[0])
+static unsigned edges;
+
+static uint32_t corner_index(const struct sheen_mesh *mesh, uint32_t corner)
+{
+    return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[corner]
+                                  : ((const uint16_t *)mesh->indices)[corner];
+}
+
+/* Each triangle is a polygon. */
+static void find_edges(struct sheen_mesh *mesh)
+{
+    static struct sheen_triangle_edges of_mesh[1400];
+    static uint32_t scratch[SHEEN_EDGES_WORDS(1400, 1400)];
+    static int16_t normals[3 * 1400];
+    static const uint32_t corners[3] = {0, 1, 2};
+
+    for (uint32_t t = 0; t < mesh->triangles; t++) {
+        int32_t points[9];
+        sheen_q30_t normal[3];
+        for (uint32_t i = 0; i < 9; i++)
+            points[i] = mesh->positions[3 * corner_index(mesh, 3 * t + i / 3) + i % 3];
+        if (sheen_polygon_normal(points, corners, 3, normal) < 0)
+            normal[0] = normal[1] = normal[2] = 0;
+        for (uint32_t i = 0; i < 3; i++)
+            normals[3 * t + i] = (int16_t)(normal[i] / (1 << 15) - (normal[i] == 1 << 30));
+    }
+    mesh->polygon_normals = normals;
+    sheen_mesh_edges(mesh, 0x37000000, scratch, of_mesh); /* sharp from 30.8 degrees on */
+    mesh->edges = of_mesh;
+}
+
 /* n / 10 in Q7.24; tcc takes no fractions in an initialiser. */
 #define TENTHS(n) ((sheen_q24_t)(((int64_t)(n) * (1 << 24) + 5) / 10))
 
@@ -194,9 +228,11 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
 {
     struct sheen_config config = {.target = target,
                                   .band_rows = (uint16_t)rows,
-                                  .max_vertices = draw->mesh->vertices,
+                                  .max_vertices = (uint16_t)(draw->mesh->vertices + (edges != 0 ? 500 : 0)),
                                   .max_triangles = 1400,
-                                  .max_clipped = 600};
+                                  .max_clipped = 600,
+                                  .max_edges = edges != 0 ? 8000 : 0,
+                                  .smooth = edges == 1};
     struct sheen_frame *frame;
     struct sheen_material material;
     struct sheen_shine shine;
@@ -244,7 +280,7 @@ static int print_sums(int mesh, int shading, int view, int format)
     const struct sheen_morph morph = {&second, &sheen_morpher, weight};
     struct sheen_texture texture = {.bits = 0};
     const enum light light = shading == TEXTURED || shading == MATCAP ? (enum light)mesh : LIGHT_TINTED;
-    struct sheen_object draw = {.mesh = &own};
+    struct sheen_object draw = {.mesh = &own, .edges = sheen_edges_of(edges)};
 
     target.ctx = &target;
     draw.shader = shading == COLORED    ? ((mesh + view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored)
@@ -259,6 +295,8 @@ static int print_sums(int mesh, int shading, int view, int format)
         make_second(&own, &second);
         draw.morph = &morph;
     }
+    if (edges != 0)
+        find_edges(&own);
     for (int i = 0; i < 6; i++) {
         memset(picture, 0, sizeof picture);
         int status = draw_picture(&target, &draw, &texture, light, view, rows[i % 3], i / 3);
@@ -267,8 +305,8 @@ static int print_sums(int mesh, int shading, int view, int format)
                     view, format_name[format], rows[i % 3], sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s %s %d %s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading],
-               weight != 0 ? "morph" : "view", view, beside_name[beside], format_name[format],
+        printf("%-5s %-7s %s %d %s%s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading],
+               weight != 0 ? "morph" : "view", view, beside_name[beside], edges_name[edges], format_name[format],
                i / 3 ? "dither" : "plain ", rows[i % 3], (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
@@ -296,6 +334,12 @@ int main(void)
     for (int i = 0; i < SUM_MESHES * (COLORED + 1); i++) {
         weight = (uint16_t)(5000 + 1000 * i);
         if (print_sums(i / (COLORED + 1), i % (COLORED + 1), (i + i / (COLORED + 1)) % VIEWS, i * 2 % 5) < 0)
+            return 1;
+    }
+    weight = 0;
+    for (int i = 0; i < SUM_MESHES * VIEWS * ((int)EDGES - 1); i++) {
+        edges = 1 + (unsigned)i % (EDGES - 1);
+        if (print_sums(i / ((int)EDGES - 1) % SUM_MESHES, i % 4, i / ((int)EDGES - 1) / SUM_MESHES, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

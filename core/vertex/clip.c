@@ -149,7 +149,7 @@ void sheen_clip(struct clip_job *job, unsigned first, unsigned end)
 int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2])
 {
     for (unsigned plane = 0; plane < CLIP_PLANES; plane++) {
-        unsigned first = end[0].v.flags >> plane & 1u, second = end[1].v.flags >> plane & 1u;
+        const unsigned first = (unsigned)end[0].v.flags >> plane & 1u, second = (unsigned)end[1].v.flags >> plane & 1u;
         struct clip_corner cut;
         if (first && second)
             return 0;
