@@ -23,9 +23,9 @@ SPECIALISED uint32_t under_fog(uint32_t level, int32_t apart, int32_t share)
     return level - (uint32_t)(asr32(apart, LOOP_FRACTION - 10) * share);
 }
 
-/* 565, nothing to clamp. */
+/* 565, nothing to clamp. even: of one colour. */
 SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
-                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap)
+                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap, unsigned even)
 {
     const intptr_t to_pixel = t->to_pixel;
     const uint16_t *end = depth + count;
@@ -43,9 +43,11 @@ SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t 
         }
         at.z += step.z;
         at.left += step.left;
-        at.apart[0] += step.apart[0];
-        at.apart[1] += step.apart[1];
-        at.apart[2] += step.apart[2];
+        if (!even) {
+            at.apart[0] += step.apart[0];
+            at.apart[1] += step.apart[1];
+            at.apart[2] += step.apart[2];
+        }
         if (threshold != NULL)
             x++;
     } while (++depth != end);
@@ -59,21 +61,6 @@ static inline int within(uint32_t a, uint32_t b, uint32_t most)
 
 #define FOG_MARGIN 4 /* of 2^15: more than 640 steps are off by, 2^-23 each */
 
-/* 1 where neither fog's share nor a channel has to be held in its range over `last` px more. */
-static int is_clear(const struct draw *d, const struct fog_at *at, const struct fog_at *step, int32_t last)
-{
-    const struct fog_terms *fog = d->fog;
-    const uint32_t near = (uint32_t)fog->start - FOG_MARGIN, end = at->z + (uint32_t)last * step->z;
-    int clear = d->colour.fraction == LOOP_FRACTION &&
-                within(near - (at->z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
-
-    for (int k = 0; k < 3; k++) {
-        const uint32_t channel = ((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - (uint32_t)at->apart[k];
-        clear &= within(channel, channel - ((uint32_t)last * (uint32_t)step->apart[k]), d->colour.top[k]);
-    }
-    return clear;
-}
-
 static void fog_steps(const struct linear_setup *l, struct fog_at *step)
 {
     const struct fog_terms *fog = l->s.draw->fog;
@@ -85,14 +72,24 @@ static void fog_steps(const struct linear_setup *l, struct fog_at *step)
         step->apart[k] = (int32_t)(0u - l->channel[k].dx);
 }
 
-static void fog_run(const struct linear_setup *l, int32_t x, int32_t y, struct fog_at *at)
+/* From (x, y) on; 1 where neither fog's share nor a channel has to be held in its range over `last` px more. */
+static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t last, struct fog_at *at)
 {
-    const struct fog_terms *fog = l->s.draw->fog;
+    const struct draw *d = l->s.draw;
+    const struct fog_terms *fog = d->fog;
+    const uint32_t near = (uint32_t)fog->start - FOG_MARGIN, z = plane_at(&l->s.depth, x, y);
+    const uint32_t end = z + (uint32_t)last * l->s.depth.dx;
+    int clear = d->colour.fraction == LOOP_FRACTION &&
+                within(near - (z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
 
-    at->z = plane_at(&l->s.depth, x, y);
-    at->left = (int32_t)((1u << 30) - ((uint32_t)fog->start - (at->z >> fog->shift)) * fog->scale);
-    for (int k = 0; k < 3; k++)
-        at->apart[k] = (int32_t)(((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - plane_at(&l->channel[k], x, y));
+    at->z = z;
+    at->left = (int32_t)((1u << 30) - ((uint32_t)fog->start - (z >> fog->shift)) * fog->scale);
+    for (int k = 0; k < 3; k++) {
+        const uint32_t channel = plane_at(&l->channel[k], x, y);
+        at->apart[k] = (int32_t)(((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - channel);
+        clear &= within(channel, channel + (uint32_t)last * l->channel[k].dx, d->colour.top[k]);
+    }
+    return clear;
 }
 
 SPECIALISED void held_row(const struct tile *t, const struct linear_setup *l, int32_t x, int32_t x1, int32_t y)
@@ -119,16 +116,17 @@ static void fogged_rows(const struct tile *t, const struct setup *s)
         const uint8_t *threshold = t->dither ? threshold_row(t, 1, y) : NULL;
         if (x >= x1)
             continue;
-        fog_run(l, x, y, &at);
-        if (t->format->grey || !is_clear(s->draw, &at, &step, x1 - 1 - x)) {
+        if (!fog_run(l, x, y, x1 - 1 - x, &at) || t->format->grey) {
             held_row(t, l, x, x1, y);
             continue;
         }
         uint16_t *depth = t->depth + tile_offset(t, x, y);
-        if (FAST_LOOPS && threshold == NULL && t->format->swap)
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1);
+        if (FAST_LOOPS && threshold == NULL && t->format->swap && s->way == SHEEN_WAY_FLAT)
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 1);
+        else if (FAST_LOOPS && threshold == NULL && t->format->swap)
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 0);
         else
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap);
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap, 0);
     }
 }
 
