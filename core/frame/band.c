@@ -57,10 +57,10 @@ static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
 static void fill(uint64_t *at, size_t count, uint16_t pixel)
 {
     const uint32_t pair = pixel | (uint32_t)pixel << 16;
-    const uint64_t four = pair | (uint64_t)pair << 32, *end = at + (count + 3) / 4, *blocks = at + (count / 16) * 4;
+    const uint64_t four = pair | (uint64_t)pair << 32, *end = at + (count + 3) / 4, *blocks = at + (count / 32) * 8;
 
-    for (; at != blocks; at += 4)
-        at[0] = at[1] = at[2] = at[3] = four;
+    for (; at != blocks; at += 8)
+        at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = four;
     while (at != end)
         *at++ = four;
 }
