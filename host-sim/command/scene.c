@@ -85,12 +85,16 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     const struct sheen_ramp *ramp = sheen_ramp_of(&scene->ramp, scene->options);
     for (size_t i = 0; i < host->part_count; i++) {
         const struct sheen_group *group = &host->group[host->part[i].group];
-        int use_group = paint->from_file && group->has_color;
+        const int shows_vertices = host->has_colors && !host->part[i].picture && scene->options->shade < SHEEN_MATCAP;
+        const int use_group = paint->from_file && (shows_vertices ? group->has_own : group->has_color);
         error = sheen_quantise(&scene->meshes[scene->count], host, (uint32_t)i);
         if (error)
             return error;
         struct sheen_material *material = &scene->materials[scene->count];
-        set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
+        set_material(material, &scene->shine, scene->options,
+                     !use_group       ? paint->color
+                     : shows_vertices ? group->own
+                                      : group->color);
         material->ramp = ramp;
         scene->morphs[scene->count] = (struct sheen_morph){&scene->meshes[scene->count].second, &sheen_morpher, 0};
         if (host->part[i].picture)
@@ -170,7 +174,7 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     if (error)
         return error;
     if (!options->quiet)
-        sheen_notes_print(&host.notes, options->color.from_file);
+        sheen_notes_print(&host.notes, options->color.from_file && !host.has_colors);
     scene->texel_count = host.picture_count;
     scene->has_colors = host.has_colors;
     error = sheen_scene_texels(&scene->texels, &host, options);
@@ -252,7 +256,8 @@ static void paint(struct sheen_scene *scene)
         material->texture = is_matcap ? &scene->matcap.texture : scene->own_texture[i];
         if (scene->own_color[i])
             continue;
-        memcpy(material->base, shows_white && !paint->given ? white : paint->color, sizeof material->base);
+        const int is_asked = paint->given && !(paint->from_file && scene->has_colors);
+        memcpy(material->base, shows_white && !is_asked ? white : paint->color, sizeof material->base);
     }
 }
 
