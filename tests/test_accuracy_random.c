@@ -12,8 +12,8 @@
  * around it; so do the 15 bits of a root a pixel where that way is forced on a magnified triangle. So in flat and
  * Gouraud, and where a way is forced, the share of equal pixels is that of all pictures of a kind together. An area
  * of one colour that lies on a rounding edge is all equal or all unequal by a hair: a picture that has too few equal
- * pixels is drawn once more with dither, which takes the edge away, and judged by that. Slerp is judged where no
- * triangle was cut.
+ * pixels is drawn once more with dither and with no pixel left out (those that are kept have few thresholds), which
+ * takes the edge away, and its share is judged by that. Slerp is judged where no triangle was cut.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,8 +100,9 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
         printf("  FAILED picture %u not drawn\n", number);
     } else if (score->compared >= FEWEST && !(shading == REF_SLERP && shot.stats.frame.clipped > 0)) {
         int few = has_few_equal(score, &random);
-        if (few && !random.scene.dither) {
+        if (few && (!random.scene.dither || random.scene.left_out > 0)) {
             random.scene.dither = true;
+            random.scene.left_out = 0;
             few = shoot(&dithered, &random) < 0 || has_few_equal(&dithered.score, &random);
             ties += !few;
         }
