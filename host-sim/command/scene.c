@@ -367,34 +367,48 @@ void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_
                      to_angle(options->roll), to_q24(options->distance));
 }
 
-static int draw_all(struct sheen_scene *scene, int number)
+static const struct sheen_shader *shader_at(const struct sheen_scene *scene, size_t i)
+{
+    const enum sheen_shading shading = sheen_scene_shading(scene);
+    const struct sheen_shader *colored = sheen_scene_is_colored(scene) ? sheen_colored_shader_of(shading) : NULL;
+
+    if (scene->options->edges == SHEEN_WIRE)
+        return &sheen_flat;
+    if (scene->materials[i].texture && shading < SHEEN_MATCAP)
+        return shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
+    return colored ? colored : sheen_shader_of(shading);
+}
+
+void sheen_scene_object(const struct sheen_scene *scene, int number, size_t i, struct sheen_object *object)
 {
     const struct sheen_options *options = scene->options;
-    const struct sheen_material hidden = hidden_faces(options);
-    int wire = options->edges == SHEEN_WIRE;
-    enum sheen_shading shading = wire ? SHEEN_FLAT : sheen_scene_shading(scene);
-    const struct sheen_shader *textured = shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
-    const struct sheen_shader *plain = !wire && sheen_scene_is_colored(scene) ? sheen_colored_shader_of(shading) : NULL;
-    struct sheen_object draw = {.lights = scene->lights,
-                                .light_count = (uint8_t)(wire ? 0 : options->lights.count),
-                                .stipple = &sheen_stipple,
-                                .transparency = (uint8_t)(wire ? 0 : 64 - (int)floor(64 * options->opacity + 0.5)),
-                                .phase = (uint8_t)options->phase,
-                                .two_sided = (uint8_t)options->two_sided,
-                                .edges = sheen_edges_of((unsigned)options->edges)};
+    const int wire = options->edges == SHEEN_WIRE;
 
-    if (plain == NULL)
-        plain = sheen_shader_of(shading);
+    *object = (struct sheen_object){.mesh = &scene->meshes[i].mesh,
+                                    .material = wire ? &scene->hidden : &scene->materials[i],
+                                    .shader = shader_at(scene, i),
+                                    .lights = scene->lights,
+                                    .light_count = (uint8_t)(wire ? 0 : options->lights.count),
+                                    .stipple = &sheen_stipple,
+                                    .transparency = (uint8_t)(wire ? 0 : 64 - (int)floor(64 * options->opacity + 0.5)),
+                                    .phase = (uint8_t)options->phase,
+                                    .two_sided = (uint8_t)options->two_sided,
+                                    .morph = options->morph ? &scene->morphs[i] : NULL,
+                                    .edges = sheen_edges_of((unsigned)options->edges)};
+    sheen_scene_pose(scene, number, &object->pose);
+}
+
+static int draw_all(struct sheen_scene *scene, int number)
+{
+    struct sheen_object object;
+
     paint(scene);
-    sheen_scene_pose(scene, number, &draw.pose);
+    scene->hidden = hidden_faces(scene->options);
     int error = sheen_begin(scene->frame, &scene->view);
     for (size_t i = 0; !error && i < scene->count; i++) {
-        draw.mesh = &scene->meshes[i].mesh;
-        draw.material = wire ? &hidden : &scene->materials[i];
-        scene->morphs[i].weight = (uint16_t)lround(options->morph_weight * 32768);
-        draw.morph = options->morph ? &scene->morphs[i] : NULL;
-        draw.shader = draw.material->texture && shading < SHEEN_MATCAP ? textured : plain;
-        error = sheen_draw(scene->frame, &draw);
+        scene->morphs[i].weight = (uint16_t)lround(scene->options->morph_weight * 32768);
+        sheen_scene_object(scene, number, i, &object);
+        error = sheen_draw(scene->frame, &object);
     }
     return error;
 }

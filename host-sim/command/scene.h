@@ -16,10 +16,11 @@ struct sheen_scene {
     /* What is drawn: one mesh, or one for each texture, and with --color file for each material. */
     struct sheen_quantised *meshes;
     struct sheen_material *materials;
-    uint8_t *own_color;         /* 1: the material's is of the file's */
-    struct sheen_shine shine;   /* of all of them */
-    struct sheen_ramp ramp;     /* likewise, where one is made */
-    struct sheen_morph *morphs; /* of each mesh, where there is another frame */
+    struct sheen_material hidden; /* faces whose edges alone are shown */
+    uint8_t *own_color;           /* 1: the material's is of the file's */
+    struct sheen_shine shine;     /* of all of them */
+    struct sheen_ramp ramp;       /* likewise, where one is made */
+    struct sheen_morph *morphs;   /* of each mesh, where there is another frame */
     size_t count;
     struct sheen_texels *texels; /* the textures that materials point to */
     size_t texel_count;
@@ -72,6 +73,9 @@ int sheen_scene_check_fog(const struct sheen_scene *scene, struct sheen_problem 
 
 /* How the meshes stand in frame `number`. */
 void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose);
+
+/* What mesh i is drawn as in frame `number`, once a frame has begun. */
+void sheen_scene_object(const struct sheen_scene *scene, int number, size_t i, struct sheen_object *object);
 
 /* Begins frame `number` and draws all meshes into it; sheen_end(scene->frame), or band by band, is left to do. */
 int sheen_scene_begin(struct sheen_scene *scene, int number);
