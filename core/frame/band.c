@@ -104,6 +104,7 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
     if (d->as.fog != NULL)
         d->as.fog->mixer->setup(s);
     SHEEN_TAP_SETUP(&c, &g);
+    SHEEN_TAP(PARTIAL, s->row < s->end_row);
     return 1;
 }
 
@@ -119,7 +120,7 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
         return;
     }
     while (f->stipple->hide(scratch_of(w), t, s))
-        s->rows(t, s);
+        SHEEN_TAP_ROWS(t, s);
 }
 
 /*
@@ -133,6 +134,7 @@ static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct
     uint8_t slot = *link;
     int carried = slot != NO_SLOT && slot_of(w, slot)->entry == e;
 
+    SHEEN_TAP(CARRIED, carried);
     if (carried) {
         s = slot_of(w, slot);
         t->first_row = s->row;

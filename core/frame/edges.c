@@ -150,6 +150,7 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
         const struct line *end = f->line + d->end_line;
         if ((kind->finish != NULL) == finished) {
             found = kind;
+            SHEEN_TAP(LINE_LOOKED_AT, end - line);
             lt->depth_bias = d->as.depth_bias;
             kind->draw(lt, line, end, d->line);
         }

@@ -16,6 +16,7 @@ static void morph_position(const struct draw *d, const int16_t *first, int16_t o
 {
     const int16_t *second = d->morph->mesh->positions + (first - d->mesh->positions);
 
+    SHEEN_TAP(MORPHED, 1);
     for (int k = 0; k < 3; k++)
         out[k] = (int16_t)asr32(morphed(d->morph->weight, first[k], second[k]) + WHOLE / 2, 15);
 }
@@ -26,6 +27,7 @@ static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t s
     int64_t sum[3];
     sheen_q30_t n[3];
 
+    SHEEN_TAP(MORPHED_NORMAL, 1);
     for (int k = 0; k < 3; k++)
         sum[k] = morphed(weight, first[k], second[k]);
     const int known = weight != 0 && sheen_normalize_wide(sum, n) == SHEEN_OK;

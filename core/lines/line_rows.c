@@ -27,6 +27,7 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
     const int32_t lowest = steep ? rect.x0 : rect.y0, highest = (steep ? rect.x1 : rect.y1) - 1;
     int32_t across = s->across, z = s->z;
 
+    SHEEN_TAP(LINE_STEP, s->end - s->first);
     for (int32_t i = s->first; i < s->end; i++, across += s->across_step, z += s->z_step) {
         int32_t pixel_across = asr32(across, 16), edge_z = asr32(z, 8), seen;
         if (pixel_across < begin || pixel_across >= end)

@@ -64,6 +64,7 @@ static void add_line(struct line_list *l, const uint16_t place[2], unsigned cont
         return;
     if (l->lines++ >= l->max_lines)
         return;
+    SHEEN_TAP(EDGE, 1);
     l->line[l->lines - 1] = (struct line){place[0], place[1], (int16_t)max32(y0, screen->viewport.y0),
                                           (uint16_t)((uint32_t)min32(y1 + 1, screen->viewport.y1) | contour)};
 }
@@ -146,6 +147,7 @@ void sheen_list_edges(struct line_list *l, const struct line_kind *which)
 {
     const uint32_t end = l->mesh->triangles;
 
+    SHEEN_TAP(EDGE_TRIANGLE, end);
     for (uint32_t t = 0; t < end; t++)
         if (faces_eye(l, t))
             l->front[t >> 5] |= 1u << (t & 31u);

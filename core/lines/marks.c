@@ -67,6 +67,7 @@ SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, 
     int32_t across = s->across - (steep ? t->rect.x0 : t->rect.y0) * 65536, z = s->z;
     int32_t along = s->first - (steep ? t->rect.y0 : t->rect.x0), end = s->end - s->first + along;
 
+    SHEEN_TAP(SMOOTH_STEP, end - along);
     for (; along < end; along++, across += s->across_step, z += s->z_step) {
         const int32_t place = asr32(across, 16);
         if ((uint32_t)(place - low) >= (uint32_t)(size - 1)) /* it has a neighbour inside */
@@ -172,6 +173,8 @@ void sheen_smooth_finish(const struct line_tile *lt)
     for (uint32_t row = 0; row < lt->rows; row++, line += pitch) {
         struct mixed *list = above == lt->mixed ? above + pitch : lt->mixed, *mixed = mix_row(lt, row, line, list);
         put_row(lt->tile, line - pitch, above, end);
+        SHEEN_TAP(SMOOTH_ROW, 1);
+        SHEEN_TAP(MIXED, mixed - list);
         above = list;
         end = mixed;
     }

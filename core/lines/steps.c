@@ -28,6 +28,7 @@ int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct li
     int32_t dx = b->x - a->x, dy = b->y - a->y, low = t->tile->centre_x, side = t->tile->centre_y;
     int32_t from = rect.x0, to = rect.x1, along, across, size;
 
+    SHEEN_TAP(LINE_BAND, 1);
     s->steep = magnitude32(dy) >= magnitude32(dx);
     size = s->steep ? dy : dx;
     if (size == 0)

@@ -57,6 +57,7 @@ static void vertex_channels(const struct draw *d, ptrdiff_t at, const struct glo
 {
     const uint8_t *color = d->mesh->colors;
 
+    SHEEN_TAP(COLORED, 1);
     for (int i = 0; i < 3; i++)
         channel[i] = (color != NULL ? by_colour(glow->base[i], color[at + i]) : glow->base[i]) + glow->highlight[i];
 }

@@ -36,6 +36,7 @@ static void matcap_begin(struct draw *d, const struct sheen_material *material, 
 /* A vertex keeps x and y of its normal, 1.0 added so that pieces may be between: UQ1.15. */
 static void matcap_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
+    SHEEN_TAP(COSINES, 1);
     for (int i = 0; i < 2; i++)
         kept[i] = (uint16_t)(32768 + cosine_of(normal, d->light.to[i]));
 }

@@ -78,6 +78,7 @@ void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
         quadric_run(&qv, r.run.x - m->x, &v.value, &v.step, &v.bend);
         while (r.left > 0) {
             const int32_t count = min32(r.left, size);
+            SHEEN_TAP(CURVED_BLOCK, 1);
             r.at.u = u.value >> down_u;
             r.at.v = v.value >> down_v;
             r.step.u = (uint32_t)asr32((int32_t)curve_on(&u, (uint32_t)count), down_u);
@@ -145,6 +146,7 @@ static void normal_row(const struct matcap_setup *m, struct row_left *r)
     texel_of_normal(&e, t);
     while (r->left > 0) {
         const int32_t to = min32(r->left - 1, size);
+        SHEEN_TAP(TURNED_BLOCK, 1);
         r->at.u = e.u;
         r->at.v = e.v;
         if (to > 0) {

@@ -117,6 +117,7 @@ static void fogged_rows(const struct tile *t, const struct setup *s)
         if (x >= x1)
             continue;
         if (!fog_run(l, x, y, x1 - 1 - x, &at) || t->format->grey) {
+            SHEEN_TAP(FOG_HELD, x1 - x);
             held_row(t, l, x, x1, y);
             continue;
         }

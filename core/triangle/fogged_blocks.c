@@ -59,6 +59,7 @@ static int32_t fogged_steps(const struct texel_run *r, uint32_t light, int32_t l
     step->light = step->specular = 0;
     for (; count > 1; count /= 2) {
         const uint32_t n = (uint32_t)count - 1, change = n * r->step.light;
+        SHEEN_TAP(FOGGED_TRY, 1);
         const struct fog_shares last = fog_shares_at(fog, at->z + n * r->step.z, light + change);
         if (is_bent(first.fogged, last.fogged, change))
             continue;
@@ -77,6 +78,7 @@ static void fogged_run(const struct texel_run *r, const struct texel_at *from)
 
     for (int32_t left = r->count; left > 0; left -= part.count) {
         part.count = fogged_steps(r, light, left, &at, &step);
+        SHEEN_TAP(FOGGED_PART, 1);
         sheen_fogged_part(r, &part);
         part.depth += part.count;
         at.z += (uint32_t)part.count * step.z;

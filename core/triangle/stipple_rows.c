@@ -41,6 +41,7 @@ SPECIALISED uint16_t *swap_row(uint16_t *depth, uint16_t *kept, int32_t width, u
                 kept = swap_column(depth + x, kept, (width + 7 - x) >> 3, back);
         return kept;
     }
+    SHEEN_TAP(NARROW, back ? 0 : width);
     for (const uint16_t *end = depth + width; depth != end; depth++, left_out = left_out >> 1 | left_out << 31)
         if (left_out & 1u)
             swap_depth(depth, kept++, back);
@@ -54,10 +55,12 @@ SPECIALISED void swap_rows(struct stippled_rows *r, const struct tile *t, const 
 
     for (int32_t y = t->first_row, end = y + (int32_t)t->rows; y < end; y++, span++, line += t->pitch) {
         const uint32_t left_out = 0x01010101u * d->left_out[y & 7], turn = (uint32_t)span->x0 & 7u;
+        SHEEN_TAP(STRIP_ROW, !back);
         if (left_out != 0)
             kept = swap_row(line + span->x0, kept, span->x1 - span->x0, left_out >> turn | left_out << (31 - turn) << 1,
                             back);
     }
+    SHEEN_TAP(HIDDEN, back ? 0 : kept - r->depth);
 }
 
 /* Columns at a time: rows of them have room, and of cells some. */
@@ -136,6 +139,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
         return 0;
     }
     t->rows = (uint16_t)take_rows(r, t, s, strip);
+    SHEEN_TAP(STRIP, 1);
     swap_rows(r, t, s->draw, 0);
     return 1;
 }

@@ -20,6 +20,8 @@ static APART struct inverse quotients_at(const struct textured_setup *s, int32_t
     struct inverse i = inverse_of(*weight);
     const unsigned up = s->s.detail;
 
+    SHEEN_TAP(SKEWED_END, 1);
+    SHEEN_TAP(SKEWED_LIGHT_END, !s->s.draw->texel.unlit);
     at->u = quotient_of(i, &s->u, x, y, up);
     at->v = quotient_of(i, &s->v, x, y, up);
     at->light = s->light.base;
@@ -96,6 +98,7 @@ static APART int32_t next_block(const struct textured_setup *s, struct block *b,
     struct inverse i = b->inverse;
     uint32_t weight = b->weight;
 
+    SHEEN_TAP(SKEWED_BLOCK, 1);
     b->at = b->end;
     b->at.z = plane_at(&s->s.depth, x, y);
     if (to == 0)

@@ -458,6 +458,7 @@ SPECIALISED void texel_cell_at(struct texel_cell *c, const struct stepped *at, c
     const uint32_t right = (left + (1u << down)) & b->columns, below = (top + b->below) & b->rows;
     const uint32_t first = spread_at(b, top + left, way), second = spread_at(b, top + right, way);
 
+    SHEEN_TAP(TEXEL_CELL, 1);
     c->u = at->u;
     c->v = at->v;
     c->first = first << 5;

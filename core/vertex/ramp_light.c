@@ -8,6 +8,7 @@ void sheen_light_by_ramp(const struct lighting *l, const struct power *power, co
     const int32_t lacks = lacking(normal);
     uint32_t diffuse = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 and, were a ramp wrong, 2^31 */
 
+    SHEEN_TAP(RAMP_LIGHT, l->count);
     for (unsigned i = 0; i < l->count && (normal[0] | normal[1] | normal[2]) != 0; i++) {
         const int32_t ln = sheen_unit_cosine(normal, lacks, l->to[i]);
         diffuse += l->diffuse_weight[i] * response_at(l->ramp, asr32(ln + (1 << 14), 15));

@@ -20,6 +20,8 @@ void sheen_light_tinted(const struct lighting *l, const struct power *power, con
 {
     const int32_t lacks = lacking(normal), nv = sheen_unit_cosine(normal, lacks, l->view);
 
+    SHEEN_TAP(TINTED, 1);
+    SHEEN_TAP(TINTED_LIGHT, l->count);
     *out = (struct tinted){{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}; /* at first UQ2.30: weights sum to 1.0 */
     for (unsigned i = 0; i < l->count && (normal[0] | normal[1] | normal[2]) != 0; i++) {
         const int32_t ln = sheen_unit_cosine(normal, lacks, l->to[i]), rounded = asr32(ln + (1 << 14), 15);
