@@ -14,7 +14,7 @@ set_tests_properties(bench PROPERTIES FIXTURES_REQUIRED boards)
 sheen_script(bench_short freestanding COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR} M3 M0+)
 
 # What `sheen plan` counts with, against emulated processors: arenas and flash are the same, times nearly.
-add_executable(planned_export bench/planned_export.c)
+add_executable(planned_export bench/planned_export.c bench/planned_bench.c)
 target_link_libraries(planned_export PRIVATE sheen::view)
 target_include_directories(planned_export PRIVATE bench)
 target_sources(planned_export PRIVATE bench/scenes.c ${bench_data})

@@ -340,11 +340,6 @@ static int plan_briefly(const struct baking *baking, const struct sheen_sim_choi
     int error = plan ? SHEEN_OK : sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options.mesh);
 
     options.quiet = 1;
-    options.morph = NULL;
-    if (baking->host.picture_count)
-        puts("time without its textures:");
-    if (baking->options->morph)
-        puts("time and code of the mesh alone:");
     for (int rows = 4; rows <= 16 && !error; rows *= 2) {
         options.band = baking->options->band ? baking->options->band : rows;
         error = sheen_plan_make(plan, &options, choice, PLANNED_VIEWS, problem);

@@ -27,11 +27,38 @@ static double try_rate(struct sheen_plan *tried, const struct sheen_plan *plan, 
     return sheen_plan_ram_short(tried, b) ? 0 : rate_of(tried, board);
 }
 
+/* What is shown more cheaply: changes from number n on; returns the number past them. */
+static unsigned looks(const struct sheen_plan *plan, struct sheen_options *changed, struct sheen_plan_change *changes,
+                      unsigned n)
+{
+    static const struct {
+        const char *name;
+        enum sheen_shading shade;
+    } cheaper[SHEEN_ALL_SHADINGS] = {[SHEEN_GOURAUD] = {"flat", SHEEN_FLAT},
+                                     [SHEEN_PHONG] = {"gouraud", SHEEN_GOURAUD},
+                                     [SHEEN_SLERP] = {"phong", SHEEN_PHONG},
+                                     [SHEEN_MATCAP] = {"matcap-vertex", SHEEN_MATCAP_VERTEX}};
+    const struct sheen_options *now = plan->options;
+
+    if (cheaper[plan->shade].name) {
+        changed[n].shade = (int)cheaper[plan->shade].shade;
+        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[plan->shade].name);
+    }
+    if (now->bilinear) {
+        changed[n].bilinear = 0;
+        snprintf(changes[n++].what, sizeof changes->what, "--filter nearest");
+    }
+    if (now->edges == SHEEN_SMOOTH || now->edges == SHEEN_OUTLINE) {
+        changed[n].edges = SHEEN_NO_EDGES;
+        snprintf(changes[n++].what, sizeof changes->what, "--edges none");
+    }
+    return n;
+}
+
 /* Command lines that differ in one thing. */
 static unsigned variants(const struct sheen_plan *plan, unsigned board, struct sheen_options *changed,
                          struct sheen_plan_change *changes)
 {
-    static const char *const cheaper[] = {NULL, "flat", "gouraud", "phong"};
     const struct sheen_plan_board *b = sheen_plan_board_at(board);
     const struct sheen_options *now = plan->options;
     const double hz = sheen_plan_bus_hz(plan, b);
@@ -60,10 +87,7 @@ static unsigned variants(const struct sheen_plan *plan, unsigned board, struct s
                  changed[n].bus_clock);
         n++;
     }
-    if (plan->shade != SHEEN_FLAT) {
-        changed[n].shade = (int)plan->shade - 1;
-        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[plan->shade]);
-    }
+    n = looks(plan, changed, changes, n);
     if (plan->target.pixel <= SHEEN_RGB565_LE && now->undithered <= 0) {
         changed[n].undithered = 1;
         snprintf(changes[n++].what, sizeof changes->what, "--dither off");

@@ -7,7 +7,6 @@
 #include <stdint.h>
 
 #include "feature_list.h"
-#include "shadings.h"
 
 /* Whose costs: of the RP2040 cycles (rp2040js), of the others instructions (QEMU). */
 enum sheen_plan_cpu {
@@ -19,6 +18,33 @@ enum sheen_plan_cpu {
     SHEEN_CPU_RV32IMC,
     SHEEN_CPU_LX106,
     SHEEN_PLAN_CPUS
+};
+
+/* Shaders, in the order of room_of's table (memory.c) and of tests/bench/costs. */
+enum sheen_plan_room {
+    SHEEN_PLAN_ROOM_FLAT,
+    SHEEN_PLAN_ROOM_GOURAUD,
+    SHEEN_PLAN_ROOM_PHONG,
+    SHEEN_PLAN_ROOM_SLERP,
+    SHEEN_PLAN_ROOM_FLAT_COLORED,
+    SHEEN_PLAN_ROOM_GOURAUD_COLORED,
+    SHEEN_PLAN_ROOM_TEXTURED_FLAT,
+    SHEEN_PLAN_ROOM_TEXTURED,
+    SHEEN_PLAN_ROOM_MATCAP,
+    SHEEN_PLAN_ROOM_MATCAP_VERTEX,
+    SHEEN_PLAN_ROOMS
+};
+
+/* What a program may name besides, likewise. */
+enum sheen_plan_extra {
+    SHEEN_PLAN_EXTRA_FOG,
+    SHEEN_PLAN_EXTRA_STIPPLE,
+    SHEEN_PLAN_EXTRA_RAMP,
+    SHEEN_PLAN_EXTRA_MORPH,
+    SHEEN_PLAN_EXTRA_SMOOTH,
+    SHEEN_PLAN_EXTRA_OUTLINE,
+    SHEEN_PLAN_EXTRA_WIRE,
+    SHEEN_PLAN_EXTRAS
 };
 
 /* Kinds of drivers, in the order of sheen_plan_driver_kind's table. */
@@ -35,8 +61,12 @@ enum sheen_plan_driver {
 extern const char sheen_plan_found[]; /* the day, and the compilers */
 extern const float sheen_plan_cost[SHEEN_PLAN_COUNTS][SHEEN_PLAN_CPUS];
 
-/* B of flash as a firmware links it, -O2 and -Os: the core with its tables and libgcc; a panel and its driver. */
-extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_SHADINGS];
+/*
+ * B of flash as a firmware links it, -O2 and -Os: the core with its tables and libgcc, by the shader; what is named
+ * besides, with Gouraud; a panel and its driver.
+ */
+extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_ROOMS];
+extern const uint32_t sheen_plan_extra_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_EXTRAS];
 extern const uint32_t sheen_plan_panel_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_DRIVERS];
 
 #endif

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "shading/matcap.h"
 #include "shading/phong.h"
 #include "shading/slerp.h"
 #include "taps.h"
@@ -16,6 +17,12 @@
 uint32_t sheen_plan_counted[SHEEN_PLAN_COUNTS];
 static struct sheen_plan_counts taken; /* of them by sheen_plan_counts_take */
 static int is_new;                     /* the set-up that is drawn next has just been made */
+
+/* Loops for any target draw on 565: its own do not know the ramp, or there is a pattern or fog. */
+static int is_general(const struct setup *s)
+{
+    return !s->draw->is_565 || !s->draw->loop.usable;
+}
 
 /* ---- kinds of rows ---- */
 
@@ -35,8 +42,8 @@ static unsigned linear_kind(const struct tile *t, const struct setup *s)
 
 static unsigned dithered_constant_kind(const struct tile *t, const struct setup *s)
 {
-    (void)s;
-    return t->format->grey ? SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_DITHERED_SETUP;
+    (void)t;
+    return s->fast ? SHEEN_PLAN_CONSTANT_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP;
 }
 
 static unsigned shades_kind(const struct tile *t, const struct setup *s)
@@ -62,7 +69,7 @@ static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
     if (s->detail == SECOND_NONE && s->draw->shades != NULL)
         return t->dither ? SHEEN_PLAN_CURVED_SHADES_DITHERED_SETUP : SHEEN_PLAN_CURVED_SHADES_SETUP;
-    if (!s->draw->loop.usable)
+    if (is_general(s))
         return s->detail == SECOND_NONE ? SHEEN_PLAN_CURVED_GENERAL_SETUP : SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP;
     if (s->detail == SECOND_SPECULAR)
         return SHEEN_PLAN_CURVED_SPECULAR_SETUP;
@@ -73,7 +80,7 @@ static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 
 static unsigned cells_kind(const struct tile *t, const struct setup *s)
 {
-    if (!s->draw->loop.usable)
+    if (is_general(s))
         return SHEEN_PLAN_CELLS_GENERAL_SETUP;
     return t->dither ? SHEEN_PLAN_CELLS_DITHERED_SETUP : SHEEN_PLAN_CELLS_SETUP;
 }
@@ -94,7 +101,7 @@ static unsigned slerp_kind(const struct tile *t, const struct setup *s)
 {
     if (s->way != SHEEN_WAY_SLERP)
         return SHEEN_PLAN_SLERP_NORMALS_SETUP;
-    if (!s->draw->loop.usable)
+    if (is_general(s))
         return SHEEN_PLAN_SLERP_GENERAL_SETUP;
     return t->dither ? SHEEN_PLAN_SLERP_DITHERED_SETUP : SHEEN_PLAN_SLERP_SETUP;
 }
@@ -123,7 +130,75 @@ static unsigned kind_of(const struct tile *t, const struct setup *s)
     for (const struct rows_kind *k = rows_kinds; k < rows_kinds + sizeof rows_kinds / sizeof rows_kinds[0]; k++)
         if (k->rows == s->rows)
             return k->choose ? k->choose(t, s) : k->kind;
+    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's, which names no functions */
+        return quotient_kind(t, s);
+    if (s->draw->fog && s->way <= SHEEN_WAY_GOURAUD_LINEAR)
+        return t->dither                  ? SHEEN_PLAN_FOGGED_DITHERED_SETUP
+               : s->way == SHEEN_WAY_FLAT ? SHEEN_PLAN_FOGGED_CONSTANT_SETUP
+                                          : SHEEN_PLAN_FOGGED_SETUP;
     return SHEEN_PLAN_SLERP_SETUP;
+}
+
+/* ---- texels ---- */
+
+enum {
+    OF_TEXELS_COVERED,
+    OF_TEXELS_SHADED
+};
+
+static int is_texels(const struct setup *s)
+{
+    return s->way >= SHEEN_WAY_TEXTURED_LINEAR;
+}
+
+static unsigned texels_kind(const struct tile *t, const struct setup *s)
+{
+    static const uint16_t kinds[] = {
+        [TEXTURED_ANY] = SHEEN_PLAN_TEXELS_ANY_COVERED,
+        [TEXTURED_UNLIT] = SHEEN_PLAN_TEXELS_UNLIT_COVERED,
+        [TEXTURED_LIT] = SHEEN_PLAN_TEXELS_LIT_COVERED,
+        [TEXTURED_GLOSSY] = SHEEN_PLAN_TEXELS_GLOSSY_COVERED,
+        [TEXTURED_OTHER] = SHEEN_PLAN_TEXELS_OTHER_LIT_COVERED,
+        [TEXTURED_BILINEAR] = SHEEN_PLAN_TEXELS_BILINEAR_COVERED,
+        [TEXTURED_BILINEAR_OTHER] = SHEEN_PLAN_TEXELS_BILINEAR_LIT_COVERED,
+        [TEXTURED_FOGGED] = SHEEN_PLAN_TEXELS_FOGGED_COVERED,
+    };
+    const struct texel_terms *terms = &s->draw->texel;
+    const struct sheen_texture *texture = terms->texture;
+
+    if (s->fast == TEXTURED_ANY && t->format->grey)
+        return SHEEN_PLAN_TEXELS_ANY_GREY_COVERED;
+    if (s->fast == TEXTURED_FOGGED && ((texture->bits & 15) != 0 || texture->keyed || texture->bilinear))
+        return SHEEN_PLAN_TEXELS_FOGGED_OTHER_COVERED;
+    if (s->fast == TEXTURED_OTHER && terms->unlit)
+        return SHEEN_PLAN_TEXELS_OTHER_COVERED;
+    if ((s->fast == TEXTURED_BILINEAR && t->dither) || (s->fast == TEXTURED_BILINEAR_OTHER && terms->unlit))
+        return SHEEN_PLAN_TEXELS_BILINEAR_OTHER_COVERED;
+    return kinds[s->fast];
+}
+
+static void count_texels(const struct tile *t, const struct setup *s, uint32_t rows, uint32_t covered, uint32_t shaded)
+{
+    static const uint16_t ways[] = {SHEEN_PLAN_TEXELS_STRAIGHT, SHEEN_PLAN_TEXELS_SKEWED, SHEEN_PLAN_TEXELS_CURVED,
+                                    SHEEN_PLAN_TEXELS_TURNED};
+    const struct texel_terms *terms = &s->draw->texel;
+    const unsigned kind = texels_kind(t, s);
+    const unsigned way = s->way == SHEEN_WAY_TEXTURED_LINEAR && s->draw->shader->axes
+                             ? SHEEN_PLAN_TEXELS_SPHERE
+                             : ways[s->way - SHEEN_WAY_TEXTURED_LINEAR];
+
+    sheen_plan_counted[way] += (uint32_t)is_new;
+    sheen_plan_counted[kind + OF_TEXELS_COVERED] += covered;
+    sheen_plan_counted[kind + OF_TEXELS_SHADED] += shaded;
+    SHEEN_TAP(TEXELS_LIGHT, is_new && !terms->unlit && s->way == SHEEN_WAY_TEXTURED_LINEAR);
+    SHEEN_TAP(TEXELS_SKEWED_LIGHT, is_new && !terms->unlit && s->way == SHEEN_WAY_TEXTURED_QUOTIENT);
+    SHEEN_TAP(TEXEL_ROW, rows);
+    SHEEN_TAP(TEXEL_DITHERED, t->dither && s->fast != TEXTURED_ANY && s->fast != TEXTURED_UNLIT ? shaded : 0);
+    SHEEN_TAP(TEXEL_APART, terms->packed ? 0 : covered);
+    SHEEN_TAP(TEXEL_MIXED_APART, terms->packed || !terms->texture->bilinear ? 0 : shaded);
+    SHEEN_TAP(TEXEL_NIBBLE, terms->texture->bits == 4 ? covered : 0);
+    SHEEN_TAP(TEXEL_MIXED, s->fast == TEXTURED_ANY && terms->texture->bilinear ? shaded : 0);
+    SHEEN_TAP(FOG, s->fast == TEXTURED_ANY && s->draw->fog ? shaded : 0);
 }
 
 /* ---- taps ---- */
@@ -140,43 +215,70 @@ void sheen_plan_setup(const struct surface_corners *corners, const struct gradie
     SHEEN_TAP(WIDE, gradients->bits > NARROW_BITS);
 }
 
+/* Of rows that are not texels: pixels that cost more than their kind's. */
+static void count_shaded(const struct tile *t, const struct setup *s, unsigned kind, uint32_t shaded)
+{
+    const uint32_t lights = shaded * s->draw->light.count;
+    const int by_normal = kind == SHEEN_PLAN_LIGHTS_SETUP || kind == SHEEN_PLAN_SLERP_NORMALS_SETUP;
+    const int general = kind == SHEEN_PLAN_CURVED_GENERAL_SETUP || kind == SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP ||
+                        kind == SHEEN_PLAN_CELLS_GENERAL_SETUP || kind == SHEEN_PLAN_SLERP_GENERAL_SETUP ||
+                        kind == SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP ||
+                        ((by_normal || kind == SHEEN_PLAN_NEEDLE_SETUP) && !s->draw->loop.usable);
+    const int own_fog = kind >= SHEEN_PLAN_FOGGED_SETUP && kind <= SHEEN_PLAN_FOGGED_CONSTANT_SETUP;
+
+    SHEEN_TAP(PIXEL_LIGHT, by_normal ? lights : 0);
+    SHEEN_TAP(GENERAL_565, general && !t->format->grey ? shaded : 0);
+    SHEEN_TAP(FOG, s->draw->fog && !own_fog ? shaded : 0);
+    SHEEN_TAP(RAMP, s->draw->by_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
+}
+
 void sheen_plan_rows(const struct tile *tile, const struct setup *setup)
 {
-    uint32_t *of = sheen_plan_counted + kind_of(tile, setup), before = *tile->shaded;
+    uint32_t rows = 0, covered = 0, before = *tile->shaded;
 
-    of[OF_SETUP] += (uint32_t)is_new;
-    SHEEN_TAP(CARRIED, !is_new);
-    SHEEN_TAP(PARTIAL, is_new && setup->row < setup->end_row);
-    is_new = 0;
     for (const struct span *span = tile->spans; span < tile->spans + tile->rows; span++) {
         int is_empty = span->x0 >= span->x1;
         SHEEN_TAP(EMPTY_ROW, is_empty);
-        of[OF_ROW] += !is_empty;
-        of[OF_COVERED] += is_empty ? 0 : (uint32_t)(span->x1 - span->x0);
+        rows += !is_empty;
+        covered += is_empty ? 0 : (uint32_t)(span->x1 - span->x0);
     }
     setup->rows(tile, setup);
-    of[OF_SHADED] += *tile->shaded - before;
-    if (of == sheen_plan_counted + SHEEN_PLAN_LIGHTS_SETUP || of == sheen_plan_counted + SHEEN_PLAN_SLERP_NORMALS_SETUP)
-        SHEEN_TAP(PIXEL_LIGHT, (*tile->shaded - before) * setup->draw->light.count);
+    const uint32_t shaded = *tile->shaded - before;
+    if (is_texels(setup)) {
+        count_texels(tile, setup, rows, covered, shaded);
+    } else {
+        const unsigned kind = kind_of(tile, setup);
+        uint32_t *of = sheen_plan_counted + kind;
+        of[OF_SETUP] += (uint32_t)is_new;
+        of[OF_ROW] += rows;
+        of[OF_COVERED] += covered;
+        of[OF_SHADED] += shaded;
+        count_shaded(tile, setup, kind, shaded);
+    }
+    is_new = 0;
 }
 
 /* ---- what is asked for ---- */
 
 #define FEATURE_NAME(name, stage) #name,
 #define KIND_NAMES(name) #name "_SETUP", #name "_ROW", #name "_COVERED", #name "_SHADED",
+#define TEXELS_NAMES(name) "TEXELS_" #name "_COVERED", "TEXELS_" #name "_SHADED",
 #define FEATURE_STAGE(name, stage) SHEEN_PLAN_##stage,
 #define KIND_STAGES(name) SHEEN_PLAN_TRIANGLES, SHEEN_PLAN_ROWS, SHEEN_PLAN_PIXELS, SHEEN_PLAN_PIXELS,
+#define TEXELS_STAGES(name) SHEEN_PLAN_PIXELS, SHEEN_PLAN_PIXELS,
 
 const char *sheen_plan_feature_name(unsigned feature)
 {
-    static const char *const names[] = {SHEEN_PLAN_FEATURES(FEATURE_NAME) SHEEN_PLAN_KINDS(KIND_NAMES)};
+    static const char *const names[] = {SHEEN_PLAN_FEATURES(FEATURE_NAME) SHEEN_PLAN_KINDS(KIND_NAMES)
+                                            SHEEN_PLAN_TEXELS(TEXELS_NAMES)};
 
     return names[feature];
 }
 
 enum sheen_plan_stage sheen_plan_feature_stage(unsigned feature)
 {
-    static const uint8_t stages[] = {SHEEN_PLAN_FEATURES(FEATURE_STAGE) SHEEN_PLAN_KINDS(KIND_STAGES)};
+    static const uint8_t stages[] = {SHEEN_PLAN_FEATURES(FEATURE_STAGE) SHEEN_PLAN_KINDS(KIND_STAGES)
+                                         SHEEN_PLAN_TEXELS(TEXELS_STAGES)};
 
     return (enum sheen_plan_stage)stages[feature];
 }

@@ -3,7 +3,8 @@
  * time.
  *
  * A feature is a line here and a count: a SHEEN_TAP in the core, or a sum in count.c. A kind of rows is a line in
- * SHEEN_PLAN_KINDS and one in count.c's table. What each costs on which processor tests/bench/costs finds (costs.c).
+ * SHEEN_PLAN_KINDS and one in count.c's table; rows of texels are of a way, which features stand for, and of a kind in
+ * SHEEN_PLAN_TEXELS. What each costs on which processor tests/bench/costs finds (costs.c).
  */
 #ifndef SHEEN_PLAN_FEATURE_LIST_H
 #define SHEEN_PLAN_FEATURE_LIST_H
@@ -32,35 +33,78 @@ enum sheen_plan_stage {
     F(COSINES, TRANSFORM)      /* vertices whose cosines are kept */                                                   \
     F(LISTED, TRANSFORM)       /* triangles */                                                                         \
     F(CLIPPED, TRANSFORM)      /* triangles cut */                                                                     \
-    F(BAND, TRIANGLES)         /* with or without triangles */                                                         \
-    F(PENDING_WORD, TRIANGLES) /* looked through for triangles that are not done, 32 a word and band */                \
-    F(CARRIED, TRIANGLES)      /* triangles that go on from the band above */                                          \
-    F(PARTIAL, TRIANGLES)      /* set-ups of triangles that go on below */                                             \
-    F(LONG_EDGE, TRIANGLES)    /* of 32 px and more */                                                                 \
-    F(WIDE, TRIANGLES)         /* set-ups of triangles of 256 px and more */                                           \
-    F(CHANNELS, TRIANGLES)     /* set-ups of three planes of channels */                                               \
-    F(EMPTY_ROW, ROWS)         /* without a pixel */                                                                   \
-    F(PUSH, PIXELS)            /* rectangles handed to the driver */                                                   \
-    F(CLEARED, PIXELS)         /* px of 565 */                                                                         \
-    F(CLEARED_GREY, PIXELS)    /* px */                                                                                \
-    F(PACKED_16, PIXELS)       /* px of 16 greys, by core and driver */                                                \
-    F(PACKED_2, PIXELS)        /* px of 2 greys */                                                                     \
-    F(PIXEL_18, PIXELS)        /* px that the driver makes 3 bytes of */                                               \
-    F(POWER, PIXELS)           /* looked up in a power table */                                                        \
-    F(HIGHLIGHT, PIXELS)       /* px of quadratic triangles in a highlight */                                          \
-    F(CELL, PIXELS)            /* of Phong's cells */                                                                  \
-    F(CELL_ROW, PIXELS)        /* their rows */                                                                        \
-    F(CELL_DULL, PIXELS)       /* px of those without highlight, not by squares */                                     \
-    F(CELL_POWER, PIXELS)      /* px of those with one, not by squares */                                              \
-    F(NODE, PIXELS)            /* of cells */                                                                          \
-    F(SQUARE_CORNER, PIXELS)   /* within cells */                                                                      \
-    F(SQUARE_ROW, PIXELS)      /* rows of cells by squares */                                                          \
-    F(SQUARE_PART, PIXELS)     /* their squares that are cut or taken one by one */                                    \
-    F(PIXEL_LIGHT, PIXELS)     /* px shaded by several lights, times these */                                          \
-    F(ARC_PART, PIXELS)        /* of slerp's rows, quadratic */                                                        \
-    F(SKEWED_PART, PIXELS)     /* parts of slerp's rows in perspective, of both kinds */                               \
-    F(ARC_POWER, PIXELS)       /* px of quadratic parts with a highlight */                                            \
-    F(NORMAL_PART, PIXELS)     /* of slerp's rows, whose normals are linear */
+    F(RAMP_LIGHT, TRANSFORM)   /* normals lit by a ramp, times their lights */                                         \
+    F(TINTED, TRANSFORM)       /* normals lit by lights with colours */                                                \
+    F(TINTED_LIGHT, TRANSFORM) /* times these */                                                                       \
+    F(MORPHED, TRANSFORM)      /* positions between two frames of a mesh */                                            \
+    F(MORPHED_NORMAL, TRANSFORM)                                                                                       \
+    F(EDGE_TRIANGLE, TRANSFORM)       /* triangles whose edges were looked for */                                      \
+    F(EDGE, TRANSFORM)                /* edges listed */                                                               \
+    F(BAND, TRIANGLES)                /* with or without triangles */                                                  \
+    F(PENDING_WORD, TRIANGLES)        /* looked through for triangles that are not done, 32 a word and band */         \
+    F(CARRIED, TRIANGLES)             /* triangles that go on from the band above */                                   \
+    F(PARTIAL, TRIANGLES)             /* set-ups of triangles that go on below */                                      \
+    F(LONG_EDGE, TRIANGLES)           /* of 32 px and more */                                                          \
+    F(WIDE, TRIANGLES)                /* set-ups of triangles of 256 px and more */                                    \
+    F(CHANNELS, TRIANGLES)            /* set-ups of three planes of channels */                                        \
+    F(COLORED, TRIANGLES)             /* corners whose channels are made of colours */                                 \
+    F(TEXELS_STRAIGHT, TRIANGLES)     /* set-ups of texels: linear, */                                                 \
+    F(TEXELS_SPHERE, TRIANGLES)       /* linear, of a matcap, */                                                       \
+    F(TEXELS_SKEWED, TRIANGLES)       /* in perspective, */                                                            \
+    F(TEXELS_CURVED, TRIANGLES)       /* quadratic: a matcap's, */                                                     \
+    F(TEXELS_TURNED, TRIANGLES)       /* and by normals */                                                             \
+    F(TEXELS_LIGHT, TRIANGLES)        /* with light, linear, */                                                        \
+    F(TEXELS_SKEWED_LIGHT, TRIANGLES) /* or in perspective */                                                          \
+    F(LINE_LOOKED_AT, TRIANGLES)      /* lines, times bands */                                                         \
+    F(LINE_BAND, TRIANGLES)           /* lines drawn, times bands */                                                   \
+    F(EMPTY_ROW, ROWS)                /* without a pixel */                                                            \
+    F(STRIP, ROWS)                    /* parts of a triangle whose pattern was laid out at a time */                   \
+    F(STRIP_ROW, ROWS)                /* of these */                                                                   \
+    F(TEXEL_ROW, ROWS)                                                                                                 \
+    F(SKEWED_BLOCK, ROWS)        /* of rows of texels in perspective */                                                \
+    F(SKEWED_END, ROWS)          /* where one may end */                                                               \
+    F(SKEWED_LIGHT_END, ROWS)    /* with light */                                                                      \
+    F(CURVED_BLOCK, ROWS)        /* quadratic */                                                                       \
+    F(TURNED_BLOCK, ROWS)        /* by normals */                                                                      \
+    F(FOGGED_PART, ROWS)         /* of texels under fog */                                                             \
+    F(FOGGED_TRY, ROWS)          /* ends of these that were tried */                                                   \
+    F(PUSH, PIXELS)              /* rectangles handed to the driver */                                                 \
+    F(CLEARED, PIXELS)           /* px of 565 */                                                                       \
+    F(CLEARED_GREY, PIXELS)      /* px */                                                                              \
+    F(PACKED_16, PIXELS)         /* px of 16 greys, by core and driver */                                              \
+    F(PACKED_2, PIXELS)          /* px of 2 greys */                                                                   \
+    F(PIXEL_18, PIXELS)          /* px that the driver makes 3 bytes of */                                             \
+    F(POWER, PIXELS)             /* looked up in a power table */                                                      \
+    F(HIGHLIGHT, PIXELS)         /* px of quadratic triangles in a highlight */                                        \
+    F(CELL, PIXELS)              /* of Phong's cells */                                                                \
+    F(CELL_ROW, PIXELS)          /* their rows */                                                                      \
+    F(CELL_DULL, PIXELS)         /* px of those without highlight, not by squares */                                   \
+    F(CELL_POWER, PIXELS)        /* px of those with one, not by squares */                                            \
+    F(NODE, PIXELS)              /* of cells */                                                                        \
+    F(SQUARE_CORNER, PIXELS)     /* within cells */                                                                    \
+    F(SQUARE_ROW, PIXELS)        /* rows of cells by squares */                                                        \
+    F(SQUARE_PART, PIXELS)       /* their squares that are cut or taken one by one */                                  \
+    F(PIXEL_LIGHT, PIXELS)       /* px shaded by several lights, times these */                                        \
+    F(ARC_PART, PIXELS)          /* of slerp's rows, quadratic */                                                      \
+    F(SKEWED_PART, PIXELS)       /* parts of slerp's rows in perspective, of both kinds */                             \
+    F(ARC_POWER, PIXELS)         /* px of quadratic parts with a highlight */                                          \
+    F(NORMAL_PART, PIXELS)       /* of slerp's rows, whose normals are linear */                                       \
+    F(GENERAL_565, PIXELS)       /* px of 565 shaded by loops that also take greys */                                  \
+    F(FOG_HELD, PIXELS)          /* px covered in rows where fog begins or ends, or of greys */                        \
+    F(FOG, PIXELS)               /* px shaded under fog by loops that also do without */                               \
+    F(RAMP, PIXELS)              /* px shaded by a ramp, times lights */                                               \
+    F(HIDDEN, PIXELS)            /* px left out by a pattern */                                                        \
+    F(NARROW, PIXELS)            /* px of a pattern's narrow rows */                                                   \
+    F(TEXEL_DITHERED, PIXELS)    /* px shaded of texels that are dithered */                                           \
+    F(TEXEL_APART, PIXELS)       /* px covered by texels whose coordinates take two words */                           \
+    F(TEXEL_MIXED_APART, PIXELS) /* px shaded of four such texels */                                                   \
+    F(TEXEL_NIBBLE, PIXELS)      /* px covered by texels of 4 bits */                                                  \
+    F(TEXEL_CELL, PIXELS)        /* times that four texels are read for pixels in a row */                             \
+    F(TEXEL_MIXED, PIXELS)       /* px of four texels of any kind */                                                   \
+    F(SMOOTH_STEP, PIXELS)       /* px that contours cross */                                                          \
+    F(SMOOTH_ROW, PIXELS)        /* of bands, with marks or without */                                                 \
+    F(LINE_STEP, PIXELS)         /* px that other lines cross */                                                       \
+    F(MIXED, PIXELS)             /* px smoothed */
 
 /* K(NAME): kinds of rows, each with its set-ups, rows, px covered and px shaded. */
 #define SHEEN_PLAN_KINDS(K)                                                                                            \
@@ -95,14 +139,34 @@ enum sheen_plan_stage {
     K(SLERP)         /* great arcs; and what is not in count.c's table */                                              \
     K(SLERP_DITHERED)                                                                                                  \
     K(SLERP_GENERAL) /* greys, and what is clamped */                                                                  \
-    K(SLERP_NORMALS) /* of several lights, or wider than a right angle */
+    K(SLERP_NORMALS) /* of several lights, or wider than a right angle */                                              \
+    K(FOGGED)        /* channels under fog */                                                                          \
+    K(FOGGED_DITHERED)                                                                                                 \
+    K(FOGGED_CONSTANT)
+
+/* T(NAME): what pixels of texels take (triangle/textured.h), each with px covered and px shaded. */
+#define SHEEN_PLAN_TEXELS(T)                                                                                           \
+    T(ANY)                                                                                                             \
+    T(ANY_GREY)                                                                                                        \
+    T(UNLIT)                                                                                                           \
+    T(LIT)                                                                                                             \
+    T(GLOSSY)                                                                                                          \
+    T(OTHER) /* of a palette or with a key, unlit */                                                                   \
+    T(OTHER_LIT)                                                                                                       \
+    T(BILINEAR)       /* unlit, of 565, not dithered */                                                                \
+    T(BILINEAR_OTHER) /* unlit */                                                                                      \
+    T(BILINEAR_LIT)                                                                                                    \
+    T(FOGGED)                                                                                                          \
+    T(FOGGED_OTHER) /* of a palette, with a key, or bilinear */
 
 #define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
 #define SHEEN_PLAN_KIND_NUMBERS(name)                                                                                  \
     SHEEN_PLAN_##name##_SETUP, SHEEN_PLAN_##name##_ROW, SHEEN_PLAN_##name##_COVERED, SHEEN_PLAN_##name##_SHADED,
+#define SHEEN_PLAN_TEXELS_NUMBERS(name) SHEEN_PLAN_TEXELS_##name##_COVERED, SHEEN_PLAN_TEXELS_##name##_SHADED,
 
 enum sheen_plan_feature {
-    SHEEN_PLAN_FEATURES(SHEEN_PLAN_FEATURE_NUMBER) SHEEN_PLAN_KINDS(SHEEN_PLAN_KIND_NUMBERS) SHEEN_PLAN_COUNTS
+    SHEEN_PLAN_FEATURES(SHEEN_PLAN_FEATURE_NUMBER)
+    SHEEN_PLAN_KINDS(SHEEN_PLAN_KIND_NUMBERS) SHEEN_PLAN_TEXELS(SHEEN_PLAN_TEXELS_NUMBERS) SHEEN_PLAN_COUNTS
 };
 
 #endif

@@ -31,8 +31,12 @@ void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *confi
     ram->arena = (uint32_t)SHEEN_ARENA_BYTES(target->width, target->height, pixel, rows, buffers, config->max_vertices,
                                              used, config->max_triangles, or_else(config->max_draws, 4),
                                              config->max_clipped, or_else(config->max_carried, 80));
+    if (config->max_edges > 0)
+        ram->arena += (uint32_t)SHEEN_EDGE_BYTES(target->width, pixel, rows, buffers, config->max_edges);
+    if (config->smooth)
+        ram->arena += (uint32_t)SHEEN_SMOOTH_BYTES(target->width, rows);
     ram->vertices = config->max_vertices * 2u + used * SHEEN_BYTES_VERTEX;
-    ram->lists = config->max_triangles * (uint32_t)SHEEN_BYTES_ENTRY;
+    ram->lists = config->max_triangles * (uint32_t)SHEEN_BYTES_ENTRY + config->max_edges * (uint32_t)SHEEN_BYTES_EDGE;
     ram->bands = target->width * rows * (2 + buffers * pixel);
     ram->rest = ram->arena - ram->vertices - ram->lists - ram->bands;
     ram->all = ram->arena + SHEEN_PLAN_STACK + PANEL_STATE;
@@ -50,25 +54,73 @@ static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *recor
     return (enum sheen_plan_driver)kind;
 }
 
+static unsigned room_of(const struct sheen_shader *shader)
+{
+    static const struct sheen_shader *const shaders[SHEEN_PLAN_ROOMS] = {
+        &sheen_flat,         &sheen_gouraud,         &sheen_phong,         &sheen_slerp,
+        &sheen_flat_colored, &sheen_gouraud_colored, &sheen_textured_flat, &sheen_textured,
+        &sheen_matcap,       &sheen_matcap_vertex,
+    };
+    unsigned room = 0;
+
+    while (room + 1 < SHEEN_PLAN_ROOMS && shaders[room] != shader)
+        room++;
+    return room;
+}
+
+/* What a scene names: a bit a room, and above them a bit an extra. */
+static uint32_t named_of(const struct sheen_scene *scene)
+{
+    uint32_t rooms = 0, extras = 0;
+
+    for (size_t i = 0; i < scene->count; i++) {
+        struct sheen_object o;
+        sheen_scene_object(scene, 0, i, &o);
+        rooms |= 1u << room_of(o.shader);
+        extras |= (uint32_t)(o.transparency > 0) << SHEEN_PLAN_EXTRA_STIPPLE;
+        extras |= (uint32_t)(o.material->ramp != NULL) << SHEEN_PLAN_EXTRA_RAMP;
+        extras |= (uint32_t)(o.morph != NULL) << SHEEN_PLAN_EXTRA_MORPH;
+        extras |= (uint32_t)(o.edges == &sheen_edges_smooth) << SHEEN_PLAN_EXTRA_SMOOTH;
+        extras |= (uint32_t)(o.edges == &sheen_edges_outline) << SHEEN_PLAN_EXTRA_OUTLINE;
+        extras |= (uint32_t)(o.edges == &sheen_edges_wire) << SHEEN_PLAN_EXTRA_WIRE;
+    }
+    extras |= (uint32_t)(scene->view.fog != NULL) << SHEEN_PLAN_EXTRA_FOG;
+    return rooms | extras << SHEEN_PLAN_ROOMS;
+}
+
+/* A room adds what it has more than flat. */
+static uint32_t core_flash(enum sheen_plan_cpu cpu, unsigned small, uint32_t named)
+{
+    const uint32_t *room = sheen_plan_core_flash[cpu][small], *extra = sheen_plan_extra_flash[cpu][small];
+    uint32_t sum = room[0];
+
+    for (unsigned i = 0; i < SHEEN_PLAN_ROOMS; i++)
+        sum += (named >> i & 1u) * (room[i] - room[0]);
+    for (unsigned i = 0; i < SHEEN_PLAN_EXTRAS; i++)
+        sum += (named >> SHEEN_PLAN_ROOMS >> i & 1u) * extra[i];
+    return sum;
+}
+
 /* The polygons' normals go with every mesh: they pass over what faces away. */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       const struct sheen_panel_record *record)
 {
-    const int is_matcap = sheen_scene_shading(scene) >= SHEEN_MATCAP;
-    const enum sheen_shading shade = is_matcap ? SHEEN_GOURAUD : sheen_scene_shading(scene);
+    const struct sheen_options *options = scene->options;
+    const int is_matcap = options->shade >= SHEEN_MATCAP, edges = options->edges != SHEEN_NO_EDGES;
+    const uint32_t named = named_of(scene);
 
-    flash->core = sheen_plan_core_flash[cpu][0][shade];
+    flash->core = core_flash(cpu, 0, named);
     flash->panel = record ? sheen_plan_panel_flash[cpu][0][driver_kind(record)] : 0;
     flash->mesh = flash->textures = 0;
     for (size_t i = 0; i < scene->count; i++)
-        flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1, 0);
+        flash->mesh += (uint32_t)sheen_bake_bytes(&scene->meshes[i], 1, edges);
     if (is_matcap)
         flash->textures = (uint32_t)sheen_texels_bytes(&scene->matcap);
     for (size_t i = 0; i < scene->texel_count && !is_matcap; i++)
         flash->textures += (uint32_t)sheen_texels_bytes(&scene->texels[i]);
-    flash->tables = (scene->options->specular > 0 ? (uint32_t)sizeof scene->shine : 0) +
-                    (scene->options->ramp.kind != SHEEN_RAMP_LAMBERT ? SHEEN_RAMP_BYTES : 0);
+    flash->tables = (options->specular > 0 ? (uint32_t)sizeof scene->shine : 0) +
+                    (options->ramp.kind != SHEEN_RAMP_LAMBERT ? SHEEN_RAMP_BYTES : 0);
     flash->all = flash->core + flash->panel + flash->mesh + flash->tables + flash->textures;
-    flash->small = flash->all - flash->core - flash->panel + sheen_plan_core_flash[cpu][1][shade] +
+    flash->small = flash->all - flash->core - flash->panel + core_flash(cpu, 1, named) +
                    (record ? sheen_plan_panel_flash[cpu][1][driver_kind(record)] : 0);
 }

@@ -18,7 +18,7 @@ struct sheen_plan_ram {
 };
 
 struct sheen_plan_flash {
-    uint32_t core, panel, mesh, tables; /* the shading's core; power tables */
+    uint32_t core, panel, mesh, tables; /* tables: of powers, and a ramp */
     uint32_t textures;
     uint32_t all, small; /* -O2, as the costs; -Os */
 };
@@ -26,7 +26,7 @@ struct sheen_plan_flash {
 /* Of a configuration, completed with sheen.h's defaults but the target; bits: of a pixel in the target's memory. */
 void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *config, const struct sheen_target *target);
 
-/* Textures count, and what their meshes have more; the core is that of Gouraud then, which is larger than theirs. */
+/* Of a scene that has begun a frame. The core with what it names: shadings, fog, a pattern, a ramp, morphing, edges. */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       const struct sheen_panel_record *record);
 

@@ -3,6 +3,7 @@
  */
 #include "plan.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -107,6 +108,7 @@ static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
     sheen_frame_stats(run->table.scene.frame, &stats);
     plan->used = stats.used > plan->used ? stats.used : plan->used;
     plan->listed = stats.drawn > plan->listed ? stats.drawn : plan->listed;
+    plan->edges = stats.edges > plan->edges ? stats.edges : plan->edges;
 }
 
 /* ---- a turn ---- */
@@ -128,33 +130,34 @@ static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, 
     return error;
 }
 
-/* What texels cost has not been found: those of matcaps lie on a mesh that is planned as gouraud too. */
-static enum sheen_shading planned_shading(const struct sheen_scene *scene)
+static const char *texture_of(const struct sheen_scene *scene)
 {
-    const enum sheen_shading shading = sheen_scene_shading(scene);
+    const int is_shown = scene->texel_count && scene->options->shade < SHEEN_MATCAP;
 
-    return shading >= SHEEN_MATCAP ? SHEEN_GOURAUD : shading;
+    return !is_shown ? "" : scene->options->bilinear ? ", textured bilinear" : ", textured";
 }
 
-/* Flash, and how it is shaded: of the mesh with its textures. */
-static int take_flash(struct sheen_plan *plan, const struct sheen_target *target, struct sheen_problem *problem)
+/* How it is shown, in words: ", textured, under fog, dithered". */
+static void note_look(struct sheen_plan *plan, const struct sheen_scene *scene)
 {
-    const struct sheen_plan_board *board;
-    struct sheen_scene shown;
-    int error = sheen_scene_open(&shown, plan->options, target, problem);
+    static const char *const edges[SHEEN_EDGINGS] = {"", ", smooth", ", with outlines", ", wire"};
+    const struct sheen_options *o = scene->options;
 
-    for (unsigned i = 0; !error && (board = sheen_plan_board_at(i)) != NULL; i++)
-        sheen_plan_flash(&plan->flash[i], board->cpu, &shown, plan->choice.record);
-    plan->is_usage = shown.is_usage;
-    plan->shade = planned_shading(&shown);
-    sheen_scene_close(&shown);
-    return error;
+    plan->shade = o->edges == SHEEN_WIRE ? SHEEN_FLAT : sheen_scene_shading(scene);
+    snprintf(plan->look, sizeof plan->look, "%s%s%s%s%s%s%s%s", texture_of(scene),
+             sheen_scene_is_colored(scene) && plan->shade < SHEEN_MATCAP ? ", coloured" : "",
+             o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", by a ramp" : "", o->morph ? ", between two frames" : "",
+             scene->view.fog ? ", under fog" : "", o->opacity < 1 ? ", by a pattern" : "", edges[o->edges],
+             scene->view.dither ? ", dithered" : "");
 }
 
+/* Once a frame has been drawn. */
 static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run)
 {
     const struct sheen_scene *scene = &run->table.scene;
+    const struct sheen_plan_board *board;
 
+    note_look(plan, scene);
     for (size_t i = 0; i < scene->count; i++) {
         plan->vertices += scene->meshes[i].mesh.vertices;
         plan->triangles += scene->meshes[i].mesh.triangles;
@@ -164,6 +167,8 @@ static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run
     plan->target = *run->panel;
     plan->target.ctx = NULL;
     sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
+        sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->choice.record);
 }
 
 int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options, const struct sheen_sim_choice *choice,
@@ -179,14 +184,8 @@ int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options
     if (!run)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
     turned.yaw_step = 360.0 / views;
-    turned.texture = "off";
-    turned.fog = (struct sheen_depths){0, 0};
-    turned.opacity = 1;
-    turned.shade = turned.shade >= SHEEN_MATCAP ? SHEEN_GOURAUD : turned.shade;
     int error = sheen_plan_open(run, &turned, choice, problem);
-    if (!error)
-        error = take_flash(plan, run->panel, problem);
-    turned.shade = plan->shade; /* which the scene looks up at each draw */
+    plan->is_usage = run->table.scene.is_usage;
     if (!error)
         error = turn(plan, run, views, problem);
     if (!error)

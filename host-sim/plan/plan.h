@@ -26,12 +26,13 @@ struct sheen_plan_times {
 
 struct sheen_plan {
     const struct sheen_options *options;
-    enum sheen_shading shade; /* where a texture is shown gouraud, or flat */
+    enum sheen_shading shade; /* where a texture or colours are shown gouraud, or flat */
+    char look[128];           /* what else is shown, in words, each after a comma */
     int is_usage;             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_sim_choice choice;
     const char *panel;
     uint32_t vertices, triangles;                        /* of the meshes */
-    uint32_t used, listed;                               /* the most of a frame */
+    uint32_t used, listed, edges;                        /* the most of a frame */
     struct sheen_target target;                          /* but ctx and callbacks */
     struct sheen_config config;                          /* but the target */
     struct sheen_plan_times times[SHEEN_PLAN_BOARDS][2]; /* what changed, and whole frames */
@@ -58,7 +59,7 @@ struct sheen_plan_change {
     char what[64];
     double rate; /* frames a second, in the mean, of what changed */
 };
-#define SHEEN_PLAN_CHANGES 7
+#define SHEEN_PLAN_CHANGES 9
 
 /* What helps on a board, the most first; *now: the rate to compare with. How many there are. */
 unsigned sheen_plan_changes(const struct sheen_plan *plan, unsigned board, struct sheen_plan_change *changes,

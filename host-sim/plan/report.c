@@ -8,7 +8,8 @@
 
 #define MS 1000
 
-static const char *const shadings[SHEEN_SHADINGS] = {"flat", "Gouraud", "Phong", "slerp"};
+static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "Gouraud", "Phong",
+                                                         "slerp", "matcap",  "matcap by vertices"};
 static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
 
 static const char *how(const struct sheen_plan_board *board)
@@ -43,16 +44,8 @@ static unsigned rows_of(const struct sheen_plan *plan)
 
 static void put_head(FILE *out, const struct sheen_plan *plan)
 {
-    const struct sheen_options *o = plan->options;
-    const int dithered = o->undithered < 0 ? plan->target.pixel != SHEEN_GREY256 : !o->undithered;
-    const char *without = plan->flash[0].textures              ? ", time without its textures"
-                          : o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", time without its ramp"
-                          : o->fog.end > 0                     ? ", time and code without its fog"
-                          : o->opacity < 1                     ? ", time and code without its pattern"
-                                                               : "";
-
-    fprintf(out, "%s, %s%s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", o->mesh, shadings[plan->shade],
-            dithered ? ", dithered" : "", without, plan->panel, plan->target.width, plan->target.height, rows_of(plan),
+    fprintf(out, "%s, %s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", plan->options->mesh,
+            shadings[plan->shade], plan->look, plan->panel, plan->target.width, plan->target.height, rows_of(plan),
             SHEEN_PLAN_VIEWS);
     fprintf(out, "counted    mesh: %u triangles, %u vertices; a frame: at most %u triangles, %u vertices\n",
             plan->triangles, plan->vertices, plan->listed, plan->used);
@@ -94,9 +87,12 @@ static void put_ram(FILE *out, const struct sheen_plan *plan, const struct sheen
     config = plan->config;
     config.max_used = (uint16_t)plan->used;
     config.max_triangles = (uint16_t)plan->listed;
+    config.max_edges = config.max_edges ? (uint16_t)(plan->edges + plan->triangles / 64 + 1) : 0;
     sheen_plan_ram(&other, &config, &plan->target);
-    fprintf(out, "\ncounted    RAM with max_used %u and max_triangles %u, what this turn takes: %u B\n", plan->used,
-            plan->listed, other.all);
+    fprintf(out, "\ncounted    RAM with max_used %u and max_triangles %u", plan->used, plan->listed);
+    if (config.max_edges)
+        fprintf(out, " and max_edges %u", config.max_edges);
+    fprintf(out, ", what this turn takes: %u B\n", other.all);
 }
 
 static void put_flash(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board, unsigned number)
@@ -128,6 +124,7 @@ static void put_fitting(FILE *out, const struct sheen_plan *plan, const struct s
         for (uint32_t step = 1u << 15; step > 0; step /= 2) {
             config.max_triangles = (uint16_t)(most + step);
             config.max_vertices = (uint16_t)((uint64_t)(most + step) * plan->vertices / plan->triangles + 3);
+            config.max_edges = (uint16_t)((uint64_t)(most + step) * plan->config.max_edges / plan->triangles);
             sheen_plan_ram(&ram, &config, &plan->target);
             most += ram.all <= board->ram && most + step <= plan->triangles ? step : 0;
         }

@@ -57,14 +57,17 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
 
 void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
 {
-    static const char *const shadings[SHEEN_SHADINGS] = {"flat", "gouraud", "phong", "slerp"};
+    static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
+                                                             "slerp", "matcap",  "matcap-vertex"};
     const struct sheen_plan_ram *r = &plan->ram;
 
     fputs("{\"mesh\": ", out);
     put_quoted(out, plan->options->mesh);
-    fprintf(out, ", \"shade\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, \"views\": %d",
-            shadings[plan->shade], plan->panel, plan->target.width, plan->target.height,
-            plan->config.band_rows ? plan->config.band_rows : 16, SHEEN_PLAN_VIEWS);
+    fprintf(out,
+            ", \"shade\": \"%s\", \"look\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, "
+            "\"views\": %d",
+            shadings[plan->shade], plan->look + (*plan->look ? 2 : 0), plan->panel, plan->target.width,
+            plan->target.height, plan->config.band_rows ? plan->config.band_rows : 16, SHEEN_PLAN_VIEWS);
     fprintf(out, ", \"vertices\": %u, \"triangles\": %u, \"used\": %u, \"listed\": %u, \"costs\": ", plan->vertices,
             plan->triangles, plan->used, plan->listed);
     put_quoted(out, sheen_plan_found);

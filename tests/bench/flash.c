@@ -1,6 +1,7 @@
 /*
  * flash.c - the least of a firmware: one shading SHADER, and where they are given one panel PANEL, the mesh and the
- * power table of the header MESH. What the linker keeps of it is what `sheen plan` says of flash.
+ * power table of the header MESH, TEXTURE, FOG, STIPPLE, RAMP, MORPH, EDGES. What the linker keeps of it is what `sheen
+ * plan` says of flash.
  */
 #include "sheen.h"
 #ifdef PANEL
@@ -15,6 +16,19 @@ extern const struct sheen_mesh mesh;
 #define SHINE .shine = NULL
 #endif
 
+#ifndef TEXTURE
+#define TEXTURE NULL
+#endif
+#ifdef RAMP
+extern struct sheen_ramp curve;
+#define CURVE &curve
+#else
+#define CURVE NULL
+#endif
+#ifndef EDGES
+#define EDGES NULL
+#endif
+
 extern const struct sheen_light light;
 extern uint64_t arena[];
 extern size_t arena_bytes;
@@ -22,13 +36,29 @@ extern volatile unsigned yaw;
 
 int main(void)
 {
-    static const struct sheen_material material = {.base = {200, 160, 80}, .diffuse = 50000, .specular = 20000, SHINE};
-    const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05), .dither = 1};
+    static const struct sheen_material material = {
+        .base = {200, 160, 80}, .diffuse = 50000, .specular = 20000, SHINE, .texture = TEXTURE, .ramp = CURVE};
+    struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05), .dither = 1};
     struct sheen_frame *frame;
     struct sheen_object object = {
-        .mesh = &mesh, .material = &material, .shader = &SHADER, .lights = &light, .light_count = 1};
+        .mesh = &mesh, .material = &material, .shader = &SHADER, .lights = &light, .light_count = 1, .edges = EDGES};
     int error = 0;
 
+#ifdef FOG
+    const struct sheen_fog fog = {SHEEN_Q24(2), SHEEN_Q24(4), {90, 100, 110}, &sheen_fog_mixer};
+    view.fog = &fog;
+#endif
+#ifdef RAMP
+    curve.reader = &sheen_ramp_reader;
+#endif
+#ifdef STIPPLE
+    object.stipple = &sheen_stipple;
+    object.transparency = 32;
+#endif
+#ifdef MORPH
+    const struct sheen_morph morph = {&mesh, &sheen_morpher, 16384};
+    object.morph = &morph;
+#endif
     sheen_pose_orbit(&object.pose, sheen_degrees((int32_t)yaw), 0, 0, SHEEN_Q24(3));
 #ifdef PANEL
     struct sheen_panel panel;

@@ -5,9 +5,7 @@
  */
 #include "planned.h"
 
-#include "../../host-sim/command/shadings.h"
 #include "guest.h"
-#include "scenes.h"
 
 #ifndef PARTS
 #define PARTS 1
@@ -32,16 +30,11 @@ static const struct sheen_bus bus = {.send = send, .delay = delay};
 
 static int draw(struct sheen_frame *frame, const struct planned *p, int number)
 {
-    struct sheen_object object = {.shader = sheen_shader_of(p->shading),
-                                  .lights = p->lights,
-                                  .light_count = p->light_count,
-                                  .two_sided = p->two_sided,
-                                  .pose = p->pose[number]};
     int error = sheen_begin(frame, &p->view);
 
     for (unsigned i = 0; i < p->draws && error == SHEEN_OK; i++) {
-        object.mesh = p->meshes[i];
-        object.material = &p->materials[i];
+        struct sheen_object object = p->objects[i];
+        object.pose = p->pose[number];
         error = sheen_draw(frame, &object);
     }
     if (error == SHEEN_OK)
@@ -89,34 +82,29 @@ static int measure(const struct planned *p)
     return error;
 }
 
-static int measure_bench(const struct bench_scene *scene, unsigned shading, int dither)
+static int measure_bench(struct bench *bench, const char *name)
 {
-    static const char *const name[] = {"-flat", "-gouraud", "-phong", "-slerp"};
-    static struct bench bench;
+    int error = bench_begin(bench, arena, sizeof arena);
 
-    bench_config(&bench, scene, (enum sheen_shading)shading, 16);
-    bench.dither = (uint8_t)dither;
-    int error = bench_begin(&bench, arena, sizeof arena);
     if (error == SHEEN_OK)
-        error = bench_first(&bench);
+        error = bench_first(bench);
     guest_count();
     if (error == SHEEN_OK)
-        error = bench_measured(&bench);
-    uint32_t count = guest_counted();
-    guest_print(scene->name);
-    guest_print(name[shading]);
-    report(dither ? "-dithered" : "", " 1 ", count);
+        error = bench_measured(bench);
+    report(name, " 1 ", guest_counted());
     return error;
 }
 
 void guest_main(void)
 {
+    static struct bench bench;
     int error = SHEEN_OK;
+    char name[40];
 
     guest_check_counter();
     for (unsigned i = PART; i < planned_count && error == SHEEN_OK; i += PARTS)
         error = measure(&planned[i]);
-    for (unsigned i = PART; i < BENCH_SCENES * 2 * SHEEN_SHADINGS && error == SHEEN_OK; i += PARTS)
-        error = measure_bench(&bench_scenes[i / (2 * SHEEN_SHADINGS)], i / 2 % SHEEN_SHADINGS, (int)i % 2);
+    for (unsigned i = PART; error == SHEEN_OK && planned_bench(&bench, i, name); i += PARTS)
+        error = measure_bench(&bench, name);
     guest_leave(error != SHEEN_OK);
 }

@@ -5,7 +5,7 @@
  *                                  its arena on a processor of 32 bits, as `sheen plan` tells them
  *   planned_export                 prints the features
  *
- * A line of SCENES is a name and the words of `sheen plan`. The scenes of the bench (scenes.h) follow in every shading.
+ * A line of SCENES is a name and the words of `sheen plan`. The bench's own frames follow (planned_bench.c).
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -16,7 +16,6 @@
 #include "memory.h"
 #include "planned.h"
 #include "run.h"
-#include "scenes.h"
 
 #define WORDS 64
 
@@ -57,39 +56,148 @@ static void put_pose(FILE *out, const struct sheen_pose *pose)
     fputs("},\n", out);
 }
 
-static void put_material(FILE *out, const struct sheen_material *m)
+/* A pointer to what stands in the core, by name. */
+struct named {
+    const void *at;
+    const char *name;
+};
+
+#define NAMED(x)                                                                                                       \
+    {                                                                                                                  \
+        &(x), "&" #x                                                                                                   \
+    }
+
+static const struct named shaders[] = {
+    NAMED(sheen_flat),         NAMED(sheen_gouraud),         NAMED(sheen_phong),    NAMED(sheen_slerp),
+    NAMED(sheen_flat_colored), NAMED(sheen_gouraud_colored), NAMED(sheen_textured), NAMED(sheen_textured_flat),
+    NAMED(sheen_matcap),       NAMED(sheen_matcap_vertex),   {NULL, NULL}};
+static const struct named edgings[] = {
+    NAMED(sheen_edges_smooth), NAMED(sheen_edges_outline), NAMED(sheen_edges_wire), {NULL, NULL}};
+static const struct named ramps[] = {NAMED(sheen_ramp_half), NAMED(sheen_ramp_toon), {NULL, NULL}};
+
+/* The name, or what is said where there is none. */
+static const char *name_of(const struct named *named, const void *at, const char *otherwise)
 {
-    fprintf(out,
-            "    {.base = {%u, %u, %u}, .highlight = {255, 255, 255}, .ambient = %" PRId32 ", .diffuse = %" PRId32
-            ", .specular = %" PRId32 ", .shine = &sheen_shine_%u},\n",
-            m->base[0], m->base[1], m->base[2], m->ambient, m->diffuse, m->specular, m->shine->shininess);
+    for (; named->at; named++)
+        if (named->at == at)
+            return named->name;
+    return otherwise;
 }
 
-static void put_view(FILE *out, const struct sheen_view *v)
+/* Textures that are drawn: texture_N_0 ..., the matcap last. */
+static void put_texture_of(FILE *out, const struct sheen_scene *scene, const struct sheen_texture *texture, unsigned n)
+{
+    size_t i = 0;
+
+    if (!texture)
+        return;
+    while (i < scene->texel_count && texture != &scene->texels[i].texture)
+        i++;
+    fprintf(out, ", .texture = &texture_%u_%zu", n, i);
+}
+
+static void put_material(FILE *out, const struct sheen_scene *scene, const struct sheen_material *m, unsigned n)
+{
+    char own[32];
+
+    fprintf(
+        out,
+        "    {.base = {%u, %u, %u}, .highlight = {255, 255, 255}, .ambient_color = {%u, %u, %u}, .ambient = %" PRId32
+        ", .diffuse = %" PRId32 ", .specular = %" PRId32 ", .line = {%u, %u, %u}",
+        m->base[0], m->base[1], m->base[2], m->ambient_color[0], m->ambient_color[1], m->ambient_color[2], m->ambient,
+        m->diffuse, m->specular, m->line[0], m->line[1], m->line[2]);
+    if (m->shine)
+        fprintf(out, ", .shine = &sheen_shine_%u", m->shine->shininess);
+    snprintf(own, sizeof own, "&ramp_%u", n);
+    if (m->ramp)
+        fprintf(out, ", .ramp = %s", name_of(ramps, m->ramp, own));
+    put_texture_of(out, scene, m->texture, n);
+    fputs("},\n", out);
+}
+
+static void put_view(FILE *out, const struct sheen_view *v, unsigned n)
 {
     fprintf(out,
             "    .view = {.fov = %" PRIu32 "u, .z_near = %" PRId32 ", .z_far = %" PRId32 ", .orthographic = %" PRId32
-            ", .affine = %u, .dither = %u, .background = {%u, %u, %u}},\n",
+            ", .affine = %u, .dither = %u, .background = {%u, %u, %u}",
             v->fov, v->z_near, v->z_far, v->orthographic, v->affine, v->dither, v->background[0], v->background[1],
             v->background[2]);
+    if (v->fog)
+        fprintf(out, ", .fog = &fog_%u", n);
+    fputs("},\n", out);
 }
 
-/* The meshes and materials of a scene, at number `n`. */
-static void put_objects(FILE *out, const struct sheen_scene *scene, unsigned n)
+static void put_meshes(FILE *out, const struct sheen_scene *scene, unsigned n)
 {
+    const int edges = scene->options->edges != SHEEN_NO_EDGES;
     char name[32];
 
     for (size_t i = 0; i < scene->count; i++) {
         snprintf(name, sizeof name, "mesh_%u_%zu", n, i);
-        const struct sheen_bake bake = {.meshes = &scene->meshes[i], .count = 1, .name = name, .source = "", .flat = 1};
+        const struct sheen_bake bake = {
+            .meshes = &scene->meshes[i], .count = 1, .name = name, .source = "", .flat = 1, .edges = edges};
         sheen_bake_text(out, &bake);
+        if (scene->options->morph)
+            fprintf(out, "static const struct sheen_morph morph_%u_%zu = {&%s_second, &sheen_morpher, %u};\n", n, i,
+                    name, scene->morphs[i].weight);
     }
-    fprintf(out, "static const struct sheen_mesh *const meshes_%u[] = {", n);
-    for (size_t i = 0; i < scene->count; i++)
-        fprintf(out, "&mesh_%u_%zu, ", n, i);
-    fprintf(out, "};\nstatic const struct sheen_material materials_%u[] = {\n", n);
-    for (size_t i = 0; i < scene->count; i++)
-        put_material(out, &scene->materials[i]);
+    for (size_t i = 0; i <= scene->texel_count; i++) {
+        const struct sheen_texels *texels = i < scene->texel_count ? &scene->texels[i] : &scene->matcap;
+        snprintf(name, sizeof name, "texture_%u_%zu", n, i);
+        if (i < scene->texel_count || scene->options->shade >= SHEEN_MATCAP)
+            sheen_bake_texture_text(out, texels, name, "");
+    }
+    if (scene->ramp.reader) {
+        snprintf(name, sizeof name, "ramp_%u", n);
+        sheen_bake_ramp_text(out, &scene->ramp, name, "");
+    }
+}
+
+static void put_lights(FILE *out, const struct sheen_scene *scene, unsigned n)
+{
+    const struct sheen_fog *fog = &scene->fog;
+
+    fprintf(out, "static const struct sheen_light lights_%u[] = {", n);
+    for (int i = 0; i < scene->options->lights.count; i++) {
+        const struct sheen_light *light = &scene->lights[i];
+        fputs("{", out);
+        put_numbers(out, "to", light->to, 3);
+        fprintf(out, ".intensity = %" PRId32 ", .color = {%u, %u, %u}}, ", light->intensity, light->color[0],
+                light->color[1], light->color[2]);
+    }
+    fputs("};\n", out);
+    if (scene->view.fog)
+        fprintf(out,
+                "static const struct sheen_fog fog_%u = {%" PRId32 ", %" PRId32 ", {%u, %u, %u}, &sheen_fog_mixer};\n",
+                n, fog->start, fog->end, fog->color[0], fog->color[1], fog->color[2]);
+}
+
+/* Meshes, textures, materials and lights of a scene that was drawn, and what is drawn of them, at number `n`. */
+static void put_objects(FILE *out, const struct sheen_scene *scene, unsigned n)
+{
+    struct sheen_object o;
+
+    put_meshes(out, scene, n);
+    put_lights(out, scene, n);
+    fprintf(out, "static const struct sheen_material materials_%u[] = {\n", n);
+    for (size_t i = 0; i < scene->count; i++) {
+        sheen_scene_object(scene, 0, i, &o);
+        put_material(out, scene, o.material, n);
+    }
+    fprintf(out, "};\nstatic const struct sheen_object objects_%u[] = {\n", n);
+    for (size_t i = 0; i < scene->count; i++) {
+        sheen_scene_object(scene, 0, i, &o);
+        fprintf(out,
+                "    {.mesh = &mesh_%u_%zu, .material = &materials_%u[%zu], .shader = %s, .lights = lights_%u, "
+                ".light_count = %u, .two_sided = %u, .edges = %s",
+                n, i, n, i, name_of(shaders, o.shader, "unknown"), n, o.light_count, o.two_sided,
+                name_of(edgings, o.edges, "NULL"));
+        if (o.transparency)
+            fprintf(out, ", .stipple = &sheen_stipple, .transparency = %u, .phase = %u", o.transparency, o.phase);
+        if (o.morph)
+            fprintf(out, ", .morph = &morph_%u_%zu", n, i);
+        fputs("},\n", out);
+    }
     fputs("};\n", out);
 }
 
@@ -101,25 +209,18 @@ static void put_entry(FILE *table, const char *name, const struct sheen_turntabl
     struct sheen_pose pose;
 
     fprintf(table,
-            "{.name = \"%s\", .panel = \"%s\", .orientation = %u, .shading = %d, .light_count = %d, .two_sided = %d,\n"
-            "    .draws = %zu, .config = {.band_rows = %u, .buffers = 1, .max_vertices = %u, .max_triangles = %u, "
-            ".max_draws = %u, .max_clipped = %u},\n",
-            name, sheen_turntable_panel_name(t), t->choice.orientation, scene->options->shade,
-            scene->options->lights.count, scene->options->two_sided, scene->count, c->band_rows, c->max_vertices,
-            c->max_triangles, c->max_draws, c->max_clipped);
-    put_view(table, &scene->view);
-    fputs("    .lights = {", table);
-    for (int i = 0; i < scene->options->lights.count; i++) {
-        fputs("{", table);
-        put_numbers(table, "to", scene->lights[i].to, 3);
-        fputs("}, ", table);
-    }
-    fputs("},\n    .pose = {", table);
+            "{.name = \"%s\", .panel = \"%s\", .orientation = %u, .draws = %zu,\n"
+            "    .config = {.band_rows = %u, .buffers = 1, .max_vertices = %u, .max_triangles = %u, .max_draws = %u, "
+            ".max_clipped = %u, .max_edges = %u, .smooth = %u},\n",
+            name, sheen_turntable_panel_name(t), t->choice.orientation, scene->count, c->band_rows, c->max_vertices,
+            c->max_triangles, c->max_draws, c->max_clipped, c->max_edges, c->smooth);
+    put_view(table, &scene->view, n);
+    fputs("    .pose = {", table);
     for (int number = 0; number < PLANNED_FRAMES; number++) {
         sheen_scene_pose(scene, number, &pose);
         put_pose(table, &pose);
     }
-    fprintf(table, "    },\n    .meshes = meshes_%u, .materials = materials_%u},\n", n, n);
+    fprintf(table, "    },\n    .objects = objects_%u},\n", n);
 }
 
 /* ---- a line, and the bench's own ---- */
@@ -133,7 +234,10 @@ static int export_scene(FILE *out, FILE *table, char *line, unsigned n)
     char *words[WORDS + 1], *name = strtok(line, " \n");
     int count = 0;
 
-    for (char *word = name; word && count < WORDS; word = strtok(NULL, " \n"))
+    words[count++] = name;
+    words[count++] = "--edges";
+    words[count++] = "none"; /* but for lines that say so */
+    for (char *word = strtok(NULL, " \n"); word && count < WORDS; word = strtok(NULL, " \n"))
         words[count++] = word;
     words[count] = NULL;
     int error = sheen_options_parse(&options, &plan, count, words, &problem) == 1 ? 0 : -1;
@@ -158,36 +262,31 @@ static int export_scene(FILE *out, FILE *table, char *line, unsigned n)
     return error ? fail(name, problem.text) : 0;
 }
 
-static int count_bench(const struct bench_scene *scene, unsigned shading, int dither)
+static int count_bench(struct bench *bench, const char *name)
 {
-    static const char *const shadings[] = {"flat", "gouraud", "phong", "slerp"};
     static uint64_t arena[46 * 1024];
     struct sheen_plan_counts counts;
     struct sheen_stats stats;
-    struct bench bench;
-    char name[32];
 
-    bench_config(&bench, scene, (enum sheen_shading)shading, 16);
-    bench.dither = (uint8_t)dither;
-    int error = bench_begin(&bench, arena, sizeof arena);
+    int error = bench_begin(bench, arena, sizeof arena);
     if (!error)
-        error = bench_first(&bench);
+        error = bench_first(bench);
     sheen_plan_counts_begin();
     if (!error)
-        error = bench_measured(&bench);
+        error = bench_measured(bench);
     sheen_plan_counts_take(&counts);
-    sheen_frame_stats(bench.frame, &stats);
+    sheen_frame_stats(bench->frame, &stats);
     sheen_plan_count_push(&counts, SHEEN_RGB565_BE, 0, stats.pixels);
     counts.of[SHEEN_PLAN_PUSH] = stats.rectangles;
-    sheen_plan_count_draws(&counts, bench.frame, 1, scene->mesh.vertices);
-    snprintf(name, sizeof name, "%s-%s%s", scene->name, shadings[shading], dither ? "-dithered" : "");
+    sheen_plan_count_draws(&counts, bench->frame, 1, bench->scene->mesh.vertices);
     print_counts(name, 1, &counts);
-    return error;
+    return error ? fail(name, sheen_strerror(error)) : 0;
 }
 
 static int export_all(FILE *scenes, FILE *out, FILE *table)
 {
-    char line[1000];
+    static struct bench bench;
+    char line[1000], name[40];
     unsigned n = 0;
     int error = 0, c;
 
@@ -195,9 +294,8 @@ static int export_all(FILE *scenes, FILE *out, FILE *table)
     while (!error && fgets(line, sizeof line, scenes))
         if (*line != '#' && *line != '\n')
             error = export_scene(out, table, line, n++);
-    for (int i = 0; !error && i < BENCH_SCENES; i++)
-        for (unsigned k = 0; !error && k < 2 * SHEEN_SHADINGS; k++)
-            error = count_bench(&bench_scenes[i], k / 2, k % 2);
+    for (unsigned i = 0; !error && planned_bench(&bench, i, name); i++)
+        error = count_bench(&bench, name);
     fputs("\nconst struct planned planned[] = {\n", out);
     rewind(table);
     while ((c = getc(table)) != EOF)
