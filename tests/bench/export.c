@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "../../firmware/meshes/teapot.h"
 #include "scenes.h"
 
 #define PI 3.14159265358979323846
@@ -314,8 +315,35 @@ static void print_scene(const struct scene *s)
     print_pose(s->degrees - 1, s->depth);
     printf(",\n      ");
     print_pose(s->degrees, s->depth);
-    printf("},\n     %ld, %ld, %d, %d},\n", lround((s->depth - 1.1) * 16777216), lround((s->depth + 1.1) * 16777216),
-           s->used, s->listed);
+    printf("},\n     %ld, %ld, %d, %d, BENCH_WIDTH},\n", lround((s->depth - 1.1) * 16777216),
+           lround((s->depth + 1.1) * 16777216), s->used, s->listed);
+}
+
+/* As the firmware has it, with edges; from where `sheen render` sees it, at the other scenes' angle of view. */
+static void print_teapot(void)
+{
+    const sheen_q24_t distance = SHEEN_Q24(2.2195);
+
+    triangles = teapot.triangles;
+    printf("\n#include \"../../firmware/meshes/teapot.h\"\n\n");
+    print_edges(0, &teapot);
+    printf("\nconst struct bench_scene bench_teapot = {\n"
+           "    \"teapot\",\n    {.positions = teapot_positions, .normals = teapot_normals, .polygon_normals = "
+           "teapot_polygon_normals,\n     .polygons = teapot_polygons, .indices = teapot_indices, .warp = "
+           "teapot_warp, .index_bytes = 2,\n     .vertices = %u, .triangles = %u, .scale = %ld, .edges = edges_0},\n"
+           "    {",
+           teapot.vertices, teapot.triangles, (long)teapot.scale);
+    for (int frame = 0; frame < 2; frame++) {
+        struct sheen_pose pose;
+        sheen_pose_orbit(&pose, SHEEN_DEGREES(29) + (sheen_angle_t)frame * SHEEN_DEGREES(1), SHEEN_DEGREES(20), 0,
+                         distance);
+        printf("%s{{", frame ? ",\n     " : "");
+        for (int i = 0; i < 9; i++)
+            printf("%ld, ", (long)pose.rotation[i]);
+        printf("}, %ld, {0, 0, %ld}}", (long)pose.scale, (long)pose.translation[2]);
+    }
+    printf("},\n    %ld, %ld, %u, %u, 240};\n", (long)(distance - SHEEN_Q24(1.05)), (long)(distance + SHEEN_Q24(1.05)),
+           teapot.vertices, teapot.triangles);
 }
 
 int main(void)
@@ -335,6 +363,7 @@ int main(void)
         print_uvs(s->number);
     }
     print_texels();
+    print_teapot();
     printf("\nconst struct bench_scene bench_scenes[BENCH_SCENES] = {\n");
     for (int i = 0; i < SCENES; i++)
         print_scene(&scenes[i]);

@@ -34,13 +34,18 @@ enum more {
     FOGGED,
     STIPPLED,
     MORPHED,
-    SMOOTH
+    SMOOTH,
+    OUTLINED,
+    WIRED
 };
 
 /* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
 static int measure(const struct frame *frame, int band_rows, enum more more)
 {
-    static const char *const more_name[] = {" ", " dithered ", " fogged ", " stippled ", " morphed ", " smooth "};
+    static const char *const more_name[] = {" ",         " dithered ", " fogged ",   " stippled ",
+                                            " morphed ", " smooth ",   " outlined ", " wired "};
+    static const struct sheen_edges *const edges[] = {
+        [SMOOTH] = &sheen_edges_smooth, [OUTLINED] = &sheen_edges_outline, [WIRED] = &sheen_edges_wire};
     static struct bench bench;
 
     bench_config(&bench, frame->scene, (enum sheen_shading)frame->shading, band_rows);
@@ -50,7 +55,7 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
     bench.morphed = more == MORPHED;
     if (bench.morphed)
         bench.config.max_used = frame->scene->mesh.vertices;
-    bench.smooth = more == SMOOTH;
+    bench.edges = edges[more];
     bench.texture = frame->texture;
     int status = bench_begin(&bench, arena, sizeof arena);
     if (status == SHEEN_OK)
@@ -76,7 +81,7 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
 
 /*
  * Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too; S1
- * by Gouraud half way between two frames, and smooth.
+ * by Gouraud half way between two frames.
  */
 static void measure_all(const struct frame *frame)
 {
@@ -86,12 +91,23 @@ static void measure_all(const struct frame *frame)
         measure(frame, BENCH_HEIGHT, PLAIN) < 0)
         guest_leave(1);
     if (frame->scene == &bench_scenes[0] && frame->texture == BENCH_PLAIN && frame->shading == SHEEN_GOURAUD &&
-        (measure(frame, 16, MORPHED) < 0 || measure(frame, 16, SMOOTH) < 0))
+        measure(frame, 16, MORPHED) < 0)
         guest_leave(1);
     if (frame->scene != &bench_scenes[2] || (frame->texture != BENCH_MATCAP && !lit) || frame->texture == BENCH_GLOSSY)
         return;
     if (measure(frame, 16, FOGGED) < 0 || measure(frame, 16, STIPPLED) < 0)
         guest_leave(1);
+}
+
+static void measure_edges(void)
+{
+    const struct frame frame = {.scene = &bench_teapot, .name = "gouraud", .shading = SHEEN_GOURAUD};
+
+    if (measure(&frame, 16, PLAIN) < 0)
+        guest_leave(1);
+    for (int more = SMOOTH; more <= WIRED; more++)
+        if (measure(&frame, 16, (enum more)more) < 0)
+            guest_leave(1);
 }
 
 void guest_main(void)
@@ -114,5 +130,6 @@ void guest_main(void)
             measure_all(&frame);
         }
     }
+    measure_edges();
     guest_leave(0);
 }

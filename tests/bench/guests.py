@@ -36,8 +36,8 @@ GUESTS = {
     "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
     "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
 }
-MORE = "( dithered| fogged| stippled| morphed| smooth)?"
-LINE = re.compile(rf"^(S\d) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
+MORE = "( dithered| fogged| stippled| morphed| smooth| outlined| wired)?"
+LINE = re.compile(rf"^(S\d|teapot) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
 
 
 def run(command):
@@ -88,7 +88,7 @@ def rows_of(machine, counts):
     for (scene, shading, more, band), count in counts.items():
         unit, per = ("px", PIXELS) if scene == "S3" else ("M", MILLION)
         whole = counts.get((scene, shading, "", 240))
-        if band != 16 or more and scene not in ("S1", "S3"):
+        if band != 16 or more and scene not in ("S1", "S3", "teapot"):
             continue
         if more:
             plain = counts[scene, shading, "", 16]

@@ -14,7 +14,7 @@ SLACK = 0.02
 HEAD = """\
 # What may be spent, and is to be reached (rows.py). tests/bench/report --update sets the budgets to what is measured.
 # Instructions a frame in millions (M), or a pixel (px); clocks in millions; KB: 1,024 B. Dithered, fogged,
-# stippled (half of the pixels), morphed, smooth (contours): what that takes more, or less.
+# stippled (half of the pixels), morphed, smooth (contours), outlined, wired: what that takes more, or less.
 """
 
 

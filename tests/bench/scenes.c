@@ -3,7 +3,7 @@
  */
 #include "scenes.h"
 
-#define MAX_CONTOURS 300 /* of S1, and a bit a triangle */
+#define MAX_EDGES 1000 /* of the teapot, and a bit a triangle */
 
 static const struct sheen_light light = {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)},
                                          .intensity = 65536};
@@ -20,10 +20,11 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
 {
     bench->scene = scene;
     bench->shading = (uint8_t)shading;
-    bench->dither = bench->transparency = bench->fogged = bench->morphed = bench->smooth = 0;
+    bench->dither = bench->transparency = bench->fogged = bench->morphed = 0;
+    bench->edges = NULL;
     bench->texture = BENCH_PLAIN;
     bench->target = (struct sheen_target){
-        .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
+        .push = throw_away, .width = scene->width, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
     bench->config = (struct sheen_config){.target = &bench->target,
                                           .band_rows = (uint16_t)band_rows,
                                           .buffers = 1,
@@ -73,9 +74,9 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
                                               .diffuse = SHEEN_Q16(0.7),
                                               .specular = SHEEN_Q16(0.5),
                                               .shine = &sheen_shine_16};
-    if (bench->smooth) {
-        bench->config.smooth = 1;
-        bench->config.max_edges = MAX_CONTOURS;
+    if (bench->edges != NULL) {
+        bench->config.smooth = bench->edges == &sheen_edges_smooth;
+        bench->config.max_edges = MAX_EDGES;
     }
     if (bench->texture != BENCH_PLAIN)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
@@ -104,7 +105,7 @@ static int run(struct bench *bench, int frame)
                                 .light_count = 1,
                                 .shader = shader_of(bench),
                                 .pose = bench->scene->pose[frame],
-                                .edges = bench->smooth ? &sheen_edges_smooth : NULL,
+                                .edges = bench->edges,
                                 .stipple = &sheen_stipple,
                                 .transparency = bench->transparency,
                                 .morph = bench->morphed ? &morph : NULL};

@@ -5,10 +5,11 @@
  *   S2  torus, radii .75 and .33, 40 x 25 quads, 1,000 vertices, 2,000 triangles, turned by 45 degrees
  *   S3  two triangles that fill the picture, corner normals spread over 71 degrees
  *   S5  an icosahedron subdivided once, 80 triangles on the unit sphere, as S1: normals up to 36 degrees apart
+ *   teapot, 992 triangles, on 240x240: what its edges take
  *
  * S1 and S3 have uvs, 2 by 1 pictures of 64 x 64 texels of 565, nearest or bilinear: their frames with textures.
  *
- * 320x240, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
+ * 320x240 but for the teapot, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
  * the second frame of two, the first one degree before it; material tables are built before both.
  */
 #ifndef BENCH_SCENES_H
@@ -28,10 +29,11 @@ struct bench_scene {
     struct sheen_pose pose[2]; /* of both frames */
     sheen_q24_t near, far;
     uint16_t max_used, max_triangles; /* used and listed, with some to spare */
+    uint16_t width;
 };
 
 /* Made by export.c at build time: boards have no libm to make them with. */
-extern const struct bench_scene bench_scenes[BENCH_SCENES];
+extern const struct bench_scene bench_scenes[BENCH_SCENES], bench_teapot;
 
 extern const uint16_t bench_texels[1 << 2 * BENCH_TEXELS_LOG2];
 
@@ -55,12 +57,12 @@ struct bench {
     struct sheen_material material;
     struct sheen_frame *frame;
     uint8_t shading;
-    uint8_t dither;       /* 0 after bench_config */
-    uint8_t texture;      /* enum bench_texture, likewise */
-    uint8_t fogged;       /* likewise: from near to far */
-    uint8_t transparency; /* likewise */
-    uint8_t morphed;      /* likewise: half way from the mesh to itself; max_used has to be all vertices */
-    uint8_t smooth;       /* likewise: contours are; before bench_begin */
+    uint8_t dither;                  /* 0 after bench_config */
+    uint8_t texture;                 /* enum bench_texture, likewise */
+    uint8_t fogged;                  /* likewise: from near to far */
+    uint8_t transparency;            /* likewise */
+    uint8_t morphed;                 /* likewise: half way from the mesh to itself; max_used has to be all vertices */
+    const struct sheen_edges *edges; /* likewise NULL; before bench_begin */
 };
 
 /* The configuration alone, for the size of its arena. */
