@@ -7,54 +7,69 @@
 #define CLOSE 16
 
 /*
- * Depth at the pixel that is crossed, `own`, and at its neighbours across. A contour is seen where what lies beyond it
- * is not in front. Any other edge is seen from triangles on both sides: one of the three is not in front of it by more
- * than the slope there, which a valley's differences tell.
+ * Depth at the pixel that is crossed, `own`, and at its neighbours across. An edge that is no contour is seen from
+ * triangles on both sides: one of the three is not in front of it by more than the slope there, which a valley's
+ * differences tell.
  */
 SPECIALISED int line_is_seen(int32_t z, int32_t own, int32_t low, int32_t high)
 {
     int32_t rise = max32(max32(low, high) - own, 0);
 
-    return min32(own, min32(low, high)) <= z + CLOSE + rise;
+    return min32(own, min32(low, high)) <= z + rise;
 }
 
-SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, uint16_t pixel, int contour, int steep)
+/*
+ * A contour is seen where the pixel beyond it, this one where its centre is, is not in front. `place` is the pixel's
+ * row or column from the first that is drawn on; there are pixels from `lowest` on, `wide` of them.
+ */
+SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, uint32_t pixel, int contour, int steep)
 {
     const struct tile *t = lt->tile;
-    const struct sheen_rect rect = t->rect;
-    const uint32_t pitch = t->pitch, next = steep ? 1 : pitch;
-    const int32_t begin = steep ? rect.x0 : lt->y0, end = steep ? rect.x1 : lt->y1;
-    const int32_t lowest = steep ? rect.x0 : rect.y0, highest = (steep ? rect.x1 : rect.y1) - 1;
-    int32_t across = s->across, z = s->z;
+    const int32_t pitch = (int32_t)t->pitch, next = steep ? 1 : pitch, lowest = steep ? 0 : -lt->apron;
+    const int32_t wide = steep ? t->rect.x1 - t->rect.x0 : t->rect.y1 - t->rect.y0;
+    const int32_t size = steep ? wide : (int32_t)lt->rows, stride = steep ? pitch : 1;
+    const int32_t out = s->low_inside ? 1 : -1, grey = t->format->grey;
+    int32_t across = s->across - (steep ? t->rect.x0 : lt->y0) * 65536, z = s->z + CLOSE * 256;
+    int32_t start = lt->apron * pitch + (s->first - (steep ? lt->y0 : t->rect.x0)) * stride;
+    const int32_t end = start + (s->end - s->first) * stride;
 
     SHEEN_TAP(LINE_STEP, s->end - s->first);
-    for (int32_t i = s->first; i < s->end; i++, across += s->across_step, z += s->z_step) {
-        int32_t pixel_across = asr32(across, 16), edge_z = asr32(z, 8), seen;
-        if (pixel_across < begin || pixel_across >= end)
+    for (; start < end; start += stride, across += s->across_step, z += s->z_step) {
+        const int32_t place = asr32(across, 16);
+        if ((uint32_t)place >= (uint32_t)size)
             continue;
-        uint32_t at = steep ? tile_offset(t, pixel_across, i) : tile_offset(t, i, pixel_across);
-        int32_t own = t->depth[at], low = pixel_across > lowest ? t->depth[at - next] : own;
-        int32_t high = pixel_across < highest ? t->depth[at + next] : own;
-        if (contour) { /* the pixel beyond: this one where its centre is */
-            int centre_high = (across & 0xffff) < 0x8000;
-            int32_t beyond = s->low_inside ? (centre_high ? own : high) : (centre_high ? low : own);
-            seen = beyond <= edge_z + CLOSE;
+        const int32_t at = start + (steep ? place : place * pitch);
+        const uint16_t *depth = t->depth + at;
+        if (contour) {
+            const int outside = ((across & 0x8000) == 0) == (out < 0);
+            if (outside && (uint32_t)(place + out - lowest) < (uint32_t)wide)
+                depth += out < 0 ? -next : next;
+            if (depth[0] > asr32(z, 8))
+                continue;
         } else {
-            seen = line_is_seen(edge_z, own, low, high);
+            const int32_t own = depth[0];
+            if (own > asr32(z, 8)) { /* seldom */
+                const int32_t low = place > lowest ? depth[-next] : own;
+                const int32_t high = place - lowest < wide - 1 ? depth[next] : own;
+                if (!line_is_seen(asr32(z, 8), own, low, high))
+                    continue;
+            }
         }
-        if (!seen)
-            continue;
-        if (t->format->grey)
+        if (grey)
             ((uint8_t *)t->pixels)[at] = (uint8_t)pixel;
         else
-            ((uint16_t *)t->pixels)[at] = pixel;
+            ((uint16_t *)t->pixels)[at] = (uint16_t)pixel;
     }
 }
 
 void sheen_line_rows(const struct line_tile *t, const struct steps *s, uint16_t pixel, int contour)
 {
-    if (s->steep)
-        line_rows(t, s, pixel, contour, 1);
+    if (contour && s->steep)
+        line_rows(t, s, pixel, 1, 1);
+    else if (contour)
+        line_rows(t, s, pixel, 1, 0);
+    else if (s->steep)
+        line_rows(t, s, pixel, 0, 1);
     else
-        line_rows(t, s, pixel, contour, 0);
+        line_rows(t, s, pixel, 0, 0);
 }

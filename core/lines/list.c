@@ -102,13 +102,13 @@ static void triangle_edges(struct line_list *l, const struct line_kind *which, u
  * Whether a triangle that has a corner outside the view volume faces the eye: which side of its plane that is on. Its
  * normal has 30 bits of its own; what 32 parts of 2^31 may have rounded off it is nothing that a line shows.
  */
-static APART int outside_in_front(const struct line_list *l, const uint32_t index[3])
+static APART int outside_in_front(const struct line_list *l, uint32_t first)
 {
     struct point at[3];
     int64_t n[3], most;
 
     for (int k = 0; k < 3; k++)
-        at[k] = corner_point(l, index[k]);
+        at[k] = corner_point(l, mesh_index(l->mesh, first + (uint32_t)k));
     const int64_t a[3] = {asr32(at[1].x, 1) - asr32(at[0].x, 1), asr32(at[1].y, 1) - asr32(at[0].y, 1),
                           asr32(at[1].m, 1) - asr32(at[0].m, 1)};
     const int64_t b[3] = {asr32(at[2].x, 1) - asr32(at[0].x, 1), asr32(at[2].y, 1) - asr32(at[0].y, 1),
@@ -130,16 +130,16 @@ static APART int outside_in_front(const struct line_list *l, const uint32_t inde
 /* Seen from the front, or from its edge. Those of polygons that face away were passed over: some have no vertices. */
 static int faces_eye(const struct line_list *l, uint32_t triangle)
 {
-    const uint32_t index[3] = {mesh_index(l->mesh, 3 * triangle), mesh_index(l->mesh, 3 * triangle + 1),
-                               mesh_index(l->mesh, 3 * triangle + 2)};
-    const uint32_t place[3] = {l->place[index[0]], l->place[index[1]], l->place[index[2]]};
+    const uint32_t first = 3 * triangle;
+    const uint32_t place[3] = {l->place[mesh_index(l->mesh, first)], l->place[mesh_index(l->mesh, first + 1)],
+                               l->place[mesh_index(l->mesh, first + 2)]};
 
     if (place[0] >= l->max_used || place[1] >= l->max_used || place[2] >= l->max_used)
         return 0;
     const struct vertex *a = &l->vertex[place[0]], *b = &l->vertex[place[1]], *c = &l->vertex[place[2]];
     unsigned any = a->flags | b->flags | c->flags;
     if ((any & OUTSIDE) != 0)
-        return outside_in_front(l, index);
+        return outside_in_front(l, first);
     return (any & OFF_VIEW) == 0 ? small_twice_area(a, b, c) <= 0 : twice_area(a, b, c) <= 0;
 }
 

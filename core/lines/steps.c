@@ -3,12 +3,12 @@
  */
 #include "lines.h"
 
-/* |numerator| 2^up / size with the numerator's sign; |numerator| < 2^16, up <= 16. */
-static int32_t slope_of(int32_t numerator, unsigned up, int32_t size)
+/* |numerator| < 2^16, seed: UQ1.15 of a reciprocal, its product less `down` bits; so a slope is within 2^-14 of it. */
+static inline int32_t slope_of(int32_t numerator, uint32_t seed, unsigned down)
 {
-    uint32_t slope = (magnitude32(numerator) << up) / (uint32_t)size;
+    int32_t slope = (int32_t)(magnitude32(numerator) * seed >> down);
 
-    return numerator < 0 ? -(int32_t)slope : (int32_t)slope;
+    return numerator < 0 ? -slope : slope;
 }
 
 /* As the triangles' corners have it. */
@@ -19,7 +19,7 @@ static int32_t biased_z(const struct line_tile *t, const struct vertex *v)
 
 /*
  * Steps stand at centres, from the line's lower end on. Range: a centre lies before the other end, so what is added up
- * to it stays below a line's own extent: 2^16 px in Q.16, z16 in Q.8.
+ * to it stays below a line's own extent and 2^-14 of that: 2^16 px in Q.16, z16 in Q.8.
  */
 int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line)
 {
@@ -55,9 +55,11 @@ int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct li
         return 0;
     int32_t rest = s->first * SUBPIXEL_ONE + SUBPIXEL_HALF - along, skipped = max32(from - s->first, 0);
     const struct vertex *other = a == b ? &t->vertex[line->from] : b;
-    s->across_step = slope_of(s->steep ? dx : dy, 16, size);
     const int32_t z = biased_z(t, a);
-    s->z_step = slope_of(biased_z(t, other) - z, 14, size);
+    const unsigned up = clz32((uint32_t)size);
+    const uint32_t seed = reciprocal_seed((uint32_t)size << up);
+    s->across_step = slope_of(s->steep ? dx : dy, seed, 31 - up);
+    s->z_step = slope_of(biased_z(t, other) - z, seed, 33 - up);
     s->across =
         across * (1 << (16 - SUBPIXEL_BITS)) + asr32(s->across_step * rest, SUBPIXEL_BITS) + s->across_step * skipped;
     s->z = z * 256 + asr32(s->z_step * rest, SUBPIXEL_BITS) + s->z_step * skipped;
