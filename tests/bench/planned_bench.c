@@ -64,7 +64,7 @@ static void make(struct bench *bench, const struct bench_scene *scene, unsigned 
     bench->fogged = (with & FOGGED) != 0;
     bench->transparency = (with & STIPPLED) != 0 ? 32 : 0;
     bench->morphed = (with & MORPHED) != 0;
-    bench->smooth = (with & SMOOTH) != 0;
+    bench->edges = (with & SMOOTH) != 0 ? &sheen_edges_smooth : NULL;
     if (bench->morphed)
         bench->config.max_used = scene->mesh.vertices;
     name = put_text(put_text(name, scene->name), looks[look].name);

@@ -9,8 +9,8 @@
  *
  * S1 and S3 have uvs, 2 by 1 pictures of 64 x 64 texels of 565, nearest or bilinear: their frames with textures.
  *
- * 320x240 but for the teapot, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50, n = 16. Measured is
- * the second frame of two, the first one degree before it; material tables are built before both.
+ * 320x240 but for the teapot, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50,
+ * n = 16. Measured is the second frame of two, the first one degree before it; material tables are built before both.
  */
 #ifndef BENCH_SCENES_H
 #define BENCH_SCENES_H
