@@ -8,7 +8,7 @@ const MESHES = ['teapot', 'sphere', 'torus', 'cube'];
 const SLIDERS = { // name: least, most, step, unit
     ambient: [0, 1, .01, ''], diffuse: [0, 1.5, .01, ''], specular: [0, 1.5, .01, ''], shininess: [1, 128, 1, ''],
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
-    fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''],
+    fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''], 'morph-weight': [0, 1, .01, ''],
 };
 const MORE = ['phase', 'fog', 'fog-color', 'ambient-color', 'vertex-colors', 'dither', 'ramp', 'edges', 'line-color', 'perspective',
     'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
@@ -27,6 +27,7 @@ let settings = {}; // those that are not the default; lights: a list
 let lights = [];
 let mesh = 'builtin:teapot';
 let own = null; // the mesh of a file: { files: all that came with it, name, read: the words that it was read with }
+let frame = null; // another frame of the mesh, likewise
 let chosen = 0; // of the lights, the one that moves
 let shown = false, spinning = false, moves_light = false, is_stale = true, is_busy = false;
 let times = [], timed = '', last = 0; // ms of the latest frames, of this mesh; when the last one was
@@ -59,7 +60,7 @@ function setLights(list) {
 
 const LOOK = ['theme', 'gap', 'scale'];
 const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
-const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', ...READS];
+const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', ...READS];
 
 function optionWords(keep) {
     const words = [];
@@ -277,21 +278,52 @@ function answerFrom(given, name, words) {
     });
 }
 
-/* Reads a file's mesh and pictures and shows it. Throws the line on what is wrong; what was shown stays then. */
-async function showFile(files, name) {
-    const words = readWords(name), answer = await answerFrom(files, name, words), was = { mesh, own, files: sheen.files };
-    sheen.files = new Map([[name, answer]]);
-    own = { files, name, read: words.join('\0') };
-    mesh = name;
+const frameKey = name => `frame of ${name}`; // as web_mesh.c has it
+const frameWords = name => ['view', '--morph', name, '--morph-target', setting('morph-target'), '--', name];
+
+function dropFrame() {
+    frame = null;
+    ['morph', 'morph-target', 'morph-weight'].forEach(name => set(name, ''));
+}
+
+/* Takes over what `act` changes and shows it. Throws the lines on what is wrong; what was shown stays then. */
+function showChanged(act) {
+    const was = { mesh, own, frame, settings: { ...settings }, files: new Map(sheen.files) };
+    act();
     sheen.x.web_forget();
     shown = false;
     if (!show()) {
         const lines = [...$('messages').children].map(item => item.textContent);
-        ({ mesh, own, files: sheen.files } = was);
+        ({ mesh, own, frame, settings, files: sheen.files } = was);
         sheen.x.web_forget();
         show();
         throw lines;
     }
+}
+
+/* Reads a file's mesh and pictures and shows it. */
+async function showFile(files, name) {
+    const words = readWords(name), answer = await answerFrom(files, name, words);
+    showChanged(() => {
+        if (frame && mesh !== name)
+            dropFrame();
+        sheen.files = new Map([...sheen.files].filter(([key]) => frame && key === frameKey(frame.name)));
+        sheen.files.set(name, answer);
+        own = { files, name, read: words.join('\0') };
+        mesh = name;
+    });
+}
+
+/* Reads another frame of the mesh and shows what lies between, half way at first. */
+async function showFrame(files, name) {
+    const words = frameWords(name), answer = await answerFrom(files, name, words);
+    showChanged(() => {
+        sheen.files.set(frameKey(name), answer);
+        if (!frame)
+            set('morph-weight', .5);
+        frame = { files, name, read: words.join('\0') };
+        set('morph', name);
+    });
 }
 
 /* Does it while the page waits, and says what is wrong. */
@@ -332,8 +364,22 @@ const take = list => busily(async () => {
     }
 });
 
-/* A file is read once more where its pictures are asked for in another way. Whether it had to be. */
+const takeFrame = list => busily(async () => {
+    const given = new Map();
+    for (const file of list)
+        given.set(file.name, new Uint8Array(await file.arrayBuffer()));
+    const name = [...given.keys()].find(n => READABLE.test(n)) ?? [...given.keys()][0];
+    if (name)
+        await showFrame(given, name);
+});
+
+/* A file is read once more where its pictures or its target are asked for in another way. Whether it had to be. */
 function readAgain() {
+    if (frame && settings.morph === frame.name && frame.read !== frameWords(frame.name).join('\0')) {
+        frame.read = frameWords(frame.name).join('\0');
+        busily(() => showFrame(frame.files, frame.name));
+        return true;
+    }
     if (!own || mesh !== own.name || own.read === readWords(mesh).join('\0'))
         return false;
     own.read = readWords(mesh).join('\0'); // once, whatever comes of it
@@ -399,7 +445,7 @@ function slider(name) {
         set(name, input.value);
         showSlider(name);
     };
-    return make('label', { className: 'slider' }, make('span', {}, name), input, make('output', { id: `${name}-is` }));
+    return make('label', { className: 'slider' }, make('span', {}, name.replace('morph-', '')), input, make('output', { id: `${name}-is` }));
 }
 
 function showSlider(name) {
@@ -433,7 +479,7 @@ function choiceButtons(id, words, isOn, choose) {
 function makeControls() {
     choiceButtons('meshes', MESHES, word => mesh === `builtin:${word}`, word => {
         mesh = `builtin:${word}`;
-        is_stale = true;
+        dropFrame();
         showControls();
     });
     choiceButtons('shade', choices.shade.split('|'), word => setting('shade') === word, word => {
@@ -469,6 +515,14 @@ function makeControls() {
     };
     $('background').oninput = () => set('background', $('background').value.slice(1));
     $('material-sliders').append(...['ambient', 'diffuse', 'specular', 'shininess'].map(slider));
+    $('frame-sliders').append(slider('morph-weight'));
+    $('morph-target').title = helps['morph-target'];
+    $('morph-target').onchange = () => set('morph-target', $('morph-target').value);
+    $('own-frame').onclick = () => busily(() => showFrame(own.files, own.name));
+    $('no-frame').onclick = () => {
+        dropFrame();
+        showControls();
+    };
     $('view-sliders').append(...['yaw', 'pitch', 'roll', 'distance', 'fov'].map(slider));
     const ortho = make('input', { type: 'checkbox', id: 'ortho', title: helps.ortho });
     ortho.onchange = () => {
@@ -478,16 +532,22 @@ function makeControls() {
             delete settings.ortho;
         is_stale = true;
     };
-    const own = make('input', { type: 'checkbox', id: 'file-color', title: 'the colours of the file’s materials' });
-    own.onchange = () => set('color', own.checked ? 'file' : '');
+    const colors = make('input', { type: 'checkbox', id: 'file-color', title: 'the colours of the file’s materials' });
+    colors.onchange = () => set('color', colors.checked ? 'file' : '');
     $('more').append(make('div', { className: 'row' }, make('label', { className: 'check' }, ortho, 'no perspective'),
-        make('label', { className: 'check' }, own, 'the file’s colours')), slider('opacity'), ...MORE.map(chooser));
+        make('label', { className: 'check' }, colors, 'the file’s colours')), slider('opacity'), ...MORE.map(chooser));
 }
 
 function showControls() {
     const is_file = !mesh.startsWith('builtin:');
     $('file-name').textContent = is_file ? mesh : 'Your OBJ, STL, PLY, GLB … or drop it anywhere';
     $('file-name').parentElement.classList.toggle('taken', is_file);
+    $('frame-name').textContent = settings.morph ?? 'Another frame of it: its faces elsewhere';
+    $('frame-name').parentElement.classList.toggle('taken', 'morph' in settings);
+    $('own-frame').hidden = !own || mesh !== own.name || !/\.(glb|gltf|vrm)$/i.test(mesh);
+    $('no-frame').hidden = $('frame-sliders').hidden = !('morph' in settings);
+    $('morph-target').parentElement.hidden = $('own-frame').hidden && !/\.(glb|gltf|vrm)$/i.test(settings.morph ?? '');
+    $('morph-target').value = settings['morph-target'] ?? '';
     $('meshes').check();
     $('shade').check();
     const known = [...$('panel').options].map(option => option.value);
@@ -752,6 +812,9 @@ function holdPage() {
     });
     $('file').onchange = () => {
         take([...$('file').files]).then(() => { $('file').value = ''; });
+    };
+    $('frame').onchange = () => {
+        takeFrame([...$('frame').files]).then(() => { $('frame').value = ''; });
     };
     $('controls').onsubmit = event => event.preventDefault();
     $('spin').onclick = () => setSpin(!spinning);

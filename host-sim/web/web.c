@@ -98,6 +98,7 @@ static void copy_look(struct sheen_options *to, const struct sheen_options *from
     to->phase = from->phase;
     to->edges = from->edges;
     memcpy(to->line, from->line, sizeof to->line);
+    to->morph_weight = from->morph_weight;
     to->two_sided = from->two_sided;
     to->affine = from->affine;
     to->ortho = from->ortho;
@@ -119,6 +120,8 @@ static void copy_panel(struct sheen_options *to, const struct sheen_options *fro
 /* Whether they are the same, the names by their letters. Parsed into zeroed memory, so that gaps are equal. */
 static int are_equal(struct sheen_options a, const struct sheen_options *b)
 {
+    if ((a.morph == NULL) != (b->morph == NULL) || (a.morph && strcmp(a.morph, b->morph) != 0))
+        return 0;
     if (strcmp(a.mesh, b->mesh) != 0 || strcmp(a.panel, b->panel) != 0 || strcmp(a.texture, b->texture) != 0 ||
         strcmp(a.matcap, b->matcap) != 0)
         return 0;
@@ -126,6 +129,7 @@ static int are_equal(struct sheen_options a, const struct sheen_options *b)
     a.panel = b->panel;
     a.texture = b->texture;
     a.matcap = b->matcap;
+    a.morph = b->morph;
     return memcmp(&a, b, sizeof a) == 0;
 }
 

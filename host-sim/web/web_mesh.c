@@ -4,12 +4,14 @@
  * The command reads a file in a confined child process (mesh_file.h). The page reads it in an
  * instance of this module of its own, in a worker, which it gives up afterwards: web_read() writes
  * the answer of mesh_wire.h to its output, and the instance that draws finds that answer where the
- * command finds the file.
+ * command finds the file; that of another frame of a mesh, which may be the mesh's own file, under
+ * FRAME_OF and its name.
  */
 #include "web_mesh.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -21,6 +23,8 @@
 #include "mesh_wire.h"
 #include "scene.h"
 #include "simplify.h"
+
+#define FRAME_OF "frame of "
 
 const char *sheen_web_path;
 
@@ -50,7 +54,10 @@ __attribute__((export_name("web_path"))) char *web_path(size_t size)
     return path;
 }
 
-/* Reads the file of that name as the words of web_words() ask, answers, and ends this instance: never returns. */
+/*
+ * Reads the file of that name as the words of web_words() ask, with --morph as another frame; answers, and ends this
+ * instance: never returns.
+ */
 __attribute__((export_name("web_read"))) void web_read(int count)
 {
     static struct sheen_options options;
@@ -63,8 +70,10 @@ __attribute__((export_name("web_read"))) void web_read(int count)
     if (status.st_size == 0)
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, "the file is empty");
     int go = sheen_web_options(&options, count, &problem);
+    if (go > 0 && options.morph)
+        polygons.target = (unsigned)options.morph_target + 1;
     int error = go < 0 ? go : sheen_mesh_format_read(&polygons, sheen_web_path, &problem);
-    if (!error) {
+    if (!error && !options.morph) {
         const struct sheen_texture_options textures = sheen_scene_texture_options(&options);
         error = sheen_textures_read(&polygons, &textures, sheen_web_path, &problem);
     }
@@ -82,10 +91,16 @@ void sheen_confine_file(int file)
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
                          const struct sheen_texture_options *textures, struct sheen_problem *problem)
 {
-    int file = open(path, O_RDONLY), error = SHEEN_OK;
+    const int is_frame = textures && textures->target;
+    char *name = malloc(sizeof FRAME_OF + strlen(path));
+    int file = -1, error = SHEEN_OK;
 
-    (void)textures;
     memset(polygons, 0, sizeof *polygons);
+    if (!name)
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: not enough memory", path);
+    sprintf(name, "%s%s", is_frame ? FRAME_OF : "", path);
+    file = open(name, O_RDONLY);
+    free(name);
     if (file < 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path, strerror(errno));
     int answered = sheen_mesh_receive(file, &error, polygons, problem);

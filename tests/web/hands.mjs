@@ -247,6 +247,63 @@ await settle(page);
 await bakeAndCompare('teapot', 'builtin:teapot', '--normals', 'average');
 await page.close();
 
+// ---- another frame of a mesh: of a file, between them by a slider, of a glTF's own targets ----
+page = await browser.page();
+const folder_of_data = path.join(source, 'tests', 'data');
+const frames = await page.createCDPSession();
+await frames.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: downloads });
+async function chooseFrame(name) {
+    await (await page.$('#frame')).uploadFile(name);
+    await page.waitForFunction('is_busy || document.querySelector("#messages .bad") || settings.morph');
+    await settle(page);
+}
+await (await page.$('#file')).uploadFile(data('globe.obj'));
+await page.waitForFunction('mesh === "globe.obj" && !is_busy');
+check('no frame yet', await page.evaluate('$("frame-sliders").hidden && $("own-frame").hidden && $("no-frame").hidden'));
+await chooseFrame(data('globe_tall.obj'));
+words = await checkLine(page, 'another frame', folder_of_data);
+check(`another frame: ${words}`, words.includes('--morph globe_tall.obj') && words.includes('--morph-weight 0.5'));
+for (const weight of ['0.25', '1']) {
+    await page.$eval('#morph-weight', (slider, weight) => {
+        slider.value = weight;
+        slider.dispatchEvent(new Event('input'));
+    }, weight);
+    words = await checkLine(page, `weight ${weight}`, folder_of_data);
+    check(`weight ${weight}: ${words}`, words.includes(`--morph-weight ${weight}`));
+}
+await page.screenshot({ path: path.join(folder, 'frame.png') });
+await page.click('#bake');
+for (let ms = 0; ms < PATIENCE && !fs.existsSync(path.join(downloads, 'globe.h')); ms += 50)
+    await wait(50);
+await wait(100);
+check('a header of both', /const struct sheen_mesh globe_second = /.test(fs.readFileSync(path.join(downloads, 'globe.h'), 'utf8')));
+await chooseFrame(data('star.obj'));
+check(`a frame of another mesh: ${await said(page)}`, /^sheen: .*star.obj/.test((await said(page))[0]));
+check('what was shown stays', (await checkLine(page, 'after such a frame', folder_of_data)).includes('--morph globe_tall.obj'));
+await page.click('#no-frame');
+check('no frame', !(await checkLine(page, 'no frame', folder_of_data)).includes('morph'));
+const points = [[-1, -1, 0, 1, -1, 0, 0, 1, 0], [0, 0, 1, 0, 0, 0, 0, 0, 0], [0, 0, 0, 1, 1, 0, 0, 0, -1]];
+const floats = Buffer.from(new Float32Array(points.flat()).buffer);
+fs.writeFileSync(path.join(folder, 'bent.gltf'), JSON.stringify({
+    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, targets: [{ POSITION: 1 }, { POSITION: 2 }] }], weights: [0, 0] }],
+    accessors: points.map((_, i) => ({ bufferView: i, componentType: 5126, count: 3, type: 'VEC3', min: [-1, -1, -1], max: [1, 1, 1] })),
+    bufferViews: points.map((_, i) => ({ buffer: 0, byteOffset: 36 * i, byteLength: 36 })),
+    buffers: [{ byteLength: floats.length, uri: `data:application/octet-stream;base64,${floats.toString('base64')}` }],
+}));
+await (await page.$('#file')).uploadFile(path.join(folder, 'bent.gltf'));
+await page.waitForFunction('mesh === "bent.gltf" && !is_busy');
+await page.click('#own-frame');
+await page.waitForFunction('settings.morph === "bent.gltf" && !is_busy');
+const bent = await checkLine(page, 'its own target');
+await page.$eval('#morph-target', input => { input.value = 1; input.dispatchEvent(new Event('change')); });
+await page.waitForFunction('!is_stale && !is_busy && frame.read.split("\\0").includes("1")');
+words = await checkLine(page, 'its other target');
+check(`targets: ${bent}; ${words}`, bent.includes('--morph bent.gltf') && words.includes('--morph-target 1'));
+await clickText(page, '#meshes button', 'torus');
+check('another mesh has no frame', !(await checkLine(page, 'another mesh')).includes('morph'));
+await page.close();
+
 // ---- a stranger: his STL, his panel, the header, a program with it ----
 page = await browser.page();
 const walk = await page.createCDPSession();
@@ -277,7 +334,8 @@ await page.close();
 // ---- a phone: touch, and no scrolling sideways ----
 page = await browser.page({ phone: true, width: 390, height: 844, hash: '#panel=gc9a01&distance=2.4&cull=none' });
 check('as wide as the phone', await page.evaluate('document.documentElement.scrollWidth') === 390);
-const small = await page.$$eval('button, select, .file', list => list.filter(e => e.getBoundingClientRect().height < 40).length);
+const small = await page.$$eval('button, select, .file', list =>
+    list.filter(e => !e.closest('[hidden]') && e.getBoundingClientRect().height < 40).length);
 check(`${small} controls too small for fingers`, small === 0);
 const touch = await page.createCDPSession();
 const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });

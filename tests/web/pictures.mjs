@@ -65,7 +65,8 @@ for (const panel of ['ili9341', 'ssd1306', 'gc9a01']) {
 
 // `sheen plan`: the command's lines.
 for (const words of [['builtin:teapot'], ['builtin:torus', '--panel', 'ssd1306', '--shade', 'gouraud', '--band', '8'],
-    ['builtin:cube', '--panel', 'st7789-240x240', '--buffers', '2', '--shade', 'slerp', '--dither', 'off']]) {
+    ['builtin:cube', '--panel', 'st7789-240x240', '--buffers', '2', '--shade', 'slerp', '--dither', 'off'],
+    ['builtin:teapot', '--shade', 'matcap', '--fog', '2,4', '--edges', 'smooth']]) {
     const got = await page.evaluate(words => sheen.x.web_plan(sheen.words(['plan', ...words]), -1)
         ? sheen.text(sheen.x.web_problem()) : sheen.text(sheen.x.web_text()), words);
     const want = execFileSync(sheen, ['plan', ...words]).toString();
