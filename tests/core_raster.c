@@ -32,13 +32,15 @@ void core_raster_begin(struct core_raster *r, int width, int height)
 
 unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struct span *spans, struct core_setup *to)
 {
+    const int16_t *parts = corner_parts(&r->mesh, r->draw.shader);
+    const int size = r->draw.shader->needs_uvs ? 2 : 3;
     struct surface_corners c = {.at.triangle = 0};
     struct gradients g;
 
     for (int k = 0; k < 3; k++) {
         int corner = (3 - k) % 3; /* meshes are counterclockwise */
         c.at.v[k] = &r->vertex[corner];
-        c.at.normal[k] = r->mesh.normals != NULL ? r->mesh.normals + 3 * corner : NULL;
+        c.at.normal[k] = parts != NULL ? parts + size * corner : NULL;
     }
     if (twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) == 0)
         return 0; /* such triangles are never listed */

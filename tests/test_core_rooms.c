@@ -1,12 +1,13 @@
 /*
  * test_core_rooms.c - each shading's room without a frame: light at the corners, set-up, rows, against its definition
- * in double precision, within a step of 565.
+ * in double precision, within a step of 565; rooms of texels and matcaps within a part of a texel besides.
  */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -199,6 +200,258 @@ static void check_room(const struct sheen_shader *shader, intensity_at *intensit
     worst_assert(&worst, allowed, "steps of 565 beside the rounding");
 }
 
+/* ---- colours: of vertices, of the light, of ambient light ---- */
+
+static const uint8_t vertex_colors[9] = {255, 128, 0, 40, 200, 255, 90, 30, 160};
+static const uint8_t light_color[3] = {255, 180, 100}, ambient_color[3] = {120, 160, 255}, white[3] = {255, 255, 255};
+
+/* What a colored room's corners have of white light's intensity, linear between them: off by, as steps_off. */
+static double colored_off(const struct scene *s, uint16_t pixel, double x, double y, int is_flat, const uint8_t *light,
+                          const uint8_t *ambient)
+{
+    static const double base[3] = {200 / 255.0, 160 / 255.0, 90 / 255.0}, top[3] = {31, 63, 31};
+    const double level[3] = {pixel >> 11, pixel >> 5 & 63, pixel & 31};
+    double b[3], most = 0;
+
+    coordinates(s, x, y, b);
+    for (int i = 0; i < 3; i++) {
+        double channel = 0;
+        for (int k = 0; k < 3; k++) {
+            double intensity = fmax(0, dot(s->normal[is_flat ? 0 : k], s->light));
+            channel += b[k] * vertex_colors[3 * k + i] / 255 *
+                       (AMBIENT * ambient[i] / 255 + DIFFUSE * intensity * light[i] / 255);
+        }
+        most = fmax(most, fabs(level[i] - channel * base[i] * top[i]));
+    }
+    return fmax(0, most - 0.5);
+}
+
+/* The picture of the triangle of random_scene; 0 where there is none to look at. */
+static int draw_scene(struct core_raster *r, struct scene *s, uint32_t *state, double spread, uint16_t *depth,
+                      uint16_t *pixels)
+{
+    const struct sheen_shader *shader = r->draw.shader;
+
+    if (!random_scene(s, r, state, spread))
+        return 0;
+    r->mesh.normals = &s->normals[0][0];
+    r->mesh.polygon_normals = s->normals[0];
+    for (int k = 0; k < 3 && shader->light != NULL; k++)
+        shader->light(&r->draw, s->normals[k], r->vertex[k].kept);
+    memset(depth, 0, WIDTH * HEIGHT * sizeof *depth);
+    core_raster_draw(r, depth, pixels);
+    return 1;
+}
+
+static void check_colored(const struct sheen_shader *shader, int tinted)
+{
+    static uint16_t depth[WIDTH * HEIGHT], pixels[WIDTH * HEIGHT];
+    const uint8_t *light = tinted ? light_color : white, *ambient = tinted ? ambient_color : white;
+    struct sheen_light lights[1] = {{.intensity = 0}};
+    struct worst worst = {0};
+    struct core_raster r;
+    struct scene s;
+    uint32_t state = 5;
+
+    begin(&r, &s, shader);
+    r.mesh.colors = vertex_colors;
+    if (tinted) {
+        memcpy(lights[0].color, light_color, sizeof light_color);
+        memcpy(r.material.ambient_color, ambient_color, sizeof ambient_color);
+    }
+    const struct sheen_object object = {.material = &r.material, .lights = lights, .light_count = 1};
+    shader->begin(&r.draw, &r.material, &r.format, &object);
+    for (int i = 0; i < TRIANGLES; i++) {
+        if (!draw_scene(&r, &s, &state, 0.5, depth, pixels))
+            continue;
+        for (int at = 0; at < WIDTH * HEIGHT; at++)
+            if (depth[at] != 0)
+                worst_note(&worst,
+                           colored_off(&s, pixels[at], at % WIDTH + 0.5, at / WIDTH + 0.5,
+                                       shader == &sheen_flat_colored, light, ambient),
+                           "triangle %d, pixel %d %d", i, at % WIDTH, at / WIDTH);
+    }
+    worst_assert(&worst, 0.1, "steps of 565 beside the rounding");
+}
+
+static void colored_rooms(void **unused)
+{
+    (void)unused;
+    for (int tinted = 0; tinted < 2; tinted++) {
+        check_colored(&sheen_flat_colored, tinted);
+        check_colored(&sheen_gouraud_colored, tinted);
+    }
+}
+
+/* ---- texels ---- */
+
+#define SIDE_LOG2 6
+#define SIDE (1 << SIDE_LOG2)
+
+/* Texel coordinates of a pixel, and the light on it. */
+typedef void texels_at(const struct scene *s, const int16_t uv[6], double x, double y, double at[3]);
+
+static void at_uvs(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+{
+    double b[3];
+
+    coordinates(s, x, y, b);
+    at[0] = SIDE / 4096.0 * (b[0] * uv[0] + b[1] * uv[2] + b[2] * uv[4]);
+    at[1] = SIDE / 4096.0 * (b[0] * uv[1] + b[1] * uv[3] + b[2] * uv[5]);
+    at[2] = AMBIENT + DIFFUSE * of_gouraud(s, x, y);
+}
+
+static void at_uvs_flat(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+{
+    at_uvs(s, uv, x, y, at);
+    at[2] = AMBIENT + DIFFUSE * of_flat(s, x, y);
+}
+
+static void at_normal(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+{
+    double b[3], n[3];
+
+    (void)uv;
+    coordinates(s, x, y, b);
+    for (int i = 0; i < 3; i++)
+        n[i] = b[0] * s->normal[0][i] + b[1] * s->normal[1][i] + b[2] * s->normal[2][i];
+    const double length = sqrt(dot(n, n));
+    at[0] = SIDE * (1 + n[0] / length) / 2;
+    at[1] = SIDE * (1 - n[1] / length) / 2;
+    at[2] = 1;
+}
+
+static void at_vertices(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+{
+    double b[3];
+
+    (void)uv;
+    coordinates(s, x, y, b);
+    at[0] = at[1] = 0;
+    for (int k = 0; k < 3; k++) {
+        at[0] += b[k] * SIDE * (1 + s->normal[k][0]) / 2;
+        at[1] += b[k] * SIDE * (1 - s->normal[k][1]) / 2;
+    }
+    at[2] = 1;
+}
+
+static double channel_of(uint16_t pixel, int k)
+{
+    return k == 0 ? pixel >> 11 : k == 1 ? pixel >> 5 & 63 : pixel & 31;
+}
+
+/* The picture repeats. */
+static uint16_t texel_of(const uint16_t *texels, double u, double v)
+{
+    return texels[((int)floor(v) & (SIDE - 1)) << SIDE_LOG2 | ((int)floor(u) & (SIDE - 1))];
+}
+
+/* The texels about (u, v) by their shares. */
+static double mixed_of(const uint16_t *texels, double u, double v, int k)
+{
+    const double a = u - 0.5 - floor(u - 0.5), b = v - 0.5 - floor(v - 0.5);
+
+    return (1 - b) * ((1 - a) * channel_of(texel_of(texels, u - 0.5, v - 0.5), k) +
+                      a * channel_of(texel_of(texels, u + 0.5, v - 0.5), k)) +
+           b * ((1 - a) * channel_of(texel_of(texels, u - 0.5, v + 0.5), k) +
+                a * channel_of(texel_of(texels, u + 0.5, v + 0.5), k));
+}
+
+/* Steps that a pixel is off the best of what its coordinates may be, `within` a texel of where they are. */
+static double texels_off(const struct sheen_texture *texture, uint16_t pixel, const double at[3], double within)
+{
+    double least = 1e9;
+
+    for (int i = 0; i < 9; i++) {
+        const double u = at[0] + (i % 3 - 1) * within, v = at[1] + (i / 3 - 1) * within;
+        double most = 0;
+        for (int k = 0; k < 3; k++) {
+            const double texel =
+                texture->bilinear ? mixed_of(texture->texels, u, v, k) : channel_of(texel_of(texture->texels, u, v), k);
+            most = fmax(most, fabs(channel_of(pixel, k) - at[2] * texel));
+        }
+        least = fmin(least, most);
+    }
+    return fmax(0, least - 0.5);
+}
+
+/* Of random colours, or to mix smoothly of slow ones. */
+static void make_texture(struct sheen_texture *texture, uint16_t *texels, int bilinear, int clamp)
+{
+    uint32_t state = 9;
+
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        const int x = i % SIDE, y = i / SIDE, smooth = abs(x - SIDE / 2) << 11 | abs(y - SIDE / 2) << 5 | 15;
+        texels[i] = bilinear ? (uint16_t)smooth : (uint16_t)stage_uniform(&state, 0, 65536);
+    }
+    *texture = (struct sheen_texture){.texels = texels,
+                                      .width_log2 = SIDE_LOG2,
+                                      .height_log2 = SIDE_LOG2,
+                                      .clamp_u = (uint8_t)clamp,
+                                      .clamp_v = (uint8_t)clamp,
+                                      .bilinear = (uint8_t)bilinear};
+}
+
+/* within: of a texel, what a room's coordinates may be off. */
+static void check_texels(const struct sheen_shader *shader, texels_at *coordinates_at, int bilinear, double spread,
+                         double within)
+{
+    static uint16_t depth[WIDTH * HEIGHT], pixels[WIDTH * HEIGHT], texels[SIDE * SIDE];
+    const struct sheen_object object = {.light_count = 0};
+    struct sheen_texture texture;
+    struct worst worst = {0};
+    struct core_raster r;
+    struct scene s;
+    int16_t uv[6];
+    uint32_t state = 7;
+
+    begin(&r, &s, shader);
+    make_texture(&texture, texels, bilinear, shader->axes != NULL);
+    memset(r.material.base, 255, sizeof r.material.base);
+    r.material.texture = &texture;
+    if (shader->axes != NULL) {
+        struct sheen_pose pose;
+        sheen_pose_orbit(&pose, 0, 0, 0, 0);
+        assert_int_equal(sheen_light_begin(&r.draw.light, shader->axes, 2, pose.rotation, NULL), SHEEN_OK);
+    }
+    shader->begin(&r.draw, &r.material, &r.format, &object);
+    r.mesh.uvs = uv;
+    r.mesh.uv_bits = 12;
+    for (int i = 0; i < TRIANGLES; i++) {
+        for (int k = 0; k < 6; k++)
+            uv[k] = (int16_t)stage_uniform(&state, -6000, 6000);
+        if (!draw_scene(&r, &s, &state, spread, depth, pixels))
+            continue;
+        for (int at = 0; at < WIDTH * HEIGHT; at++) {
+            double where[3];
+            coordinates_at(&s, uv, at % WIDTH + 0.5, at / WIDTH + 0.5, where);
+            if (depth[at] != 0)
+                worst_note(&worst, texels_off(&texture, pixels[at], where, within), "triangle %d, pixel %d %d", i,
+                           at % WIDTH, at / WIDTH);
+        }
+    }
+    worst_assert(&worst, 0.1, "steps of 565 beside the rounding");
+}
+
+static void textured_rooms(void **unused)
+{
+    (void)unused;
+    for (int bilinear = 0; bilinear < 2; bilinear++) {
+        check_texels(&sheen_textured, at_uvs, bilinear, 0.5, 1 / 32.0);
+        check_texels(&sheen_textured_flat, at_uvs_flat, bilinear, 0.5, 1 / 32.0);
+    }
+}
+
+static void matcap_rooms(void **unused)
+{
+    (void)unused;
+    for (int bilinear = 0; bilinear < 2; bilinear++) {
+        check_texels(&sheen_matcap, at_normal, bilinear, 0.05, 1 / 24.0);
+        check_texels(&sheen_matcap, at_normal, bilinear, 0.5, 1 / 24.0);
+        check_texels(&sheen_matcap_vertex, at_vertices, bilinear, 0.5, 1 / 32.0);
+    }
+}
+
 static void flat_room(void **unused)
 {
     (void)unused;
@@ -227,8 +480,10 @@ static void slerp_room(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(flat_room), cmocka_unit_test(gouraud_room),
-                                       cmocka_unit_test(phong_room), cmocka_unit_test(slerp_room)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(flat_room),     cmocka_unit_test(gouraud_room),
+                                       cmocka_unit_test(phong_room),    cmocka_unit_test(slerp_room),
+                                       cmocka_unit_test(colored_rooms), cmocka_unit_test(textured_rooms),
+                                       cmocka_unit_test(matcap_rooms)};
 
     return cmocka_run_group_tests_name("rooms", tests, NULL, NULL);
 }
