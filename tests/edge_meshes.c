@@ -101,14 +101,14 @@ static int find_edges(struct edge_mesh *m)
 
 int edge_mesh_make(struct edge_mesh *m, enum edge_mesh_name which)
 {
-    static const char *const name[EDGE_MESHES] = {"teapot", "gear", "rabbit"};
+    static const char *const name[EDGE_ALL_MESHES] = {"teapot", "gear", "rabbit", "cube"};
     const struct ref_mesh_options options = {.fit = true, .crease = CREASE};
 
     memset(m, 0, sizeof *m);
     m->name = name[which];
-    if (which == EDGE_TEAPOT) {
+    if (which == EDGE_TEAPOT || which == EDGE_CUBE) {
         m->reference = &m->loaded.reference;
-        if (loaded_mesh_make(&m->loaded, "builtin:teapot") != 0)
+        if (loaded_mesh_make(&m->loaded, which == EDGE_CUBE ? "builtin:cube" : "builtin:teapot") != 0)
             return -1;
         m->mesh = m->loaded.quantised.mesh;
     } else {

@@ -1,5 +1,6 @@
 /*
- * edge_meshes.h - what edges are judged on: a teapot, a gear and a rabbit, for the reference and for the core.
+ * edge_meshes.h - what edges are judged on: a teapot, a gear, a rabbit and a cube, for the reference and for the
+ * core.
  */
 #ifndef EDGE_MESHES_H
 #define EDGE_MESHES_H
@@ -12,7 +13,9 @@ enum edge_mesh_name {
     EDGE_TEAPOT,
     EDGE_GEAR,
     EDGE_RABBIT,
-    EDGE_MESHES
+    EDGE_MESHES, /* those above, which smoothing is judged on */
+    EDGE_CUBE = EDGE_MESHES,
+    EDGE_ALL_MESHES
 };
 
 struct edge_mesh {
