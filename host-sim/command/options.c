@@ -90,10 +90,13 @@ const struct sheen_option sheen_option_table[] = {
      7, 0},
     {"cull", "back|none", "back", "leave out faces seen from behind, or draw them too", SHEEN_OPTION_CHOICE,
      SHEEN_DRAWS, AT(two_sided), 0, 0, 0},
-    {"edges", "none|smooth|outline|wire", "none",
+    {"edges", "none|smooth|outline|wire", NULL,
      "over the faces: smooth: contours, on panels of more than two levels; outline: contours and sharp edges as lines; "
-     "wire: all edges as lines, the faces in the background's colour",
-     SHEEN_OPTION_CHOICE, SHEEN_DRAWS, AT(edges), 0, 0, 0},
+     "wire: all edges as lines, the faces in the background's colour [smooth, on panels of two levels outline, none "
+     "with an opacity below 1]",
+     SHEEN_OPTION_CHOICE, SHEEN_RENDER | SHEEN_VIEW, AT(edges), 0, 0, 0},
+    {"edges", "none|smooth|outline|wire", NULL, "what is drawn of them, as by render [none]", SHEEN_OPTION_CHOICE,
+     SHEEN_PLAN, AT(edges), 0, 0, 0},
     {"edges", NULL, NULL, "the mesh's edges too, for what a firmware draws of them: 8 B a triangle", SHEEN_OPTION_FLAG,
      SHEEN_BAKE, AT(bake_edges), 0, 0, 0},
     {"line-color", "COLOR", "ffffff", "of these lines", SHEEN_OPTION_COLOR, SHEEN_DRAWS, AT(line), 0, 0, 0},
@@ -220,11 +223,12 @@ static int refuse(int answer, unsigned command, char **argv, struct sheen_proble
 
 static const uint8_t default_color[3] = {0xd8, 0xa0, 0x48};
 
-static int set_defaults(struct sheen_options *options, struct sheen_problem *problem)
+static int set_defaults(struct sheen_options *options, unsigned command, struct sheen_problem *problem)
 {
     memset(options, 0, sizeof *options);
     options->orientation = -1;
     options->undithered = -1;
+    options->edges = command == SHEEN_PLAN ? SHEEN_NO_EDGES : -1;
     options->up = -1;
     options->alpha_cutoff = -1;
     memcpy(options->color.color, default_color, sizeof default_color);
@@ -272,7 +276,7 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
 {
     struct option longs[MAX_OPTIONS];
     char letters[2 * MAX_OPTIONS + 3];
-    int answer, error = set_defaults(options, problem);
+    int answer, error = set_defaults(options, command->bit, problem);
 
     make_getopt(command->bit, longs, letters);
     opterr = 0;

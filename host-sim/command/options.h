@@ -81,7 +81,7 @@ struct sheen_options {
     struct sheen_paint fog_color; /* not given: the background's */
     double opacity;               /* 0..1 */
     int phase;                    /* of its pattern, 0..7 */
-    int edges;                    /* enum sheen_edging */
+    int edges;                    /* enum sheen_edging; -1: not given */
     uint8_t line[3];              /* their colour */
     int two_sided, average, affine, ortho;
     double crease;  /* degrees; 180 averages all */

@@ -276,7 +276,7 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
         vertices += scene->meshes[i].mesh.vertices;
         triangles += scene->meshes[i].mesh.triangles;
     }
-    const int wants_edges = scene->options->edges != SHEEN_NO_EDGES;
+    const int wants_edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
     uint32_t edges = wants_edges ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
     *config = (struct sheen_config){.target = scene->target,
                                     .band_rows = (uint16_t)scene->options->band,
@@ -359,6 +359,17 @@ enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
                : asked;
 }
 
+enum sheen_edging sheen_scene_edging(const struct sheen_scene *scene)
+{
+    const struct sheen_options *options = scene->options;
+
+    if (options->edges >= 0)
+        return (enum sheen_edging)options->edges;
+    if (scene->edgeless || options->opacity < 1)
+        return SHEEN_NO_EDGES;
+    return scene->target->pixel == SHEEN_GREY2 ? SHEEN_OUTLINE : SHEEN_SMOOTH;
+}
+
 void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_pose *pose)
 {
     const struct sheen_options *options = scene->options;
@@ -394,7 +405,7 @@ void sheen_scene_object(const struct sheen_scene *scene, int number, size_t i, s
                                     .phase = (uint8_t)options->phase,
                                     .two_sided = (uint8_t)options->two_sided,
                                     .morph = options->morph ? &scene->morphs[i] : NULL,
-                                    .edges = sheen_edges_of((unsigned)options->edges)};
+                                    .edges = sheen_edges_of(sheen_scene_edging(scene))};
     sheen_scene_pose(scene, number, &object->pose);
 }
 
@@ -413,16 +424,21 @@ static int draw_all(struct sheen_scene *scene, int number)
     return error;
 }
 
-/* Close to the eye more triangles are cut than the frame has room for: it is made anew with more. */
+/*
+ * Close to the eye more triangles are cut than the frame has room for: it is made anew with more. Where the edges are
+ * too many for any frame, and nobody asked for them, they are left out.
+ */
 int sheen_scene_begin(struct sheen_scene *scene, int number)
 {
     int error = SHEEN_OK;
 
-    if (scene->options->edges != SHEEN_NO_EDGES && scene->config.max_edges == 0)
+    if (sheen_scene_edging(scene) != SHEEN_NO_EDGES && scene->config.max_edges == 0)
         error = make_frame(scene, scene->config.max_clipped);
     if (!error)
         error = draw_all(scene, number);
     for (unsigned pieces = 256; error == SHEEN_ERR_CAPACITY && pieces <= UINT16_MAX / 2 + 1; pieces *= 2) {
+        if (scene->options->edges < 0 && sheen_frame_about(scene->frame, NULL) == SHEEN_ABOUT_MAX_EDGES)
+            scene->edgeless = 1;
         error = make_frame(scene, pieces);
         if (!error)
             error = draw_all(scene, number);

@@ -27,6 +27,7 @@ struct sheen_scene {
     const struct sheen_texture **own_texture; /* of each mesh; NULL: none */
     struct sheen_texels matcap;               /* in its place where the shading is a matcap */
     int has_colors;                           /* 1: a mesh has colours of vertices */
+    int edgeless;                             /* 1: more edges than a frame takes, of which none were asked for */
     int is_usage;                             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
@@ -53,6 +54,12 @@ int sheen_scene_is_colored(const struct sheen_scene *scene);
 
 /* How it is shaded: as the options say, or where a texture or colours are shown by default gouraud. */
 enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene);
+
+/*
+ * What is drawn of edges: as the options say, or by default what shows best on the panel; nothing with an opacity
+ * below 1, as what is left out there is no contour's other side.
+ */
+enum sheen_edging sheen_scene_edging(const struct sheen_scene *scene);
 
 /*
  * Loads and allocates; nothing is drawn. options and target are borrowed.

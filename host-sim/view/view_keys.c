@@ -108,7 +108,7 @@ static int scene_key(struct sheen_viewer *viewer, int key)
         options->undithered = viewer->table.scene.view.dither;
         return 1;
     case 'e':
-        options->edges = (options->edges + 1) % SHEEN_EDGINGS;
+        options->edges = ((int)sheen_scene_edging(&viewer->table.scene) + 1) % SHEEN_EDGINGS;
         return 1;
     case 'a':
         options->affine = !options->affine;

@@ -12,7 +12,7 @@
     "  s           shading: flat, gouraud, phong, slerp, matcap, matcap-vertex\n"                                      \
     "  l           turn the lights by 30 degrees\n"                                                                    \
     "  d           dither or not\n"                                                                                    \
-    "  e           edges: none, outline, wire\n"                                                                       \
+    "  e           edges: smooth, outline, wire, none\n"                                                               \
     "  a           shading linear in space, or on the screen\n"                                                        \
     "  o           perspective or none\n"                                                                              \
     "  r           the next orientation\n"                                                                             \

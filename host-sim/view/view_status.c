@@ -33,9 +33,9 @@ void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t si
 
     put_frame(viewer, frame, sizeof frame);
     snprintf(text, size, "%s  %s  %s%s%s%s%s  %ux%u, orientation %u", sheen_turntable_panel_name(table), frame,
-             shadings[sheen_scene_shading(&table->scene)], edges[viewer->options.edges], view->affine ? ", affine" : "",
-             view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "", table->choice.width,
-             table->choice.height, table->choice.orientation);
+             shadings[sheen_scene_shading(&table->scene)], edges[sheen_scene_edging(&table->scene)],
+             view->affine ? ", affine" : "", view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "",
+             table->choice.width, table->choice.height, table->choice.orientation);
 }
 
 /* The wire alone, a bit a cycle of the rated clock: what no firmware can beat. */
