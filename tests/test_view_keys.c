@@ -131,9 +131,11 @@ static void test_keys(void **state)
                  {'s', 6, ""},
                  {'d', 1, "--dither off"},
                  {'d', 2, ""},
-                 {'e', 1, "--edges smooth"},
-                 {'e', 2, "--edges outline"},
-                 {'e', 3, "--edges wire"},
+                 {'e', 0, "--edges smooth"},
+                 {'e', 1, "--edges outline"},
+                 {'e', 2, "--edges wire"},
+                 {'e', 3, "--edges none"},
+                 {'e', 4, ""},
                  {'a', 1, "--perspective affine"},
                  {'o', 1, "--ortho"},
                  {'l', 12, ""},
@@ -224,7 +226,7 @@ static void test_status(void **state)
     (void)state;
     open_viewer(&viewer, "--panel ssd1351 --ortho --dither on");
     sheen_viewer_title(&viewer, text, sizeof text);
-    assert_string_equal(text, "ssd1351-128x128  frame 0  phong, ortho, dithered  128x128, orientation 0");
+    assert_string_equal(text, "ssd1351-128x128  frame 0  phong, smooth edges, ortho, dithered  128x128, orientation 0");
     sheen_viewer_counts(&viewer, text, sizeof text);
     assert_non_null(strstr(text, " of 2000 triangles  "));
     assert_non_null(strstr(text, " whole frames/s, "));

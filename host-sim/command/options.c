@@ -228,7 +228,7 @@ static int set_defaults(struct sheen_options *options, unsigned command, struct 
     memset(options, 0, sizeof *options);
     options->orientation = -1;
     options->undithered = -1;
-    options->edges = command == SHEEN_PLAN ? SHEEN_NO_EDGES : -1;
+    options->edges = (command & (SHEEN_RENDER | SHEEN_VIEW)) != 0 ? -1 : SHEEN_NO_EDGES;
     options->up = -1;
     options->alpha_cutoff = -1;
     memcpy(options->color.color, default_color, sizeof default_color);
