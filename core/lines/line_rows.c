@@ -38,6 +38,7 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
         const int32_t place = asr32(across, 16);
         if ((uint32_t)place >= (uint32_t)size)
             continue;
+        SHEEN_TAP(LINE_PIXEL, 1);
         const int32_t at = start + (steep ? place : place * pitch);
         const uint16_t *depth = t->depth + at;
         if (contour) {

@@ -64,9 +64,17 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
     return t->format->grey ? SHEEN_PLAN_CONSTANT_GREY_SETUP : SHEEN_PLAN_CONSTANT_SETUP;
 }
 
+/* Fog's own loops on 565 draw it. */
+static int is_fogged(const struct tile *t, const struct setup *s)
+{
+    return s->draw->fog && !t->format->grey && !s->draw->by_ramp && !s->draw->stippled;
+}
+
 /* As sheen_quadric_own_rows() chooses. */
 static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
+    if (is_fogged(t, s))
+        return SHEEN_PLAN_FOGGED_CURVED_SETUP;
     if (s->detail == SECOND_NONE && s->draw->shades != NULL)
         return t->dither ? SHEEN_PLAN_CURVED_SHADES_DITHERED_SETUP : SHEEN_PLAN_CURVED_SHADES_SETUP;
     if (is_general(s))
@@ -80,6 +88,8 @@ static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 
 static unsigned cells_kind(const struct tile *t, const struct setup *s)
 {
+    if (is_fogged(t, s))
+        return SHEEN_PLAN_FOGGED_CELLS_SETUP;
     if (is_general(s))
         return SHEEN_PLAN_CELLS_GENERAL_SETUP;
     return t->dither ? SHEEN_PLAN_CELLS_DITHERED_SETUP : SHEEN_PLAN_CELLS_SETUP;
@@ -101,6 +111,8 @@ static unsigned slerp_kind(const struct tile *t, const struct setup *s)
 {
     if (s->way != SHEEN_WAY_SLERP)
         return SHEEN_PLAN_SLERP_NORMALS_SETUP;
+    if (is_fogged(t, s))
+        return SHEEN_PLAN_FOGGED_ARCS_SETUP;
     if (is_general(s))
         return SHEEN_PLAN_SLERP_GENERAL_SETUP;
     return t->dither ? SHEEN_PLAN_SLERP_DITHERED_SETUP : SHEEN_PLAN_SLERP_SETUP;
@@ -170,6 +182,8 @@ static unsigned texels_kind(const struct tile *t, const struct setup *s)
         return SHEEN_PLAN_TEXELS_ANY_GREY_COVERED;
     if (s->fast == TEXTURED_FOGGED && ((texture->bits & 15) != 0 || texture->keyed || texture->bilinear))
         return SHEEN_PLAN_TEXELS_FOGGED_OTHER_COVERED;
+    if (s->fast == TEXTURED_FOGGED && !terms->packed)
+        return SHEEN_PLAN_TEXELS_FOGGED_APART_COVERED;
     if (s->fast == TEXTURED_OTHER && terms->unlit)
         return SHEEN_PLAN_TEXELS_OTHER_COVERED;
     if ((s->fast == TEXTURED_BILINEAR && t->dither) || (s->fast == TEXTURED_BILINEAR_OTHER && terms->unlit))
@@ -224,11 +238,12 @@ static void count_shaded(const struct tile *t, const struct setup *s, unsigned k
                         kind == SHEEN_PLAN_CELLS_GENERAL_SETUP || kind == SHEEN_PLAN_SLERP_GENERAL_SETUP ||
                         kind == SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP ||
                         ((by_normal || kind == SHEEN_PLAN_NEEDLE_SETUP) && !s->draw->loop.usable);
-    const int own_fog = kind >= SHEEN_PLAN_FOGGED_SETUP && kind <= SHEEN_PLAN_FOGGED_CONSTANT_SETUP;
+    const int own_fog = kind >= SHEEN_PLAN_FOGGED_SETUP && kind <= SHEEN_PLAN_FOGGED_ARCS_SETUP;
 
     SHEEN_TAP(PIXEL_LIGHT, by_normal ? lights : 0);
     SHEEN_TAP(GENERAL_565, general && !t->format->grey ? shaded : 0);
     SHEEN_TAP(FOG, s->draw->fog && !own_fog ? shaded : 0);
+    SHEEN_TAP(FOG_DITHERED, own_fog && kind >= SHEEN_PLAN_FOGGED_CURVED_SETUP && t->dither ? shaded : 0);
     SHEEN_TAP(RAMP, s->draw->by_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
 }
 

@@ -92,6 +92,7 @@ enum sheen_plan_stage {
     F(GENERAL_565, PIXELS)       /* px of 565 shaded by loops that also take greys */                                  \
     F(FOG_HELD, PIXELS)          /* px covered in rows where fog begins or ends, or of greys */                        \
     F(FOG, PIXELS)               /* px shaded under fog by loops that also do without */                               \
+    F(FOG_DITHERED, PIXELS)      /* px of quadratic intensities under fog that are dithered */                         \
     F(RAMP, PIXELS)              /* px shaded by a ramp, times lights */                                               \
     F(HIDDEN, PIXELS)            /* px left out by a pattern */                                                        \
     F(NARROW, PIXELS)            /* px of a pattern's narrow rows */                                                   \
@@ -103,7 +104,8 @@ enum sheen_plan_stage {
     F(TEXEL_MIXED, PIXELS)       /* px of four texels of any kind */                                                   \
     F(SMOOTH_STEP, PIXELS)       /* px that contours cross */                                                          \
     F(SMOOTH_ROW, PIXELS)        /* of bands, with marks or without */                                                 \
-    F(LINE_STEP, PIXELS)         /* px that other lines cross */                                                       \
+    F(LINE_STEP, PIXELS)         /* px that other lines cross, in bands where they are not too */                      \
+    F(LINE_PIXEL, PIXELS)        /* of these, the band's own */                                                        \
     F(MIXED, PIXELS)             /* px smoothed */
 
 /* K(NAME): kinds of rows, each with its set-ups, rows, px covered and px shaded. */
@@ -142,7 +144,10 @@ enum sheen_plan_stage {
     K(SLERP_NORMALS) /* of several lights, or wider than a right angle */                                              \
     K(FOGGED)        /* channels under fog */                                                                          \
     K(FOGGED_DITHERED)                                                                                                 \
-    K(FOGGED_CONSTANT)
+    K(FOGGED_CONSTANT)                                                                                                 \
+    K(FOGGED_CURVED) /* quadratic intensities under fog, on 565: of triangles, */                                      \
+    K(FOGGED_CELLS)  /* of Phong's cells, */                                                                           \
+    K(FOGGED_ARCS)   /* of slerp's arcs */
 
 /* T(NAME): what pixels of texels take (triangle/textured.h), each with px covered and px shaded. */
 #define SHEEN_PLAN_TEXELS(T)                                                                                           \
@@ -157,6 +162,7 @@ enum sheen_plan_stage {
     T(BILINEAR_OTHER) /* unlit */                                                                                      \
     T(BILINEAR_LIT)                                                                                                    \
     T(FOGGED)                                                                                                          \
+    T(FOGGED_APART) /* whose coordinates take two words */                                                             \
     T(FOGGED_OTHER) /* of a palette, with a key, or bilinear */
 
 #define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
