@@ -106,7 +106,7 @@ void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, c
                       const struct sheen_panel_record *record)
 {
     const struct sheen_options *options = scene->options;
-    const int is_matcap = options->shade >= SHEEN_MATCAP, edges = options->edges != SHEEN_NO_EDGES;
+    const int is_matcap = options->shade >= SHEEN_MATCAP, edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
     const uint32_t named = named_of(scene);
 
     flash->core = core_flash(cpu, 0, named);

@@ -129,7 +129,7 @@ static void put_view(FILE *out, const struct sheen_view *v, unsigned n)
 
 static void put_meshes(FILE *out, const struct sheen_scene *scene, unsigned n)
 {
-    const int edges = scene->options->edges != SHEEN_NO_EDGES;
+    const int edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
     char name[32];
 
     for (size_t i = 0; i < scene->count; i++) {
