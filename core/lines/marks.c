@@ -32,8 +32,18 @@ static inline uint32_t marked_share(uint32_t mark)
     return (mark & MARK_INSIDE) != 0 ? MOST_SHARE - share : share;
 }
 
-/* Steps of z16 by which what lies beyond a contour is farther away at least. */
-#define BEYOND 16
+/*
+ * Steps of z16 by which what lies beyond a contour is farther away: at least, for a mark; and from which on, 2^FAR_BITS,
+ * the whole share is taken. A contour that ends in a surface fades out there instead of coming and going.
+ */
+#define BEYOND 64
+#define FAR_BITS 11
+
+/* share: 0..MOST_SHARE; beyond: > 0. */
+static inline int32_t share_beyond(int32_t share, int32_t beyond)
+{
+    return share * min32(beyond, 1 << FAR_BITS) >> FAR_BITS;
+}
 
 /* x and y from the tile's corner; rows of the apron have no marks. */
 static APART void set_mark(const struct line_tile *lt, int32_t x, int32_t y, uint32_t value)
@@ -77,14 +87,17 @@ SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, 
         const int32_t own = depth[0], inside = depth[next], edge_z = asr32(z, 8);
         const int32_t covered = (int32_t)(((((uint32_t)across ^ flip) & 0xffff) + 512) >> 10); /* 0..64 */
         const int mixed = (uint32_t)(place - in) < (uint32_t)size;
-        if (own + BEYOND < min32(inside, edge_z)) {
-            const int32_t share = min32(covered, MOST_SHARE);
+        int32_t apart = min32(inside, edge_z) - own;
+        if (apart > BEYOND) {
+            const int32_t share = share_beyond(min32(covered, MOST_SHARE), apart);
             if (mixed && share > 0)
                 set_mark(lt, x, y, (uint32_t)share << 2 | (beyond ^ 1));
             set_mark(lt, steep ? x + in : x, steep ? y : y + in, inside_mark(beyond, 0));
-        } else if (mixed && depth[-next] + BEYOND < min32(own, edge_z)) {
-            set_mark(lt, x, y, inside_mark(beyond, min32(64 - covered, MOST_SHARE)));
+            continue;
         }
+        apart = mixed ? min32(own, edge_z) - depth[-next] : 0;
+        if (apart > BEYOND)
+            set_mark(lt, x, y, inside_mark(beyond, share_beyond(min32(64 - covered, MOST_SHARE), apart)));
     }
 }
 
@@ -98,13 +111,13 @@ void sheen_smooth_rows(const struct line_tile *t, const struct steps *s)
 
 /*
  * What a pixel becomes by its neighbour's share in 1/64, from: where that one lies. The rest is its own, and the more
- * of the neighbour's on the other side the more its centre nears the contour: there it is that one's alone, whichever
- * side the centre is on, so that nothing jumps when the contour passes it.
+ * of the neighbour's on the other side the more its centre nears the contour: there both have a half of it. So less
+ * jumps when the contour passes the centre: up to there the rest was that other surface's, or was drawn beside it.
  */
 static APART uint32_t mixed_565(const uint16_t *p, int32_t from, uint32_t share, unsigned swap)
 {
     const uint32_t odd = 0xf81fu, even = 0x07e0u;
-    uint32_t side = (64 - share) * share >> 5, pixel = pixel_order(p[from], swap), red_blue, green;
+    uint32_t side = (64 - share) * share >> 6, pixel = pixel_order(p[from], swap), red_blue, green;
 
     red_blue = 0x10020u + (pixel & odd) * share; /* fields of 5 and 6 bits times 64 do not meet */
     green = 0x0400u + (pixel & even) * share;
@@ -120,7 +133,7 @@ static APART uint32_t mixed_565(const uint16_t *p, int32_t from, uint32_t share,
 
 static inline uint32_t mixed_grey(const uint8_t *p, int32_t from, uint32_t share)
 {
-    const uint32_t side = (64 - share) * share >> 5;
+    const uint32_t side = (64 - share) * share >> 6;
 
     return (p[from] * share + p[-from] * side + p[0] * (64 - share - side) + 32) >> 6;
 }
