@@ -159,6 +159,17 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
     return found;
 }
 
+/* 5..11: about 1/32 of the distance at far, or of the depth from far to near where that is less. */
+static uint32_t whole_share_bits(const struct projection *p)
+{
+    const uint32_t span = (uint32_t)p->far - (uint32_t)p->near;
+    uint32_t near = (uint32_t)p->near + ((uint32_t)p->near >> 1), bits = 11;
+
+    for (; near < span && bits > 5; near *= 2)
+        bits--;
+    return p->orthographic != 0 ? 11 : bits;
+}
+
 /* On the tile's rows [y0, y1). */
 static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, const struct tile *t, int32_t y0,
                            int32_t y1)
@@ -168,6 +179,7 @@ static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, 
                            .vertex = f->vertex,
                            .y0 = y0,
                            .y1 = y1,
+                           .whole_bits = whole_share_bits(&f->projection),
                            .apron = y0 - t->rect.y0,
                            .rows = (uint32_t)(y1 - y0),
                            .touched = w->spans,

@@ -49,6 +49,7 @@ struct line_tile {
     const struct vertex *vertex;
     int32_t y0, y1;
     int32_t depth_bias;   /* of the draw, as in struct draw */
+    uint32_t whole_bits;  /* shares are whole where 2^whole_bits steps of z16 lie between inside and beyond */
     int32_t apron;        /* y0 - tile->rect.y0 */
     uint32_t rows;        /* y1 - y0 */
     struct span *touched; /* a row: the first and the last column of a mark, from the tile's corner */

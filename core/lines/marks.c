@@ -32,17 +32,13 @@ static inline uint32_t marked_share(uint32_t mark)
     return (mark & MARK_INSIDE) != 0 ? MOST_SHARE - share : share;
 }
 
-/*
- * Steps of z16 by which what lies beyond a contour is farther away: at least, for a mark; and from which on, 2^FAR_BITS,
- * the whole share is taken. A contour that ends in a surface fades out there instead of coming and going.
- */
-#define BEYOND 64
-#define FAR_BITS 11
+/* Steps of z16 by which what lies beyond a contour is farther away at least. */
+#define BEYOND 32
 
-/* share: 0..MOST_SHARE; beyond: > 0. */
-static inline int32_t share_beyond(int32_t share, int32_t beyond)
+/* share: 0..MOST_SHARE; beyond: > 0. A contour that ends in a surface fades out instead of coming and going. */
+static inline int32_t share_beyond(const struct line_tile *lt, int32_t share, int32_t beyond)
 {
-    return share * min32(beyond, 1 << FAR_BITS) >> FAR_BITS;
+    return share * min32(beyond, 1 << lt->whole_bits) >> lt->whole_bits;
 }
 
 /* x and y from the tile's corner; rows of the apron have no marks. */
@@ -87,17 +83,17 @@ SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, 
         const int32_t own = depth[0], inside = depth[next], edge_z = asr32(z, 8);
         const int32_t covered = (int32_t)(((((uint32_t)across ^ flip) & 0xffff) + 512) >> 10); /* 0..64 */
         const int mixed = (uint32_t)(place - in) < (uint32_t)size;
-        int32_t apart = min32(inside, edge_z) - own;
-        if (apart > BEYOND) {
-            const int32_t share = share_beyond(min32(covered, MOST_SHARE), apart);
+        const int32_t ahead = min32(inside, edge_z) - own;
+        if (ahead > BEYOND) {
+            const int32_t share = share_beyond(lt, min32(covered, MOST_SHARE), ahead);
             if (mixed && share > 0)
                 set_mark(lt, x, y, (uint32_t)share << 2 | (beyond ^ 1));
             set_mark(lt, steep ? x + in : x, steep ? y : y + in, inside_mark(beyond, 0));
-            continue;
+        } else if (mixed) {
+            const int32_t behind = min32(own, edge_z) - depth[-next];
+            if (behind > BEYOND)
+                set_mark(lt, x, y, inside_mark(beyond, share_beyond(lt, min32(64 - covered, MOST_SHARE), behind)));
         }
-        apart = mixed ? min32(own, edge_z) - depth[-next] : 0;
-        if (apart > BEYOND)
-            set_mark(lt, x, y, inside_mark(beyond, share_beyond(min32(64 - covered, MOST_SHARE), apart)));
     }
 }
 
