@@ -227,11 +227,11 @@ static double returned(uint16_t *const frame[3], int at, int channel)
  * What goes back and forth. A silhouette that turns trembles by parts of a pixel, which a pixel does not show that has
  * two values, and one with values in between does: with 4x4 samples a pixel on silhouettes alone more pixels return by
  * some step than without (2172 to 1497 on the teapot, 2507 to 1639 on the gear, 824 to 674 on the rabbit), but fewer by
- * more than a step (47 to 72, 245 to 299, 13 to 26) and far fewer by what is seen (test_smooth samples). So smoothing is
- * asked for fewer of these, and for not many times as much of the other. On the gear, though, it returns more often by
- * more than a step (482): its dark sides are thinner than a pixel beside bright faces, and a pixel knows neither that
- * they are there nor, at its teeth's corners, that two contours bound it. Even the best mix of each pixel with one
- * neighbour, shares fitted to the samples, is hardly below what it is without (284 to 299).
+ * more than a step (47 to 72, 245 to 299, 13 to 26) and far fewer by what is seen (test_smooth samples). So what is
+ * smoothed has to return less by more than a step, and not many times as often at all. On the gear it does return more
+ * often by more than a step (482): its dark sides are thinner than a pixel beside bright faces, and a pixel knows
+ * neither that they are there nor, at its teeth's corners, that two contours bound it. Even the best mix of each pixel
+ * with one neighbour, shares fitted to the samples, is hardly below what it is without (284 to 299).
  */
 struct flicker {
     long any, above, seen; /* pixels that return at all, by more than STEP, by more than SEEN */
