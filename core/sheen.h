@@ -361,8 +361,9 @@ extern const struct sheen_fog_mixer sheen_fog_mixer;
  * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
  * m), which is linear in the depth that is left, and taken there: a depth bias moves a pixel in the fog too, as
  * whatever reads the depths afterwards sees it. The unrounded colour goes to colour + f (F - colour), F the fog's
- * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, the background
- * is not: full fog of its colour meets it without a seam.
+ * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, edges' lines by
+ * their own depth and from their own colour rounded likewise; the background is not: full fog of its colour meets it
+ * without a seam.
  */
 struct sheen_fog {
     sheen_q24_t start, end;              /* m, units, 0 < start < end, at least 256 steps of depth apart */

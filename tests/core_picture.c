@@ -209,7 +209,7 @@ void core_view(struct sheen_view *view, const struct ref_scene *scene)
         view->background[k] = (uint8_t)lround(255 * scene->background[k]);
 }
 
-static void core_fog(struct sheen_fog *fog, const struct ref_scene *scene)
+void core_fog(struct sheen_fog *fog, const struct ref_scene *scene)
 {
     *fog = (struct sheen_fog){.start = (sheen_q24_t)lround(scene->fog_from * 16777216),
                               .end = (sheen_q24_t)lround(scene->fog_to * 16777216),

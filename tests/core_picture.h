@@ -27,6 +27,8 @@ void core_mesh_free(struct core_mesh *mesh);
 /* Scenes in the core's numbers; of one colour, groups being meshes of their own to the core. */
 void core_view(struct sheen_view *view, const struct ref_scene *scene);
 void core_pose(struct sheen_pose *pose, const struct ref_scene *scene);
+/* mixer and all; of no use where the scene has none. */
+void core_fog(struct sheen_fog *fog, const struct ref_scene *scene);
 void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_scene *scene);
 /* What a material points to. */
 struct core_tables {

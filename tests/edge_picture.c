@@ -26,6 +26,7 @@ static int draw_frame(struct sheen_frame *frame, const struct ref_scene *scene, 
     struct sheen_material material;
     struct core_tables tables;
     struct sheen_view view;
+    struct sheen_fog fog;
     struct sheen_object object = {.mesh = mesh,
                                   .material = &material,
                                   .lights = lights,
@@ -37,6 +38,8 @@ static int draw_frame(struct sheen_frame *frame, const struct ref_scene *scene, 
 
     memcpy(material.line, drawing->line, sizeof material.line);
     core_view(&view, scene);
+    core_fog(&fog, scene);
+    view.fog = scene->fog ? &fog : NULL;
     core_pose(&object.pose, scene);
     core_lights(lights, scene);
     if (status == SHEEN_OK && (status = sheen_begin(frame, &view)) == SHEEN_OK &&

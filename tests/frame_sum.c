@@ -342,5 +342,12 @@ int main(void)
         if (print_sums(i / ((int)EDGES - 1) % SUM_MESHES, i % 4, i / ((int)EDGES - 1) / SUM_MESHES, i % 5) < 0)
             return 1;
     }
+    beside = BESIDE_FOG;
+    for (int i = 0; i < VIEWS * ((int)EDGES - 1); i++) {
+        const int view = i / ((int)EDGES - 1);
+        edges = 1 + (unsigned)i % (EDGES - 1);
+        if (print_sums((i + view) % SUM_MESHES, i % 4, view, (i + 2 * view) % 5) < 0)
+            return 1;
+    }
     return ferror(stdout) || fflush(stdout) != 0;
 }

@@ -75,6 +75,9 @@ static void test_bands(void **state)
                 scene.shading = (enum ref_shading)(scenes % 4);
                 scene.two_sided = k / 4 == 1;
                 scene.affine = k == 6;
+                scene.fog = scenes % 3 == 0;
+                scene.fog_from = distance[k / 4] - 0.7;
+                scene.fog_to = distance[k / 4] + 0.5;
                 const struct edge_drawing drawing = {
                     .edges = sheen_edges_of(edging), .pixel = pixel[k % 4], .line = {255, 128, 40}};
                 check_bands(&scene, &meshes[m], drawing);
@@ -97,7 +100,11 @@ enum {
 #define BESIDE 0.8     /* px: from a point of a line to the centre of a pixel of it, at the most */
 #define SMOOTHED 1.0   /* px: the same of a contour and what is smoothed there */
 #define SAMPLES_PX 4.  /* of an edge */
-#define ROUNDED 0.1    /* px: what the core's corners and slopes are off by at most */
+#define LINE_IN_FOG                                                                                                    \
+    {                                                                                                                  \
+        1, 0, 1                                                                                                        \
+    }
+#define ROUNDED 0.1 /* px: what the core's corners and slopes are off by at most */
 
 struct view {
     double yaw, pitch, distance;
@@ -128,10 +135,12 @@ struct line_case {
     struct ref_picture fine;
     uint8_t *front;
     uint16_t drawn[PIXELS];
+    uint16_t fogged[PIXELS]; /* where the scene has fog: the same lines in it */
     uint8_t allowed[PIXELS]; /* an edge that is not surely hidden passes */
     enum sheen_edging edging;
     double beside;
     long seen, samples;
+    long steps, as_fogged;           /* that are seen in fog, and have its colour there */
     int gap;                         /* the longest run of steps that are seen and not drawn */
     int gap_at[2], extra, extra_at;  /* its end; pixels that are drawn and not allowed */
     struct edge_steps whole, hidden; /* the longest edges that are seen, or hidden, from end to end */
@@ -227,6 +236,27 @@ static bool step_is_drawn(const struct line_case *c, const struct edge_steps *s,
     return low < 0 || at < 0 || high < 0 || c->drawn[low] != 0 || c->drawn[at] != 0 || c->drawn[high] != 0;
 }
 
+/* Whether a pixel is what fog makes of the lines' colour at m, a level more or less. */
+static bool is_fogged(const struct line_case *c, int at, double m)
+{
+    static const double line[3] = LINE_IN_FOG;
+    if (at < 0)
+        return false;
+    const int want = ref_fogged_value(&c->scene, line, ref_fog_share(&c->scene, m), 0, 0), value = c->fogged[at];
+
+    return abs((value >> 11) - (want >> 11)) <= 1 && abs((value >> 5 & 63) - (want >> 5 & 63)) <= 1 &&
+           abs((value & 31) - (want & 31)) <= 1;
+}
+
+static void count_fogged(struct line_case *c, const struct edge_steps *s, int step, double m)
+{
+    const double reach = s->diagonal ? 1 : ROUNDED;
+
+    c->steps++;
+    c->as_fogged += is_fogged(c, step_pixel(s, step, 0), m) || is_fogged(c, step_pixel(s, step, -reach), m) ||
+                    is_fogged(c, step_pixel(s, step, reach), m);
+}
+
 /* A seen edge has its pixel at every step from end to end. */
 static void step_edge(struct line_case *c, const struct seen_edge *edge)
 {
@@ -242,6 +272,8 @@ static void step_edge(struct line_case *c, const struct seen_edge *edge)
         const double depth = (1 - t) * p->depth[k] + t * p->depth[to];
         const int sight = seen_at(c, edge, s.steep ? across : at, s.steep ? at : across, depth);
         seen += sight > 0;
+        if (sight > 0 && c->scene.fog)
+            count_fogged(c, &s, step, c->scene.ortho ? -depth : 1 / depth);
         hidden += sight < 0;
         gap = sight > 0 && !step_is_drawn(c, &s, step) ? gap + 1 : 0;
         if (gap > c->gap) {
@@ -333,7 +365,7 @@ static bool is_right(struct line_case *c)
 {
     memset(c->allowed, 0, sizeof c->allowed);
     c->gap = c->extra = 0;
-    c->seen = c->samples = 0;
+    c->seen = c->samples = c->steps = c->as_fogged = 0;
     for (size_t i = 0; i < c->fine.piece_count; i++)
         for (int k = 0; k < 3; k++)
             if (is_line(c, c->fine.pieces[i].triangle, k))
@@ -451,6 +483,49 @@ static void test_contours_alone_are_smoothed(void **state)
         check_case(&meshes[i / 4], &views[0], SHEEN_SMOOTH, pixel[i % 4], NULL);
 }
 
+/* Nearly all steps of lines have the fog's share of their own depth: other lines cross some. Under another few do. */
+static void check_fogged(const struct edge_mesh *mesh, const struct view *view)
+{
+    static struct line_case c;
+    static const double line[3] = LINE_IN_FOG, fog[3] = {0.2, 0.9, 0.4};
+    struct edge_drawing drawing = {.edges = &sheen_edges_wire};
+    struct ref_scene scene;
+
+    memset(&c, 0, sizeof c);
+    c.mesh = mesh;
+    c.edging = SHEEN_WIRE;
+    c.beside = BESIDE;
+    scene_of(&scene, mesh, view->yaw, view->distance);
+    ref_scene_orbit(&scene, view->yaw, view->pitch, 0, view->distance);
+    scene.ortho = view->ortho;
+    draw_lines(&c, scene);
+    scene.fog = true;
+    scene.fog_from = view->distance - 0.8;
+    scene.fog_to = view->distance + 0.6;
+    for (int k = 0; k < 3; k++) {
+        scene.fog_color[k] = fog[k];
+        drawing.line[k] = (uint8_t)(255 * line[k]);
+    }
+    picture(c.fogged, &scene, mesh, &drawing);
+    open_case(&c, &scene);
+    assert_true(is_right(&c));
+    print_message("%s, yaw %g: %ld of %ld steps in fog as it should be", mesh->name, view->yaw, c.as_fogged, c.steps);
+    assert_true(c.as_fogged >= 0.92 * c.steps);
+    c.scene.fog_from += 0.2; /* a fault */
+    is_right(&c);
+    print_message(", %ld as another fog\n", c.as_fogged);
+    assert_true(c.as_fogged < 0.5 * c.steps);
+    close_case(&c);
+}
+
+static void test_lines_are_fogged(void **state)
+{
+    (void)state;
+    for (int m = 0; m < EDGE_ALL_MESHES; m++)
+        for (int i = 0; i < 3; i++)
+            check_fogged(&meshes[m], &views[2 * i + i / 2]);
+}
+
 static void test_two_levels_are_not_smoothed(void **state)
 {
     static uint16_t plain[PIXELS], smooth[PIXELS];
@@ -526,6 +601,7 @@ int main(void)
                                        cmocka_unit_test(test_outlines_are_whole),
                                        cmocka_unit_test(test_wire_hides_what_triangles_hide),
                                        cmocka_unit_test(test_contours_alone_are_smoothed),
+                                       cmocka_unit_test(test_lines_are_fogged),
                                        cmocka_unit_test(test_two_levels_are_not_smoothed),
                                        cmocka_unit_test(test_arena)};
 

@@ -152,6 +152,7 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
             found = kind;
             SHEEN_TAP(LINE_LOOKED_AT, end - line);
             lt->depth_bias = d->as.depth_bias;
+            lt->fog = d->as.fog;
             kind->draw(lt, line, end, d->line);
         }
         line = end;

@@ -6,7 +6,7 @@
 #ifndef SHEEN_LINES_H
 #define SHEEN_LINES_H
 
-#include "../triangle/triangle.h"
+#include "../triangle/fog.h"
 
 /* Rows of a tile beyond its band, above and below: the neighbours of what a line crosses. */
 #define LINE_APRON 1
@@ -48,13 +48,14 @@ struct line_tile {
     const struct tile *tile;
     const struct vertex *vertex;
     int32_t y0, y1;
-    int32_t depth_bias;   /* of the draw, as in struct draw */
-    uint32_t whole_bits;  /* shares are whole where 2^whole_bits steps of z16 lie between inside and beyond */
-    int32_t apron;        /* y0 - tile->rect.y0 */
-    uint32_t rows;        /* y1 - y0 */
-    struct span *touched; /* a row: the first and the last column of a mark, from the tile's corner */
-    uint8_t *marks;       /* a byte a pixel, MARK_PITCH a row; clear before and after */
-    struct mixed *mixed;  /* two rows */
+    int32_t depth_bias;          /* of the draw, as in struct draw, */
+    const struct fog_terms *fog; /* likewise; NULL: none */
+    uint32_t whole_bits;         /* shares are whole where 2^whole_bits steps of z16 lie between inside and beyond */
+    int32_t apron;               /* y0 - tile->rect.y0 */
+    uint32_t rows;               /* y1 - y0 */
+    struct span *touched;        /* a row: the first and the last column of a mark, from the tile's corner */
+    uint8_t *marks;              /* a byte a pixel, MARK_PITCH a row; clear before and after */
+    struct mixed *mixed;         /* two rows */
 };
 
 /* Bytes of a row of marks, a multiple of 8; and how many such rows `mixed` takes the room of. */

@@ -37,6 +37,12 @@ struct sheen_fog_mixer {
     void (*normal_run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                        const struct normal_run *run);
     void (*texel_run)(const struct texel_run *r, const struct texel_at *from);
+    /*
+     * A line's pixel, as it stands in a tile, goes over to the fog at z, which is Q16.8 of z16 and grows by z_step;
+     * returns how many of the next `steps`, 1 or more, have the same pixel.
+     */
+    int32_t (*line_run)(const struct fog_terms *fog, const struct pixel_format *format, int32_t z, int32_t z_step,
+                        int32_t steps, uint16_t *pixel);
 };
 
 void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,

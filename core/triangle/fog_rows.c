@@ -156,6 +156,46 @@ void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t
         normal_loop(t, d, x, x1, y, run, 0, 1);
 }
 
+/* ---- lines ---- */
+
+/* Levels of a pixel as it stands in a tile, with level_bits less than 16 fraction bits. */
+static void levels_of(uint16_t level[3], const struct pixel_format *format, uint32_t pixel)
+{
+    const unsigned fraction = 16u - format->level_bits;
+    const uint32_t rgb = pixel_order(pixel, format->swap);
+
+    level[0] = (uint16_t)((format->grey ? pixel : rgb >> 11) << fraction);
+    level[1] = (uint16_t)((rgb >> 5 & 63u) << fraction);
+    level[2] = (uint16_t)((rgb & 31u) << fraction);
+}
+
+static int32_t fogged_line_run(const struct fog_terms *fog, const struct pixel_format *format, int32_t z,
+                               int32_t z_step, int32_t steps, uint16_t *pixel)
+{
+    const unsigned fraction = 16u - format->level_bits;
+    const uint32_t half = 1u << (fraction - 1);
+    uint16_t level[3];
+    int32_t run = 0, last = -1;
+
+    levels_of(level, format, *pixel);
+    for (uint32_t first = 0; run < steps; run++, z += z_step) {
+        const int32_t share = fog_share(fog, (uint32_t)z << 8);
+        if (share == last)
+            continue;
+        const uint32_t r = fogged(level[0], fog->level[0], share) + half;
+        const uint32_t value = format->grey
+                                   ? r >> fraction
+                                   : fast_pixel(r, fogged(level[1], fog->level[1], share) + half,
+                                                fogged(level[2], fog->level[2], share) + half, 10, format->swap);
+        if (run != 0 && value != first)
+            break;
+        first = value;
+        last = share;
+        *pixel = (uint16_t)value;
+    }
+    return run;
+}
+
 /* ---- what is fogged ---- */
 
 static int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
@@ -176,11 +216,7 @@ static int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const
     terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
     terms->reach = (uint16_t)asr64(reach, shift);
     terms->scale = (uint16_t)((sheen_reciprocal((uint32_t)terms->reach << 16) >> 17) + 1);
-    const uint32_t value = sheen_colour_bytes(format, fog->color), rgb = pixel_order(value, format->swap);
-    const unsigned fraction = 16u - format->level_bits;
-    terms->level[0] = (uint16_t)((format->grey ? value : rgb >> 11) << fraction);
-    terms->level[1] = (uint16_t)((rgb >> 5 & 63u) << fraction);
-    terms->level[2] = (uint16_t)((rgb & 31u) << fraction);
+    levels_of(terms->level, format, sheen_colour_bytes(format, fog->color));
     return SHEEN_OK;
 }
 
@@ -214,4 +250,5 @@ const struct sheen_fog_mixer sheen_fog_mixer = {.begin = fog_begin,
                                                 .setup = fog_setup,
                                                 .shaded_run = sheen_fogged_shaded_run,
                                                 .normal_run = sheen_fogged_normal_run,
-                                                .texel_run = sheen_fogged_texel_run};
+                                                .texel_run = sheen_fogged_texel_run,
+                                                .line_run = fogged_line_run};

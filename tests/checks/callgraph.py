@@ -14,6 +14,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)object_valid$", r"morph_fits$"),
                 (r"(^|:)sheen_bin_rollback$", r"edges_cover$"),
                 (r"(^|:)(edges_draw|draw_all_lines|draw_lines_of)$", r"(^|:)(draw_lines|draw_smooth|sheen_smooth_finish)$"),
+                (r"(^|:)(draw_lines|fogged_line)$", r"fogged_line_run$"),
                 (r"(^|:)(draw_and_send|sheen_band)$", r"edges_(begin|draw)$"),
                 (r"(^|:)sheen_begin$", r"fog_begin$"),
                 (r"(^|:)(use_corners|corner_point)$", r"morph_position$"),
