@@ -2,7 +2,6 @@
  * fog_rows.c - pixels under fog: of each unrounded colour a share that is linear in z16 goes over to the fog's.
  */
 #include "normal_rows.h"
-#include "quadric_rows.h"
 #include "quotient.h"
 #include "textured.h"
 
@@ -137,15 +136,6 @@ static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
 }
 
 /* ---- intensities, normals ---- */
-
-void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                             struct shaded_run *run, unsigned second)
-{
-    if (d->by_ramp)
-        general_loop(t, d, at, x, x1, y, run, (enum second)second, 1, 1);
-    else
-        general_loop(t, d, at, x, x1, y, run, (enum second)second, 0, 1);
-}
 
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                              const struct normal_run *run)
