@@ -5,9 +5,11 @@
 #include "packed_rows.h"
 #include "quadric_rows.h"
 
-#define MOST_BENT 1024 /* 1/4 level in 1/2048: a block is off by 1/32, by 1/8 where light or fog ends in it */
+/* What the middle of three ends is off the others' line, in 1/1024 level, so that each block is off by 1/16; */
+#define MOST_BENT 1024
+#define NEARLY_STRAIGHT 256 /* and both in one. Where light or fog begins or ends in a block it is off by 1/4. */
 
-/* px, at the most, of a block; in highlights: no block steps over one. Divides what channels change by. */
+/* px, at the most, of a block; in highlights. */
 #define LONGEST 16
 #define LONGEST_SHINY 8
 
@@ -18,6 +20,7 @@ struct fogged_run {
     uint16_t *depth;
     const threshold_t *thresholds; /* of the row */
     enum second second;
+    uint32_t dz;
     uint32_t half; /* of the one rounding, where nothing dithers */
 };
 
@@ -26,7 +29,7 @@ struct fogged_colour {
     int32_t channel[3];
 };
 
-static APART void colour_here(struct fogged_colour *c, const struct fogged_run *r, const struct shaded_run *at)
+static void colour_here(struct fogged_colour *c, const struct fogged_run *r, const struct shaded_run *at)
 {
     const struct colour_terms *terms = &r->d->colour;
     const struct fog_terms *fog = r->d->fog;
@@ -51,12 +54,16 @@ static void run_on(struct shaded_run *at, uint32_t n)
     at->du += n * at->ddu;
 }
 
-static int is_bent(const struct fogged_colour c[3])
+/* Of three colours, what the middle one is off, of the channel where that is most. */
+static uint32_t bend_of(const struct fogged_colour c[3])
 {
-    for (int k = 0; k < 3; k++)
-        if (magnitude32(c[0].channel[k] + c[2].channel[k] - 2 * c[1].channel[k]) > MOST_BENT)
-            return 1;
-    return 0;
+    uint32_t most = 0;
+
+    for (int k = 0; k < 3; k++) {
+        const uint32_t bend = magnitude32(c[0].channel[k] + c[2].channel[k] - 2 * c[1].channel[k]);
+        most = bend > most ? bend : most;
+    }
+    return most;
 }
 
 static int32_t longest_of(const struct shaded_run *run, enum second second)
@@ -68,25 +75,28 @@ static int32_t longest_of(const struct shaded_run *run, enum second second)
     return bend < 1u << 24 ? LONGEST_SHINY : bend < 1u << 26 ? LONGEST_SHINY / 2 : 1;
 }
 
-/* n px from the first colour on to before the second. */
-static void draw_block(struct fogged_run *r, const struct shaded_run *at, const struct fogged_colour *c, int32_t n)
+/* From a colour to before another, n px, and `twice` 1: 2 n. */
+static void draw_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
+                       const struct fogged_colour *to, int32_t n, unsigned twice)
 {
-    static const uint16_t part[LONGEST + 1] = {0, 16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048, 1820, 1638, 1489, 1365, 1260, 1170, 1092, 1024};
+    static const uint16_t part[LONGEST + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
+                                               1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */
     const struct tile *t = r->t;
     struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
+    const struct packed_at at = {
+        z, {((uint32_t)from->channel[0] << 16) + (uint32_t)from->channel[2], (uint32_t)from->channel[1] << 15}};
     int32_t step[3];
 
     for (int k = 0; k < 3; k++)
-        step[k] = asr32((c[1].channel[k] - c[0].channel[k]) * part[n] + (1 << 13), 14);
-    const struct packed_at from = {at->z, {((uint32_t)c->channel[0] << 16) + (uint32_t)c->channel[2],
-                                           (uint32_t)c->channel[1] << 15}};
-    const struct packed_at by = {at->dz, {((uint32_t)step[0] << 16) + (uint32_t)step[2], (uint32_t)step[1] << 15}};
+        step[k] = asr32((to->channel[k] - from->channel[k]) * part[n] + (1 << 13), 14 + twice);
+    const struct packed_at by = {r->dz, {((uint32_t)step[0] << 16) + (uint32_t)step[2], (uint32_t)step[1] << 15}};
+    n <<= twice;
     if (FAST_LOOPS && way.swap && !way.dither) {
         way.swap = 1;
         way.dither = 0;
-        packed_run(t, r->depth, n, from, by, way, NULL);
+        packed_run(t, r->depth, n, at, by, way, NULL);
     } else {
-        packed_run(t, r->depth, n, from, by, way, r->thresholds);
+        packed_run(t, r->depth, n, at, by, way, r->thresholds);
     }
     r->depth += n;
 }
@@ -96,41 +106,43 @@ static void draw_blocks(struct fogged_run *r, struct shaded_run *at, int32_t lef
 {
     const int32_t longest = longest_of(at, r->second);
     struct fogged_colour c[3];
+    struct shaded_run end;
+    uint32_t bend;
+    int first = 0; /* of the colours that are not known yet */
 
-    colour_here(&c[0], r, at);
-    for (int32_t n; left > 0; left -= n) {
-        struct shaded_run end;
-        for (n = min32(longest, left >> 1); n > 1; n >>= 1) {
+    for (int32_t n; left > 0; left -= 2 * n) {
+        for (n = min32(longest, left >> 1);; n >>= 1) {
             end = *at;
-            run_on(&end, (uint32_t)n);
-            colour_here(&c[1], r, &end);
-            run_on(&end, (uint32_t)n);
-            colour_here(&c[2], r, &end);
-            if (!is_bent(c))
+            for (int k = first; k < (n > 0 ? 3 : 1); k++) {
+                if (k > 0)
+                    run_on(&end, (uint32_t)n);
+                colour_here(&c[k], r, &end);
+            }
+            first = 1;
+            bend = n > 0 ? bend_of(c) : 0;
+            if (n <= 1 || bend <= MOST_BENT)
                 break;
         }
-        if (n > 1) {
-            draw_block(r, at, &c[0], n);
-            run_on(at, (uint32_t)n);
-            draw_block(r, at, &c[1], n);
-            *at = end;
-            c[0] = c[2];
-            n *= 2;
-            continue;
+        if (n == 0) {
+            draw_block(r, at->z, &c[0], &c[0], 1, 0);
+            return;
         }
-        n = 1;
-        c[1] = c[0];
-        draw_block(r, at, &c[0], 1);
-        run_on(at, 1);
-        if (left > 1)
-            colour_here(&c[0], r, at);
+        if (bend <= NEARLY_STRAIGHT) {
+            draw_block(r, at->z, &c[0], &c[2], n, 1);
+        } else {
+            draw_block(r, at->z, &c[0], &c[1], n, 0);
+            draw_block(r, at->z + (uint32_t)n * at->dz, &c[1], &c[2], n, 0);
+        }
+        *at = end;
+        c[0] = c[2];
     }
 }
 
 void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                              struct shaded_run *run, unsigned second)
 {
-    struct fogged_run r = {t, d, t->depth + at, t->dither_rows[y & 7], (enum second)second, t->dither ? 0 : 1u << 10};
+    struct fogged_run r = {
+        t, d, t->depth + at, t->dither_rows[y & 7], (enum second)second, run->dz, t->dither ? 0 : 1u << 10};
 
     /* stippled, thresholds are others than packed channels take */
     if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
