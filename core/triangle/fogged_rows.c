@@ -5,9 +5,12 @@
 #include "packed_rows.h"
 #include "quadric_rows.h"
 
-/* What the middle of three ends is off the others' line, in 1/1024 level, so that each block is off by 1/16; */
+/*
+ * What the middle of three ends may be off the others' line, 1/2048 level: each block is off by 1/16 level then; both
+ * drawn as one, by 1/25. Where light or fog begins or ends within a block it is up to 1/4.
+ */
 #define MOST_BENT 1024
-#define NEARLY_STRAIGHT 256 /* and both in one. Where light or fog begins or ends in a block it is off by 1/4. */
+#define NEARLY_STRAIGHT 160
 
 /* px, at the most, of a block; in highlights. */
 #define LONGEST 16
