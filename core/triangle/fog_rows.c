@@ -2,6 +2,8 @@
  * fog_rows.c - pixels under fog: of each unrounded colour a share that is linear in z16 goes over to the fog's.
  */
 #include "normal_rows.h"
+#include "packed_rows.h"
+#include "quadric_rows.h"
 #include "quotient.h"
 #include "textured.h"
 
@@ -137,6 +139,30 @@ static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
 
 /* ---- intensities, normals ---- */
 
+void sheen_fogged_block(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *from,
+                        const struct packed_at *step, const threshold_t *thresholds)
+{
+    struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
+
+    if (FAST_LOOPS && way.swap && !way.dither) {
+        way.swap = 1;
+        way.dither = 0;
+        packed_run(t, depth, count, *from, *step, way, NULL);
+    } else {
+        packed_run(t, depth, count, *from, *step, way, thresholds);
+    }
+}
+
+void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                             struct shaded_run *run, unsigned second)
+{
+    /* stippled, thresholds are others than packed channels take */
+    if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
+        general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
+    else
+        sheen_fogged_light_run(t, d, at, x1 - x, y, run, second);
+}
+
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                              const struct normal_run *run)
 {
@@ -217,18 +243,10 @@ static void fog_draw(struct draw *d, const struct fog_terms *terms)
     d->fog = terms;
 }
 
-/* 1 where texels are under light alone. */
-static int is_dull(const struct setup *s)
-{
-    const struct texel_terms *texel = &s->draw->texel;
-
-    return s->fast != TEXTURED_GLOSSY && (s->fast == TEXTURED_LIT || (texel->white && texel->gloss == 0));
-}
-
 static void fog_setup(struct setup *s)
 {
     if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->fast != TEXTURED_ANY)
-        s->fast = is_dull(s) ? TEXTURED_FOGGED : TEXTURED_ANY;
+        s->fast = TEXTURED_FOGGED;
     else if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
         s->rows = fogged_rows;
     else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT)

@@ -1,8 +1,8 @@
 /*
  * fogged_blocks.c - runs of texels under fog, in parts along which light and fog may be linear.
  *
- * texel * light * (1 - share) + fog * share: a pixel takes a lit texel's product with the light that is left, and the
- * fog's share in the place of a highlight.
+ * (texel * light + highlight) * (1 - share) + fog * share: a pixel takes a lit texel's product with the light that is
+ * left, what is left of the highlight, and the fog's share.
  */
 #include "fog.h"
 #include "textured.h"
@@ -20,71 +20,110 @@ static uint32_t part_of_share(uint32_t from, uint32_t to, uint32_t count)
     return (uint32_t)(count == 1 ? difference : mul_16_32(one_of[count], difference));
 }
 
-/* At a pixel: the fog's share, and what that leaves of the light; with LIGHT_BITS. */
+/* At a pixel: the fog's share, and what that leaves of light and highlight; with LIGHT_BITS. */
 struct fog_shares {
-    uint32_t fogged, left;
+    uint32_t fogged, left, gloss;
 };
 
 /* Range: UQ1.15 times UQ1.14. */
-SPECIALISED struct fog_shares fog_shares_at(const struct fog_terms *fog, uint32_t z, uint32_t light)
+static uint32_t left_of(uint32_t light, uint32_t share)
 {
-    const uint32_t share = (uint32_t)fog_share(fog, z), bright = not_negative(light) >> (LIGHT_BITS - 15);
-    struct fog_shares at = {share << (LIGHT_BITS - 14), bright * ((1u << 14) - share) >> (29 - LIGHT_BITS)};
+    return (not_negative(light) >> (LIGHT_BITS - 15)) * ((1u << 14) - share) >> (29 - LIGHT_BITS);
+}
+
+SPECIALISED struct fog_shares fog_shares_at(const struct fog_terms *fog, uint32_t z, uint32_t light, uint32_t specular)
+{
+    const uint32_t share = (uint32_t)fog_share(fog, z);
+    struct fog_shares at = {share << (LIGHT_BITS - 14), left_of(light, share),
+                            specular == 0 ? 0 : left_of(specular, share)};
 
     return at;
 }
 
 /*
  * 1 where linear between two pixels is off by more than 1/8 level: their product bends where fog and light change, and
- * fog may begin or end there. change: the light's.
+ * fog may begin or end there. change: the light's, and the highlight's.
  */
 static int is_bent(uint32_t fogged, uint32_t fogged_end, uint32_t change)
 {
     const uint32_t all = 1u << LIGHT_BITS;
 
     return (fogged == 0) != (fogged_end == 0) || (fogged == all) != (fogged_end == all) ||
-           (magnitude32((int32_t)change) >> 12) * (magnitude32((int32_t)(fogged_end - fogged)) >> 12) > 1u << 17;
+           (change >> 12) * (magnitude32((int32_t)(fogged_end - fogged)) >> 12) > 1u << 17;
 }
 
-/* Where a part of `left` px at the most ends, from `at` on, whose light is `light`; its steps but for the fog's. */
-static int32_t fogged_steps(const struct texel_run *r, uint32_t light, int32_t left, struct texel_at *at,
-                            struct texel_at *step)
+/* A part on its way: light and highlight, and in `at` what fog leaves of them. */
+struct fogged_part {
+    struct texel_part part;
+    struct texel_at at, step;
+    uint32_t light, specular;
+};
+
+/* What has to be clamped before there is fog. */
+SPECIALISED int is_bright(uint32_t light, uint32_t specular)
+{
+    return specular != 0 && not_negative(light) + not_negative(specular) > 1u << LIGHT_BITS;
+}
+
+/* Where a part of `left` px at the most ends; its steps. Returns 1 where light has to be clamped in it. */
+static int fogged_steps(const struct texel_run *r, int32_t left, struct fogged_part *p)
 {
     const struct fog_terms *fog = r->d->fog;
-    const struct fog_shares first = fog_shares_at(fog, at->z, light);
+    const struct fog_shares first = fog_shares_at(fog, p->at.z, p->light, p->specular);
+    uint32_t light = 0, specular = 0; /* what they have more in the end */
     int32_t count = min32(left, TEXEL_PART);
 
-    at->light = first.left;
-    at->specular = first.fogged;
-    step->light = step->specular = 0;
+    p->at.light = first.left;
+    p->at.specular = first.gloss;
+    p->part.fog = first.fogged;
+    p->step.light = p->step.specular = p->part.fog_step = 0;
     for (; count > 1; count /= 2) {
-        const uint32_t n = (uint32_t)count - 1, change = n * r->step.light;
-        SHEEN_TAP(FOGGED_TRY, 1);
-        const struct fog_shares last = fog_shares_at(fog, at->z + n * r->step.z, light + change);
-        if (is_bent(first.fogged, last.fogged, change))
+        const uint32_t n = (uint32_t)count - 1;
+        light = n * r->step.light;
+        specular = n * r->step.specular;
+        const struct fog_shares last =
+            fog_shares_at(fog, p->at.z + n * r->step.z, p->light + light, p->specular + specular);
+        if (is_bent(first.fogged, last.fogged, magnitude32((int32_t)light) + magnitude32((int32_t)specular)))
             continue;
-        step->light = part_of_share(first.left, last.left, n);
-        step->specular = part_of_share(first.fogged, last.fogged, n);
+        p->step.light = part_of_share(first.left, last.left, n);
+        p->part.fog_step = part_of_share(first.fogged, last.fogged, n);
+        if ((first.gloss | last.gloss) != 0)
+            p->step.specular = part_of_share(first.gloss, last.gloss, n);
         break;
     }
-    return count;
+    p->part.count = count;
+    return is_bright(p->light, p->specular) || (count > 1 && is_bright(p->light + light, p->specular + specular));
+}
+
+/* Any texels of a part. */
+static APART void bright_part(const struct texel_run *r, struct fogged_part *p, int32_t before)
+{
+    struct texel_run run = *r;
+
+    run.depth = p->part.depth;
+    run.count = p->part.count;
+    run.x += before;
+    p->at.light = p->light;
+    p->at.specular = p->specular;
+    sheen_fogged_any_texels(&run, &p->at);
 }
 
 static void fogged_run(const struct texel_run *r, const struct texel_at *from)
 {
-    struct texel_at at = *from, step = r->step;
-    struct texel_part part = {r->depth, 0, &at, &step};
-    uint32_t light = from->light;
+    struct fogged_part p = {{r->depth, 0, &p.at, &p.step, 0, 0}, *from, r->step, from->light, from->specular};
 
-    for (int32_t left = r->count; left > 0; left -= part.count) {
-        part.count = fogged_steps(r, light, left, &at, &step);
-        SHEEN_TAP(FOGGED_PART, 1);
-        sheen_fogged_part(r, &part);
-        part.depth += part.count;
-        at.z += (uint32_t)part.count * step.z;
-        at.u += (uint32_t)part.count * step.u;
-        at.v += (uint32_t)part.count * step.v;
-        light += (uint32_t)part.count * r->step.light;
+    for (int32_t left = r->count; left > 0; left -= p.part.count) {
+        if (fogged_steps(r, left, &p))
+            bright_part(r, &p, r->count - left);
+        else
+            sheen_fogged_part(r, &p.part);
+        const uint32_t n = (uint32_t)p.part.count;
+        p.part.depth += n;
+        p.at.z += n * r->step.z;
+        p.at.u += n * r->step.u;
+        p.at.v += n * r->step.v;
+        p.light += n * r->step.light;
+        p.specular += n * r->step.specular;
     }
 }
 

@@ -15,7 +15,7 @@ enum textured_pixels {
     TEXTURED_OTHER,
     TEXTURED_BILINEAR, /* 565 without key, unlit */
     TEXTURED_BILINEAR_OTHER,
-    TEXTURED_FOGGED /* as the others, without a highlight, under fog: see sheen_fogged_texel_run */
+    TEXTURED_FOGGED /* as the others, under fog: see sheen_fogged_texel_run */
 };
 
 /*
@@ -89,6 +89,7 @@ struct texel_part {
     uint16_t *depth;
     int32_t count;
     const struct texel_at *from, *step;
+    uint32_t fog, fog_step; /* in fog its share, UQ0.24 */
 };
 
 #define TEXEL_PART 32 /* px */
@@ -99,8 +100,8 @@ void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
 
 /*
- * Texels under fog. TEXTURED_FOGGED: of a part, light is what the fog leaves of it, and specular the fog's share, both
- * UQ0.24; 565 without a highlight. Else any.
+ * Texels under fog. TEXTURED_FOGGED: of a part, light and specular are what the fog leaves of them, together at most
+ * 1.0 with its share. Else any.
  */
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part);
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from);

@@ -238,7 +238,7 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
 struct way {
     unsigned packed, lit, glossy, dither, swap;
     unsigned other;                /* palettes, and a colour that is transparent */
-    unsigned fogged;               /* the highlight's place has the fog's share, and light is what that leaves of it */
+    unsigned fogged;               /* light and highlight are what the fog leaves of them */
     uint32_t fog[3];               /* its levels */
     intptr_t to_pixel;             /* bytes from a pixel's depth */
     const threshold_t *thresholds; /* of the row, where something dithers */
@@ -290,25 +290,30 @@ SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned 
     return (r << 6 | g) << 5 | b;
 }
 
+/* What is stepped. u: U, or both packed; v: V, of nearest texels times the width. */
+struct stepped {
+    uint32_t z, light, specular, fog, u, v;
+};
+
 /* What is added to channels: a threshold; a white highlight; a share of the fog. */
 struct added {
     uint32_t red, green, blue;
 };
 
-SPECIALISED struct added added_at(uint32_t share, uint32_t threshold, const struct way *way)
+SPECIALISED struct added added_at(const struct stepped *at, uint32_t threshold, const struct way *way)
 {
     struct added a = {threshold, threshold, threshold};
 
     if (way->glossy) {
-        uint32_t specular = not_negative(share);
+        uint32_t specular = not_negative(at->specular);
         a.red += 31 * specular;
         a.green += 63 * specular;
         a.blue += 31 * specular;
     }
     if (way->fogged) {
-        a.red += way->fog[0] * share;
-        a.green += way->fog[1] * share;
-        a.blue += way->fog[2] * share;
+        a.red += way->fog[0] * at->fog;
+        a.green += way->fog[1] * at->fog;
+        a.blue += way->fog[2] * at->fog;
     }
     return a;
 }
@@ -330,11 +335,6 @@ SPECIALISED int is_key(uint32_t texel, const struct way *way)
     return way->other && way->texture->keyed && texel == way->texture->key;
 }
 
-/* What is stepped. u: U, or both packed; v: V, of nearest texels times the width. */
-struct stepped {
-    uint32_t z, light, specular, u, v;
-};
-
 SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const struct way *way)
 {
     at->z += step->z;
@@ -349,9 +349,13 @@ SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const s
         at->light += step->light;
         OPAQUE(at->light);
     }
-    if (way->glossy || way->fogged) {
+    if (way->glossy) {
         at->specular += step->specular;
         OPAQUE(at->specular);
+    }
+    if (way->fogged) {
+        at->fog += step->fog;
+        OPAQUE(at->fog);
     }
 }
 
@@ -364,13 +368,13 @@ SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last
 SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct way *way)
 {
     if (way->lit)
-        texel = lit_texel(texel, at->light, added_at(at->specular, threshold_at(depth, way), way), way->glossy);
+        texel = lit_texel(texel, at->light, added_at(at, threshold_at(depth, way), way), way->glossy);
     *pixel_at(depth, way->to_pixel) = pixel_order(texel, way->swap);
 }
 
 SPECIALISED struct texel_part whole_run(const struct texel_run *r, const struct texel_at *from)
 {
-    struct texel_part whole = {r->depth, r->count, from, &r->step};
+    struct texel_part whole = {r->depth, r->count, from, &r->step, 0, 0};
 
     return whole;
 }
@@ -381,9 +385,11 @@ SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part,
     const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
     const uint8_t *texels = r->d->texel.texture->texels;
     const uint32_t columns = r->columns << down, rows = r->rows << down, mend = way.packed ? r->mend : 0;
-    const struct stepped step = {by->z, by->light, by->specular, way.packed ? r->packed : by->u, by->v << width};
-    struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(from, width) : from->u,
-                         from->v << width};
+    const struct stepped step = {by->z,         by->light, by->specular, part.fog_step, way.packed ? r->packed : by->u,
+                                 by->v << width};
+    struct stepped at = {
+        from->z,         from->light, from->specular, part.fog, way.packed ? packed_at(from, width) : from->u,
+        from->v << width};
     uint16_t *depth = part.depth;
     const uint16_t *last = depth + part.count;
 
@@ -479,7 +485,7 @@ SPECIALISED uint32_t cell_mixed(const struct texel_cell *c, const struct stepped
 SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t sum, const struct way *way)
 {
     const uint32_t threshold = threshold_at(depth, way);
-    const uint32_t value = way->lit ? lit_mixed(sum, at->light, added_at(at->specular, threshold, way), way->glossy)
+    const uint32_t value = way->lit ? lit_mixed(sum, at->light, added_at(at, threshold, way), way->glossy)
                                     : unlit_mixed(sum, way, threshold);
 
     *pixel_at(depth, way->to_pixel) = pixel_order(value, way->swap);
@@ -492,9 +498,9 @@ SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part
     const struct bilinear_at b = {r->d->texel.texture->texels, r->columns << down, r->rows << down,
                                   1u << (width + down), width};
     const struct texel_at middle = {from->z, from->u + TO_MIDDLE, from->v + TO_MIDDLE, from->light, from->specular};
-    const struct stepped step = {by->z, by->light, by->specular, way.packed ? r->packed : by->u, by->v};
-    struct stepped at = {from->z, from->light, from->specular, way.packed ? packed_at(&middle, width) : middle.u,
-                         middle.v};
+    const struct stepped step = {by->z, by->light, by->specular, part.fog_step, way.packed ? r->packed : by->u, by->v};
+    struct stepped at = {
+        from->z, from->light, from->specular, part.fog, way.packed ? packed_at(&middle, width) : middle.u, middle.v};
     uint16_t *depth = part.depth;
     const uint16_t *last = depth + part.count;
     struct texel_cell cell = {~at.u, ~at.v, 0, 0, 0, 0}; /* none yet */
@@ -518,9 +524,10 @@ SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part
 
 /* ---- fog ---- */
 
-SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned dither, unsigned swap)
+SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned glossy, unsigned dither,
+                                  unsigned swap)
 {
-    struct way way = way_of(packed, 1, 0, dither, swap);
+    struct way way = way_of(packed, 1, glossy, dither, swap);
 
     way.fogged = 1;
     for (int k = 0; k < 3; k++)
@@ -528,11 +535,16 @@ SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, un
     return way;
 }
 
+static int is_glossy(const struct texel_part *part)
+{
+    return (part->from->specular | part->step->specular) != 0;
+}
+
 /* Texels under light and fog that are linear along the part. */
 static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
-    struct way way = fogged_way(r, r->d->texel.packed, r->t->dither, r->t->format->swap);
+    struct way way = fogged_way(r, r->d->texel.packed, is_glossy(part) != 0, r->t->dither, r->t->format->swap);
 
     way.other = (texture->bits & 15) != 0 || texture->keyed;
     if (texture->bilinear)
@@ -541,19 +553,37 @@ static APART void any_fogged_part(const struct texel_run *r, const struct texel_
         nearest_part(r, *part, way);
 }
 
+#if FAST_LOOPS
+static APART void glossy_fogged_part(const struct texel_run *r, const struct texel_part *part)
+{
+    if (!r->d->texel.packed)
+        nearest_part(r, *part, fogged_way(r, 0, 1, r->t->dither, 1));
+    else
+        r->t->dither ? nearest_part(r, *part, fogged_way(r, 1, 1, 1, 1))
+                     : nearest_part(r, *part, fogged_way(r, 1, 1, 0, 1));
+}
+
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
 
-    if (!FAST_LOOPS || !r->t->format->swap || (texture->bits & 15) != 0 || texture->keyed || texture->bilinear)
+    if (!r->t->format->swap || (texture->bits & 15) != 0 || texture->keyed || texture->bilinear)
         any_fogged_part(r, part);
-    else if (!r->d->texel.packed)
-        nearest_part(r, *part, fogged_way(r, 0, r->t->dither, 1));
+    else if (is_glossy(part))
+        glossy_fogged_part(r, part);
     else if (r->t->dither)
-        nearest_part(r, *part, fogged_way(r, 1, 1, 1));
+        r->d->texel.packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 1, 1))
+                           : nearest_part(r, *part, fogged_way(r, 0, 0, 1, 1));
     else
-        nearest_part(r, *part, fogged_way(r, 1, 0, 1));
+        r->d->texel.packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 0, 1))
+                           : nearest_part(r, *part, fogged_way(r, 0, 0, 0, 1));
 }
+#else
+void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
+{
+    any_fogged_part(r, part);
+}
+#endif
 
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from)
 {

@@ -1,5 +1,5 @@
 /*
- * fogged_rows.c - light that is quadratic along a run, under fog: on 565 colours are exact at the ends of blocks and
+ * fogged_light.c - light that is quadratic along a run, under fog: on 565 colours are exact at the ends of blocks and
  * linear between. Two blocks of n px are tried at a time; where the three ends are not in a line, shorter ones.
  */
 #include "packed_rows.h"
@@ -84,8 +84,6 @@ static void draw_block(struct fogged_run *r, uint32_t z, const struct fogged_col
 {
     static const uint16_t part[LONGEST + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
                                                1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */
-    const struct tile *t = r->t;
-    struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
     const struct packed_at at = {
         z, {((uint32_t)from->channel[0] << 16) + (uint32_t)from->channel[2], (uint32_t)from->channel[1] << 15}};
     int32_t step[3];
@@ -93,15 +91,8 @@ static void draw_block(struct fogged_run *r, uint32_t z, const struct fogged_col
     for (int k = 0; k < 3; k++)
         step[k] = asr32((to->channel[k] - from->channel[k]) * part[n] + (1 << 13), 14 + twice);
     const struct packed_at by = {r->dz, {((uint32_t)step[0] << 16) + (uint32_t)step[2], (uint32_t)step[1] << 15}};
-    n <<= twice;
-    if (FAST_LOOPS && way.swap && !way.dither) {
-        way.swap = 1;
-        way.dither = 0;
-        packed_run(t, r->depth, n, at, by, way, NULL);
-    } else {
-        packed_run(t, r->depth, n, at, by, way, r->thresholds);
-    }
-    r->depth += n;
+    sheen_fogged_block(r->t, r->depth, n << twice, &at, &by, r->thresholds);
+    r->depth += n << twice;
 }
 
 /* Range: a run may be looked at one pixel beyond its end; what has no colour there is no line. */
@@ -141,15 +132,11 @@ static void draw_blocks(struct fogged_run *r, struct shaded_run *at, int32_t lef
     }
 }
 
-void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                             struct shaded_run *run, unsigned second)
+void sheen_fogged_light_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t count, int32_t y,
+                            struct shaded_run *run, unsigned second)
 {
     struct fogged_run r = {
         t, d, t->depth + at, t->dither_rows[y & 7], (enum second)second, run->dz, t->dither ? 0 : 1u << 10};
 
-    /* stippled, thresholds are others than packed channels take */
-    if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
-        general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
-    else
-        draw_blocks(&r, run, x1 - x);
+    draw_blocks(&r, run, count);
 }
