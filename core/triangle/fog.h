@@ -23,7 +23,6 @@ struct fog_terms {
 struct texel_run;
 struct texel_at;
 struct normal_run;
-struct packed_at;
 
 /* What a struct sheen_fog points to, so that it is linked where there is one. */
 struct sheen_fog_mixer {
@@ -48,11 +47,6 @@ struct sheen_fog_mixer {
 
 void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                              struct shaded_run *run, unsigned second);
-/* fogged_light.c: on 565, without a ramp. A block of it: channels that are linear, in two words; thresholds: as run's. */
-void sheen_fogged_light_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t count, int32_t y,
-                            struct shaded_run *run, unsigned second);
-void sheen_fogged_block(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *from,
-                        const struct packed_at *step, const threshold_t *thresholds);
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                              const struct normal_run *run);
 void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from);

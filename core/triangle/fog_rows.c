@@ -1,6 +1,7 @@
 /*
  * fog_rows.c - pixels under fog: of each unrounded colour a share that is linear in z16 goes over to the fog's.
  */
+#include "fogged_light.h"
 #include "normal_rows.h"
 #include "packed_rows.h"
 #include "quadric_rows.h"
@@ -139,28 +140,37 @@ static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
 
 /* ---- intensities, normals ---- */
 
-void sheen_fogged_block(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *from,
-                        const struct packed_at *step, const threshold_t *thresholds)
+void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
+                        const struct fogged_colour *to, int32_t n, unsigned twice)
 {
+    static const uint16_t part[LONGEST + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
+                                               1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */
+    const struct tile *t = r->t;
     struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
+    const uint32_t half = t->dither ? 0 : 1u << 10; /* of the one rounding */
+    const struct packed_at at = {z,
+                                 {((uint32_t)from->channel[0] << 16) + (uint32_t)from->channel[2] + half * 0x10001u,
+                                  ((uint32_t)from->channel[1] + half) << 15}};
+    int32_t step[3];
 
+    for (int k = 0; k < 3; k++)
+        step[k] = asr32((to->channel[k] - from->channel[k]) * part[n] + (1 << 13), 14 + twice);
+    const struct packed_at by = {r->dz, {((uint32_t)step[0] << 16) + (uint32_t)step[2], (uint32_t)step[1] << 15}};
+    n <<= twice;
     if (FAST_LOOPS && way.swap && !way.dither) {
         way.swap = 1;
         way.dither = 0;
-        packed_run(t, depth, count, *from, *step, way, NULL);
+        packed_run(t, r->depth, n, at, by, way, NULL);
     } else {
-        packed_run(t, depth, count, *from, *step, way, thresholds);
+        packed_run(t, r->depth, n, at, by, way, r->thresholds);
     }
+    r->depth += n;
 }
 
-void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                             struct shaded_run *run, unsigned second)
+void sheen_fogged_any_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
+                          struct shaded_run *run, unsigned second)
 {
-    /* stippled, thresholds are others than packed channels take */
-    if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
-        general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
-    else
-        sheen_fogged_light_run(t, d, at, x1 - x, y, run, second);
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
 }
 
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
