@@ -544,7 +544,7 @@ static int is_glossy(const struct texel_part *part)
 static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
-    struct way way = fogged_way(r, r->d->texel.packed, is_glossy(part) != 0, r->t->dither, r->t->format->swap);
+    struct way way = fogged_way(r, r->d->texel.packed, (unsigned)is_glossy(part), r->t->dither, r->t->format->swap);
 
     way.other = (texture->bits & 15) != 0 || texture->keyed;
     if (texture->bilinear)
