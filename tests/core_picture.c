@@ -227,7 +227,7 @@ void core_pose(struct sheen_pose *pose, const struct ref_scene *scene)
         pose->translation[k] = (sheen_q24_t)lround(scene->translation[k] * 16777216);
 }
 
-/* 1 where the light has a colour. */
+/* 1 where a light has a colour, or is a point. */
 static bool is_tinted(const struct ref_scene *scene)
 {
     bool tinted = false;
@@ -235,7 +235,7 @@ static bool is_tinted(const struct ref_scene *scene)
     for (int k = 0; k < 3; k++) {
         tinted |= scene->ambient_color[k] != 1;
         for (int i = 0; i < scene->light_count; i++)
-            tinted |= scene->light_color[i][k] != 1;
+            tinted |= scene->light_color[i][k] != 1 || scene->radius[i] > 0;
     }
     return tinted;
 }
@@ -251,6 +251,11 @@ void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_s
             lights[i].color[k] = (uint8_t)lround(255 * scene->light_color[i][k]);
         for (int k = 0; k < 3; k++)
             lights[i].to[k] = (sheen_q30_t)lround(scene->light[i][k] / reach * 1073741824);
+        for (int k = 0; k < 3 && scene->radius[i] > 0; k++) {
+            lights[i].to[k] = 0;
+            lights[i].at[k] = (sheen_q24_t)lround((scene->light[i][k] + scene->translation[k]) * 16777216);
+        }
+        lights[i].radius = (sheen_q16_t)lround(scene->radius[i] * 65536);
     }
 }
 

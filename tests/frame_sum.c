@@ -167,6 +167,15 @@ static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
 static enum beside beside;
 static uint16_t weight; /* of another frame */
 
+/* Lights of shaders that are colored. */
+enum own_lights {
+    LIGHTS_WHITE,
+    LIGHTS_COLORED,
+    LIGHTS_AT, /* points with and without a colour, one of them with the eye */
+};
+static const char *const lights_name[] = {"view", "tints", "points"};
+static enum own_lights own_lights;
+
 /* As sheen_edges_of has them. */
 static const char *const edges_name[] = {"", "smooth ", "outline ", "wire "};
 #define EDGES (sizeof edges_name / sizeof edges_name[0])
@@ -222,6 +231,32 @@ static void add_beside(struct sheen_view *view, struct sheen_object *draw, int n
     draw->phase = beside & BESIDE_STIPPLE ? (uint8_t)(3 * number & 7) : 0;
 }
 
+static void color_lights(struct sheen_view *view, struct sheen_object *draw, struct sheen_material *material,
+                         int number)
+{
+    static struct sheen_light lights[4];
+    static const uint8_t colors[4][3] = {{255, 128, 40}, {0, 0, 0}, {30, 90, 255}, {200, 0, 1}};
+    const uint8_t count = (uint8_t)(1 + number % 3 + draw->light_count % 2);
+
+    for (uint8_t i = 0; i < count; i++) {
+        lights[i] = draw->lights[i % draw->light_count];
+        memcpy(lights[i].color, colors[i], sizeof colors[i]);
+        if (own_lights == LIGHTS_AT && i != 2) {
+            lights[i].at[0] = TENTHS(7 * i - 9);
+            lights[i].at[1] = TENTHS(6);
+            lights[i].at[2] = TENTHS(3 * number - 20);
+            lights[i].radius = (30 + number) << 12;
+            lights[i].with_eye = i == 1;
+        }
+    }
+    if (own_lights == LIGHTS_AT)
+        (void)sheen_pose_rotate(&view->pose, 1, 0x05000000);
+    draw->lights = lights;
+    draw->light_count = count;
+    material->ambient_color[0] = 90;
+    material->ambient_color[2] = 255;
+}
+
 /* Two frames, the second turned on, so that what is sent is what changed. */
 static int draw_picture(const struct sheen_target *target, struct sheen_object *draw,
                         const struct sheen_texture *texture, enum light light, int view_number, int rows, int dither)
@@ -254,6 +289,8 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         set_view(view_number, &view, draw);
         add_beside(&view, draw, view_number);
+        if (own_lights != LIGHTS_WHITE)
+            color_lights(&view, draw, &material, view_number);
         view.dither = (uint8_t)dither;
         if (i == 0)
             sheen_pose_orbit(&draw->pose, 0, 0, 0, 0x03000000);
@@ -306,8 +343,9 @@ static int print_sums(int mesh, int shading, int view, int format)
             return status;
         }
         printf("%-5s %-7s %s %d %s%s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading],
-               weight != 0 ? "morph" : "view", view, beside_name[beside], edges_name[edges], format_name[format],
-               i / 3 ? "dither" : "plain ", rows[i % 3], (unsigned)checksum(picture, sizeof picture));
+               own_lights == LIGHTS_WHITE && weight != 0 ? "morph" : lights_name[own_lights], view, beside_name[beside],
+               edges_name[edges], format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
+               (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
 }
@@ -347,6 +385,14 @@ int main(void)
         const int view = i / ((int)EDGES - 1);
         edges = 1 + (unsigned)i % (EDGES - 1);
         if (print_sums((i + view) % SUM_MESHES, i % 4, view, (i + 2 * view) % 5) < 0)
+            return 1;
+    }
+    beside = BESIDE_NOTHING;
+    edges = 0;
+    for (int i = 0; i < SUM_MESHES * VIEWS * 2; i++) {
+        own_lights = i % 2 == 0 ? LIGHTS_COLORED : LIGHTS_AT;
+        weight = i % 5 == 4 ? 9000 : 0;
+        if (print_sums(i / 2 % SUM_MESHES, COLORED, i / 2 / SUM_MESHES, i % 5) < 0)
             return 1;
     }
     return ferror(stdout) || fflush(stdout) != 0;

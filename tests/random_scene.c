@@ -156,6 +156,23 @@ static void random_fog(struct ref_scene *scene, uint32_t *state)
         scene->fog_color[k] = (stage_random(state) >> 24) / 255.0;
 }
 
+/* Colours of some lights and of ambient light; some are points before the mesh. */
+static void random_tints(struct ref_scene *scene, uint32_t *state)
+{
+    for (int i = 0; i < scene->light_count; i++) {
+        for (int k = 0; k < 3 && stage_random(state) % 4 != 0; k++)
+            scene->light_color[i][k] = (1 + (stage_random(state) >> 24) % 255) / 255.0;
+        if (scene->shading > REF_GOURAUD || stage_random(state) % 2 == 0)
+            continue;
+        for (int k = 0; k < 3; k++)
+            scene->light[i][k] = stage_uniform(state, -1.5, 1.5);
+        scene->radius[i] = stage_uniform(state, 0.3, 4);
+    }
+    for (int k = 0; k < 3; k++)
+        scene->ambient_color[k] = (1 + (stage_random(state) >> 24) % 255) / 255.0;
+    scene->ramp = stage_random(state) % 2 ? REF_LAMBERT : scene->ramp == REF_TOON ? REF_HALF : scene->ramp;
+}
+
 void random_scene(struct random_scene *to, const struct random_meshes *meshes, uint32_t number)
 {
     static const int size[3][2] = {{240, 240}, {320, 240}, {240, 320}};
@@ -193,6 +210,8 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
         to->scene.left_out = 1 + (int)(stage_random(&state) % 63);
         to->scene.phase = (int)(stage_random(&state) % 8);
     }
+    if (shading <= REF_GOURAUD && to->scene.texture == NULL && stage_random(&state) % 4 == 1)
+        random_tints(&to->scene, &state);
 }
 
 void random_scene_print(const struct random_scene *from)
@@ -217,7 +236,10 @@ void random_scene_print(const struct random_scene *from)
            scene->colored ? " colored" : "", ramp_name[scene->ramp], scene->distance, scene->fov, scene->shininess,
            scene->ambient, scene->diffuse, scene->specular, from->way);
     for (int i = 0; i < scene->light_count; i++)
-        printf(" %.3f,%.3f,%.3f", scene->light[i][0], scene->light[i][1], scene->light[i][2]);
+        printf(" %.3f,%.3f,%.3f radius %.3f color %.3f,%.3f,%.3f", scene->light[i][0], scene->light[i][1],
+               scene->light[i][2], scene->radius[i], scene->light_color[i][0], scene->light_color[i][1],
+               scene->light_color[i][2]);
+    printf(" ambient %.3f,%.3f,%.3f", scene->ambient_color[0], scene->ambient_color[1], scene->ambient_color[2]);
     printf("\n");
 }
 

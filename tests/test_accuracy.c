@@ -33,10 +33,11 @@ enum variant {
     TOON,
     COLORS, /* of the vertices: one light, several, dithered, cut, in turns */
     TINTS,  /* of lights and ambient light, every other picture with the vertices'; by ramps too */
+    POINTS, /* point lights with others, every other picture in white alone */
     VARIANTS
 };
-static const char *const variant_name[VARIANTS] = {"",       "lights", "ortho", "behind", "strong", "cut",
-                                                   "dither", "half",   "gamma", "toon",   "colors", "tints"};
+static const char *const variant_name[VARIANTS] = {"",     "lights", "ortho", "behind", "strong", "cut",   "dither",
+                                                   "half", "gamma",  "toon",  "colors", "tints",  "points"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
 #define FORCED 9
@@ -174,6 +175,23 @@ static void vary_tints(struct ref_scene *scene, int i)
         scene->ramp = i == 9 ? REF_GAMMA : REF_HALF;
 }
 
+static void vary_points(struct ref_scene *scene, int i)
+{
+    static const double at[3][3] = {{0.9, 0.5, 0.7}, {-0.8, -0.4, 1.1}, {0.1, 0.9, 0.2}}, radius[3] = {1.7, 2, 1.1};
+
+    if (i % 2)
+        vary_tints(scene, i);
+    else
+        vary_colors(scene, i);
+    accuracy_more_lights(scene);
+    scene->colored = i % 4 > 1;
+    scene->diffuse = 1.6;
+    for (int k = 0; k < 3; k++) {
+        memcpy(scene->light[k], at[k], sizeof at[k]);
+        scene->radius[k] = radius[k];
+    }
+}
+
 static void vary(struct ref_scene *scene, enum variant variant, int i)
 {
     static const double shininess[4] = {1, 4, 24, 128};
@@ -216,6 +234,9 @@ static void vary(struct ref_scene *scene, enum variant variant, int i)
         break;
     case TINTS:
         vary_tints(scene, i);
+        break;
+    case POINTS:
+        vary_points(scene, i);
         break;
     default:
         break;
@@ -299,7 +320,8 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
     if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)
         failed += judge_line(&lines, mesh, 1, shading, STRONG);
     if (shading <= REF_GOURAUD && mesh->reference.color)
-        failed += judge_line(&lines, mesh, 1, shading, COLORS) + judge_line(&lines, mesh, 2, shading, TINTS);
+        failed += judge_line(&lines, mesh, 1, shading, COLORS) + judge_line(&lines, mesh, 2, shading, TINTS) +
+                  judge_line(&lines, mesh, 0, shading, POINTS);
     print_ways(&lines, mesh, shading);
     return failed;
 }

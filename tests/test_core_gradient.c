@@ -384,7 +384,7 @@ static void note_light(struct core_raster *r, uint32_t *state)
     for (int k = 0; k < 3; k++)
         light.to[k] = (int32_t)stage_random(state);
     sheen_pose_orbit(&pose, stage_random(state), stage_random(state), stage_random(state), 0);
-    assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL), SHEEN_OK);
+    assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
 }
 
 static void test_phong_set_up(void **unused)

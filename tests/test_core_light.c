@@ -80,7 +80,8 @@ struct scene {
 
 static int light_begin(struct scene *s)
 {
-    return sheen_light_begin(&s->lighting, s->draw.lights, s->draw.light_count, s->draw.pose.rotation, NULL);
+    return sheen_light_begin(&s->lighting, s->draw.lights, s->draw.light_count, s->draw.pose.rotation, NULL,
+                             LIGHTS_FAR);
 }
 
 static void random_scene(struct scene *s, uint32_t *state, unsigned lights)

@@ -118,7 +118,7 @@ static void test_lambert_by_a_ramp(void **unused)
         assert_int_equal(sheen_normalize(v, unit), SHEEN_OK);
         for (int k = 0; k < 3; k++)
             n[k] = (int16_t)(unit[k] / 32769);
-        assert_int_equal(sheen_light_begin(&lighting, light, count, pose.rotation, NULL), SHEEN_OK);
+        assert_int_equal(sheen_light_begin(&lighting, light, count, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
         light_normal(&lighting, (struct power[]){power_of(&sheen_shine_16)}, n, &plain);
         lighting.ramp = &ramp;
         light_normal(&lighting, (struct power[]){power_of(&sheen_shine_16)}, n, &by_ramp);
@@ -140,7 +140,7 @@ static void test_zero_normal(void **unused)
 
     (void)unused;
     sheen_pose_identity(&pose);
-    assert_int_equal(sheen_light_begin(&lighting, &light, 1, pose.rotation, NULL), SHEEN_OK);
+    assert_int_equal(sheen_light_begin(&lighting, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
     lighting.ramp = &sheen_ramp_half;
     light_normal(&lighting, (struct power[]){power_of(NULL)}, aside, &lit);
     assert_in_range(lit.diffuse, 8191, 8193);
@@ -173,7 +173,7 @@ static void test_garbage(void **unused)
         ramp.span = (int32_t)stage_random(&state);
         material.ramp = &ramp;
         sheen_pose_identity(&pose);
-        assert_int_equal(sheen_light_begin(&draw.light, &light, 1, pose.rotation, NULL), SHEEN_OK);
+        assert_int_equal(sheen_light_begin(&draw.light, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
         draw.light.diffuse_sum = 4 << 16;
         assert_ptr_equal(sheen_ramp_reader.begin(&draw, &material, &by_ramp, i & 1), &by_ramp);
         assert_int_equal(draw.by_ramp & 1, i & 1);

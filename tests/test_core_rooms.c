@@ -148,7 +148,7 @@ static void begin(struct core_raster *r, struct scene *s, const struct sheen_sha
     sheen_pose_orbit(&pose, 0, 0, 0, 0);
     r->material = (struct sheen_material){
         .base = {200, 160, 90}, .ambient = (sheen_q16_t)(AMBIENT * 65536), .diffuse = (sheen_q16_t)(DIFFUSE * 65536)};
-    assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL), SHEEN_OK);
+    assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, r->draw.light.diffuse_sum,
                        r->draw.light.specular_sum);
     sheen_loop_begin(&r->draw.loop, &r->draw.power, &r->draw.colour, &r->format, 0);

@@ -247,9 +247,9 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     if (o->two_sided || o->morph != NULL) /* warp is of one frame */
         viewpoint->a_warp = 0;
     const struct sheen_light *axes = o->shader->axes;
-    int error =
-        sheen_light_begin(&d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,
-                          posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL);
+    int error = sheen_light_begin(
+        &d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,
+        posed && !sheen_rotation_is_zero(view->rotation) ? view->rotation : NULL, (enum lights_taken)o->shader->lights);
     return error < 0 ? refuse(f, error, SHEEN_ABOUT_LIGHTS, 0) : SHEEN_OK;
 }
 
@@ -320,7 +320,7 @@ static APART void begin_colours(struct sheen_frame *f, struct draw *d, const str
     if (d->by_ramp)
         d->loop.usable = 0; /* its loops know no ramp */
     if (d->shader->begin != NULL)
-        d->shader->begin(d, m, &f->format, object);
+        d->shader->begin(d, m, &f->format, object, &f->view.pose);
     d->fog = NULL;
     if (f->view.fog != NULL)
         f->fog.mixer->draw(d, &f->fog);

@@ -23,12 +23,13 @@ static const uint32_t widest_quadratic[5] = {189000000u, 119000000u, 75000000u, 
 
 /* The material's colour is all the light that there is. */
 static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                         const struct sheen_object *object)
+                         const struct sheen_object *object, const struct sheen_pose *view)
 {
     struct sheen_material unlit = {.base = {material->base[0], material->base[1], material->base[2]},
                                    .ambient = 1 << 16};
 
     (void)object;
+    (void)view;
     unlit.texture = material->texture;
     sheen_texel_begin(&d->texel, format, &unlit, 0, 0);
 }

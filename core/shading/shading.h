@@ -15,7 +15,7 @@
 
 /*
  * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing. material: the object's, as its ramp has
- *   it.
+ *   it; view: world to eye.
  * light: what the shading keeps of a vertex, from its normal (as the mesh has it, or as
  *   seen), once for each that a listed triangle uses; NULL: nothing. Between corners it is linear.
  * carry: of a triangle's corners three numbers each, for the side that is seen, which are linear in between: what its
@@ -25,7 +25,7 @@
  */
 struct sheen_shader {
     void (*begin)(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                  const struct sheen_object *object);
+                  const struct sheen_object *object, const struct sheen_pose *view);
     void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
     void (*carry)(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
@@ -38,6 +38,7 @@ struct sheen_shader {
     uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
     uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */
     uint8_t at_pixels;                 /* 1: light is not linear between corners: a ramp is read at pixels */
+    uint8_t lights;                    /* enum lights_taken */
 };
 
 static inline const int16_t *corner_parts(const struct sheen_mesh *mesh, const struct sheen_shader *shader)

@@ -5,9 +5,10 @@
 #include "shading.h"
 
 static void textured_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                           const struct sheen_object *object)
+                           const struct sheen_object *object, const struct sheen_pose *view)
 {
     (void)object;
+    (void)view;
     sheen_texel_begin(&d->texel, format, material, d->light.diffuse_sum, d->light.specular_sum);
 }
 

@@ -7,8 +7,8 @@
  */
 #include "vertex.h"
 
-/* v in model space: transpose(R) * v; R's rows are orthonormal. Q1.30. */
-static void to_model(const sheen_q30_t r[9], const sheen_q30_t v[3], sheen_q30_t out[3])
+/* R's rows are orthonormal. */
+void sheen_to_model(const sheen_q30_t r[9], const int32_t v[3], int32_t out[3])
 {
     for (int k = 0; k < 3; k++)
         out[k] =
@@ -26,12 +26,18 @@ static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned c
 }
 
 /* A light in eye space: `view` turns those of the world there, NULL: world and eye space are one. */
-static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, sheen_q30_t to[3])
+static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, enum lights_taken taken,
+                     sheen_q30_t to[3])
 {
     sheen_q30_t unit[3];
 
-    if (light->intensity < 0 || light->intensity > 1 << 16)
+    if (light->intensity < 0 || light->intensity > 1 << 16 ||
+        (uint32_t)light->radius > (taken == LIGHTS_ALL ? 1u << 26 : 0))
         return SHEEN_ERR_ARGUMENT;
+    if (light->radius > 0) {
+        to[0] = to[1] = to[2] = 0;
+        return SHEEN_OK;
+    }
     int error = sheen_normalize(light->to, unit);
     for (int k = 0; k < 3 && error == SHEEN_OK; k++)
         to[k] = view == NULL || light->with_eye
@@ -42,24 +48,24 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, s
 }
 
 int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
-                      const sheen_q30_t rotation[9], const sheen_q30_t *view)
+                      const sheen_q30_t rotation[9], const sheen_q30_t *view, enum lights_taken taken)
 {
     const sheen_q30_t eye[3] = {0, 0, 1 << 30};
     sheen_q16_t diffuse[SHEEN_MAX_LIGHTS], specular[SHEEN_MAX_LIGHTS];
 
     if (count > SHEEN_MAX_LIGHTS || (count > 0 && lights == NULL))
         return SHEEN_ERR_ARGUMENT;
-    to_model(rotation, eye, l->view);
+    sheen_to_model(rotation, eye, l->view);
     l->count = (uint8_t)count;
     l->ramp = NULL;
     l->diffuse_sum = 0;
     l->specular_sum = 0;
     for (unsigned i = 0; i < count; i++) {
         sheen_q30_t to[3];
-        int error = eye_light(&lights[i], view, to);
+        int error = eye_light(&lights[i], view, taken, to);
         if (error < 0)
             return error;
-        to_model(rotation, to, l->to[i]);
+        sheen_to_model(rotation, to, l->to[i]);
         l->lv1[i] = (1 << 29) + to[2] / 2;
         diffuse[i] = lights[i].intensity != 0 ? lights[i].intensity : 1 << 16;
         specular[i] = lights[i].no_highlight ? 0 : diffuse[i];

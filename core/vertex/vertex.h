@@ -150,13 +150,21 @@ struct lighting {
     uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
     uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
     sheen_q30_t view[3];                        /* V */
-    sheen_q30_t to[SHEEN_MAX_LIGHTS][3];        /* L */
-    int32_t lv1[SHEEN_MAX_LIGHTS];              /* 1 + L.V, Q2.29 */
+    sheen_q30_t to[SHEEN_MAX_LIGHTS][3];        /* L; of a point light where it is, see sheen_light_tinted */
+    int32_t lv1[SHEEN_MAX_LIGHTS];              /* 1 + L.V, Q2.29; of a point light its radius, Q11.20 */
+};
+
+/* Which lights a shading takes. */
+enum lights_taken {
+    LIGHTS_FAR, /* those at infinity */
+    LIGHTS_ALL  /* points too, which the shading then places */
 };
 
 /* rotation: model to eye; view: world to eye, NULL where they are one. There is no ramp then. */
 int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
-                      const sheen_q30_t rotation[9], const sheen_q30_t *view);
+                      const sheen_q30_t rotation[9], const sheen_q30_t *view, enum lights_taken taken);
+/* v in model space, Q1.30 or any other: transpose(rotation) * v. */
+void sheen_to_model(const sheen_q30_t rotation[9], const int32_t v[3], int32_t out[3]);
 /* L.N or N.V of a unit normal, Q1.30, held at +-1.0; lacks: lacking(normal). */
 int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q30_t v[3]);
 /* What the lights give at a normal: without a ramp, and by one, of a struct sheen_ramp_reader. */
@@ -169,9 +177,12 @@ struct tinted {
     uint32_t diffuse[3], specular[3];
 };
 
-/* tinted_light.c; color: of each light. */
-void sheen_light_tinted(const struct lighting *l, const struct power *power, const uint8_t color[][3],
-                        const int16_t normal[3], struct tinted *out);
+/*
+ * tinted_light.c; at: what is lit, from the mesh's origin along the model's axes, in units, Q11.20, as the point lights
+ * have it, |part| <= 2^30; not read where there are none.
+ */
+void sheen_light_tinted(const struct lighting *l, const struct power *power, const struct tint_terms *tint,
+                        const int32_t at[3], const int16_t normal[3], struct tinted *out);
 
 static inline void light_normal(const struct lighting *l, const struct power *power, const int16_t normal[3],
                                 struct lit *out)

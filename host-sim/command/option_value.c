@@ -109,6 +109,8 @@ static int set_size(const struct sheen_option *option, const char *text, unsigne
     return size[0] && size[1] ? SHEEN_OK : refuse(option, text, "no pixels", problem);
 }
 
+#define MOST_AWAY 20 /* of a point light from the mesh's centre, a part */
+
 static int commas(const char *text)
 {
     int count = 0;
@@ -118,31 +120,52 @@ static int commas(const char *text)
     return count;
 }
 
+/* `count` numbers and, or not, a colour, else white: -1 where it is something else. */
+static int read_light(const struct sheen_option *option, const char *text, int count, double number[], uint8_t color[3])
+{
+    const int with_color = commas(text) == count;
+    struct sheen_problem unused;
+
+    memset(color, 255, 3);
+    for (int k = 0; k < count; k++) {
+        if (read_real(&text, k < count - 1 || with_color ? ',' : '\0', &number[k]) != 0)
+            return -1;
+    }
+    return with_color ? set_color(option, text, color, &unused) : 0;
+}
+
 static int set_light(const struct sheen_option *option, const char *text, struct sheen_light_list *lights,
                      struct sheen_problem *problem)
 {
-    const char *rest = text;
-    const int parts = commas(text);
-    uint8_t color[3] = {255, 255, 255};
-    double to[3];
+    const int is_point = option->kind == SHEEN_OPTION_POINT;
+    double number[4] = {0, 0, 0, 0};
+    uint8_t color[3];
 
-    for (int k = 0; k < 3; k++) {
-        if (read_real(&rest, k < 2 || parts == 3 ? ',' : '\0', &to[k]) != 0)
-            return refuse(option, text, "not a direction x,y,z, nor x,y,z,colour", problem);
-    }
-    if (parts == 3 && set_color(option, rest, color, problem) != 0)
-        return refuse(option, text, "not a direction x,y,z, nor x,y,z,colour", problem);
+    if (read_light(option, text, is_point ? 4 : 3, number, color) != 0)
+        return refuse(option, text,
+                      is_point ? "not a place and how far it reaches, x,y,z,radius, nor x,y,z,radius,colour"
+                               : "not a direction x,y,z, nor x,y,z,colour",
+                      problem);
     if ((color[0] | color[1] | color[2]) == 0)
         return refuse(option, text, "black gives no light", problem);
-    if (to[0] == 0 && to[1] == 0 && to[2] == 0)
+    if (!is_point && number[0] == 0 && number[1] == 0 && number[2] == 0)
         return refuse(option, text, "points nowhere", problem);
+    for (int k = 0; k < 3 && is_point; k++) {
+        if (fabs(number[k]) > MOST_AWAY)
+            return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': farther away than %d", option->name, text,
+                                 MOST_AWAY);
+    }
+    if (is_point && !(number[3] > 0 && number[3] <= option->high))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not 0 < RADIUS <= %g", option->name, text,
+                             option->high);
     if (!lights->given)
         lights->count = 0;
     if (lights->count == SHEEN_MAX_LIGHTS)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': at most %d lights", option->name, text,
                              SHEEN_MAX_LIGHTS);
     memcpy(lights->color[lights->count], color, sizeof color);
-    memcpy(lights->to[lights->count++], to, sizeof to);
+    lights->radius[lights->count] = number[3];
+    memcpy(lights->to[lights->count++], number, sizeof lights->to[0]);
     lights->given = 1;
     return SHEEN_OK;
 }
@@ -194,6 +217,7 @@ int sheen_option_set(struct sheen_options *options, const struct sheen_option *o
     case SHEEN_OPTION_SIZE:
         return set_size(option, text, field, problem);
     case SHEEN_OPTION_LIGHT:
+    case SHEEN_OPTION_POINT:
         return set_light(option, text, field, problem);
     case SHEEN_OPTION_DEPTHS:
         return set_depths(option, text, field, problem);

@@ -56,6 +56,10 @@ const struct sheen_option sheen_option_table[] = {
     {"light", "X,Y,Z[,COLOR]", "-0.4,0.6,0.8",
      "direction to a light, seen from the eye, and its colour, else white; up to 4 times", SHEEN_OPTION_LIGHT,
      SHEEN_DRAWS, AT(lights), 0, 0, 0},
+    {"point-light", "X,Y,Z,RADIUS[,COLOR]", NULL,
+     "a light seen from the eye so far from the mesh's centre, in its radii, that fades over RADIUS; flat and gouraud; "
+     "with --light up to 4 together",
+     SHEEN_OPTION_POINT, SHEEN_DRAWS, AT(lights), 0, 1000, 0},
     {"ambient-color", "COLOR", "ffffff", "of the light from everywhere", SHEEN_OPTION_COLOR, SHEEN_DRAWS,
      AT(ambient_color), 0, 0, 0},
     {"vertex-colors", "on|off", "on",

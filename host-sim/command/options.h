@@ -28,6 +28,7 @@ enum sheen_option_kind {
     SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or where `argument` has it the word `file` */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
     SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one, with a colour or white */
+    SHEEN_OPTION_POINT,  /* the same: adds a point light */
     SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`, gamma with :G or without */
     SHEEN_OPTION_DEPTHS, /* struct sheen_depths: START,END, 0 < START < END */
     SHEEN_OPTION_TEXT    /* const char * */
@@ -52,7 +53,8 @@ struct sheen_ramp_choice {
 };
 
 struct sheen_light_list {
-    double to[SHEEN_MAX_LIGHTS][3];
+    double to[SHEEN_MAX_LIGHTS][3];  /* of a point light from the mesh's centre to it, in radii of the mesh */
+    double radius[SHEEN_MAX_LIGHTS]; /* likewise; 0: no point light */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
     int count;
     int given; /* 0 while the list is the default, which the first given light replaces */

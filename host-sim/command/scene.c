@@ -41,13 +41,22 @@ static int is_white(const uint8_t color[3])
     return (color[0] & color[1] & color[2]) == 255;
 }
 
+static int has_points(const struct sheen_options *options)
+{
+    int found = 0;
+
+    for (int i = 0; i < options->lights.count; i++)
+        found |= options->lights.radius[i] > 0;
+    return found;
+}
+
 int sheen_scene_is_colored(const struct sheen_scene *scene)
 {
     const struct sheen_options *options = scene->options;
     int colored = scene->has_colors || !(is_white(options->ambient_color) || is_black(options->ambient_color));
 
     for (int i = 0; i < options->lights.count; i++)
-        colored |= !is_white(options->lights.color[i]);
+        colored |= !is_white(options->lights.color[i]) || options->lights.radius[i] > 0;
     return colored;
 }
 
@@ -159,6 +168,8 @@ static int check_shading(struct sheen_scene *scene, struct sheen_problem *proble
             problem, SHEEN_ERR_UNSUPPORTED,
             "--shade: %s has colours of vertices, shown flat or gouraud; --vertex-colors off leaves them out",
             options->mesh);
+    if (has_points(options))
+        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: point lights are for flat and gouraud");
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: light with colours is for flat and gouraud");
 }
 
@@ -234,8 +245,13 @@ void sheen_scene_look(struct sheen_scene *scene)
     for (int i = 0; i < options->lights.count; i++) {
         const double *to = options->lights.to[i];
         double largest = fmax(fabs(to[0]), fmax(fabs(to[1]), fabs(to[2])));
-        for (int k = 0; k < 3; k++)
-            scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
+        for (int k = 0; k < 3; k++) {
+            if (options->lights.radius[i] > 0)
+                scene->lights[i].at[k] = to_q24(to[k] - (k == 2 ? options->distance : 0));
+            else
+                scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
+        }
+        scene->lights[i].radius = (sheen_q16_t)ceil(options->lights.radius[i] * 65536);
         memcpy(scene->lights[i].color, options->lights.color[i], sizeof scene->lights[i].color);
         scene->lights[i].intensity = to_q16(1);
     }

@@ -10,7 +10,7 @@ const SLIDERS = { // name: least, most, step, unit
     yaw: [-180, 180, .5, '°'], pitch: [-90, 90, .5, '°'], roll: [-180, 180, .5, '°'], distance: [1.2, 10, .01, ''],
     fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''], 'morph-weight': [0, 1, .01, ''],
 };
-const MORE = ['phase', 'fog', 'fog-color', 'ambient-color', 'vertex-colors', 'dither', 'ramp', 'edges', 'line-color', 'perspective',
+const MORE = ['phase', 'fog', 'fog-color', 'ambient-color', 'point-light', 'vertex-colors', 'dither', 'ramp', 'edges', 'line-color', 'perspective',
     'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
@@ -68,7 +68,7 @@ function optionWords(keep) {
         if (keep(name))
             words.push(...(choices[name] === null ? [`--${name}`] : [`--${name}`, value]));
     }
-    if (keep('light') && (lights.length !== 1 || textOf(lights[0]) !== defaults.light))
+    if (keep('light') && (settings['point-light'] || lights.length !== 1 || textOf(lights[0]) !== defaults.light))
         lights.forEach(v => words.push('--light', textOf(v)));
     return words;
 }
