@@ -255,6 +255,7 @@ void core_lights(struct sheen_light lights[SHEEN_MAX_LIGHTS], const struct ref_s
             lights[i].to[k] = 0;
             lights[i].at[k] = (sheen_q24_t)lround((scene->light[i][k] + scene->translation[k]) * 16777216);
         }
+        lights[i].points = &sheen_points;
         lights[i].radius = (sheen_q16_t)lround(scene->radius[i] * 65536);
     }
 }

@@ -246,6 +246,7 @@ static void color_lights(struct sheen_view *view, struct sheen_object *draw, str
             lights[i].at[1] = TENTHS(6);
             lights[i].at[2] = TENTHS(3 * number - 20);
             lights[i].radius = (30 + number) << 12;
+            lights[i].points = &sheen_points;
             lights[i].with_eye = i == 1;
         }
     }

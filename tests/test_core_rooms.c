@@ -260,7 +260,7 @@ static void check_colored(const struct sheen_shader *shader, int tinted)
         memcpy(r.material.ambient_color, ambient_color, sizeof ambient_color);
     }
     const struct sheen_object object = {.material = &r.material, .lights = lights, .light_count = 1};
-    shader->begin(&r.draw, &r.material, &r.format, &object);
+    shader->begin(&r.draw, &r.material, &r.format, &object, &object.pose);
     for (int i = 0; i < TRIANGLES; i++) {
         if (!draw_scene(&r, &s, &state, 0.5, depth, pixels))
             continue;
@@ -412,9 +412,9 @@ static void check_texels(const struct sheen_shader *shader, texels_at *coordinat
     if (shader->axes != NULL) {
         struct sheen_pose pose;
         sheen_pose_orbit(&pose, 0, 0, 0, 0);
-        assert_int_equal(sheen_light_begin(&r.draw.light, shader->axes, 2, pose.rotation, NULL), SHEEN_OK);
+        assert_int_equal(sheen_light_begin(&r.draw.light, shader->axes, 2, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
     }
-    shader->begin(&r.draw, &r.material, &r.format, &object);
+    shader->begin(&r.draw, &r.material, &r.format, &object, &object.pose);
     r.mesh.uvs = uv;
     r.mesh.uv_bits = 12;
     for (int i = 0; i < TRIANGLES; i++) {

@@ -2,7 +2,6 @@
  * colored.c - flat and Gouraud shading with colours of vertices and lights, and with point lights: three channels a
  * corner, multiplied before they are brought over the triangle.
  */
-#include "../math/pose.h"
 #include "../triangle/morph.h"
 #include "../triangle/quotient.h"
 #include "shading.h"
@@ -88,50 +87,6 @@ static void carried_channels(const struct surface_corners *c, uint32_t channel[3
         channel[i % 3][i / 3] = (uint32_t)c->at.normal[i / 3][i % 3] << 16;
 }
 
-/*
- * Point light i from where the mesh's origin stands, along the model's axes, Q11.20. Range: both are within 128 units
- * of the eye, or there is no light.
- */
-static APART void place_point(struct draw *d, const struct sheen_object *object, const struct sheen_pose *pose,
-                              const struct sheen_pose *view, unsigned i)
-{
-    static const struct sheen_pose eye = {.scale = 0};
-    const struct sheen_light *light = &object->lights[i];
-    struct sheen_pose own = {.scale = 0}, at, mesh;
-    int32_t apart[3];
-
-    d->light.lv1[i] = 0;
-    for (int k = 0; k < 3; k++)
-        own.translation[k] = light->at[k];
-    int error = sheen_pose_place(light->with_eye ? &eye : view, &own, &at);
-    for (int k = 0; k < 3; k++)
-        own.translation[k] = d->mesh->offset[k];
-    error |= sheen_pose_place(pose, &own, &mesh);
-    if (error != SHEEN_OK)
-        return; /* nothing of it reaches the mesh */
-    for (int k = 0; k < 3; k++)
-        apart[k] = (int32_t)round_shift64((int64_t)at.translation[k] - mesh.translation[k], 4);
-    sheen_to_model(pose->rotation, apart, d->light.to[i]);
-    d->light.lv1[i] = light->radius * 16;
-}
-
-static APART void place_points(struct draw *d, const struct sheen_object *object, const struct sheen_pose *view)
-{
-    struct sheen_pose pose;
-
-    d->tint.reach = 0;
-    d->tint.points = 0;
-    if (sheen_pose_place(view, &object->pose, &pose) < 0)
-        return; /* it was placed before */
-    for (unsigned i = 0; i < d->light.count; i++)
-        if (object->lights[i].radius > 0) {
-            place_point(d, object, &pose, view, i);
-            d->tint.points |= (uint8_t)(1u << i);
-        }
-    d->tint.reach = (int32_t)(((int64_t)pose.scale * d->mesh->scale) >> 16);
-    d->tint.lights |= d->tint.points;
-}
-
 /* What lights have; ambient light as its colour has it, apart from what a ramp's low makes of the lights. */
 static void colored_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                           const struct sheen_object *object, const struct sheen_pose *view)
@@ -143,14 +98,19 @@ static void colored_begin(struct draw *d, const struct sheen_material *material,
 
     (void)format;
     d->tint.lights = 0;
+    d->tint.points = NULL;
+    d->tint.is_point = 0;
     for (unsigned i = 0; i < d->light.count; i++) {
         const uint8_t *color = object->lights[i].color;
         const int coloured = (color[0] | color[1] | color[2]) != 0;
         for (int k = 0; k < 3; k++)
             d->tint.color[i][k] = coloured ? color[k] : 255;
-        d->tint.lights |= (uint8_t)coloured;
+        if (object->lights[i].radius > 0)
+            d->tint.points = object->lights[i].points;
+        d->tint.lights |= (uint8_t)(coloured || d->tint.points != NULL);
     }
-    place_points(d, object, view);
+    if (d->tint.points != NULL)
+        d->tint.points->place(d, object, view);
     for (int k = 0; k < 3; k++) {
         const uint32_t a = d->colour.a[k], part = is_low ? mul_high(a, share) : a;
         d->tint.low[k] = d->tint.lights ? a - part : 0;
@@ -160,46 +120,12 @@ static void colored_begin(struct draw *d, const struct sheen_material *material,
 
 /* ---- flat: light of the polygon ---- */
 
-static int of_polygon(const struct sheen_mesh *mesh, uint32_t triangle, uint32_t polygon)
-{
-    return triangle < mesh->triangles && mesh->polygons != NULL && mesh->polygons[triangle] == polygon;
-}
-
-/* Mean of the vertices of a polygon, whose triangles follow each other: of each one once. Range: 2^15 times 2^16. */
-static APART void polygon_middle(const struct draw *d, uint32_t triangle, int16_t middle[3])
-{
-    const struct sheen_mesh *mesh = d->mesh;
-    const uint32_t polygon = mesh->polygons != NULL ? mesh->polygons[triangle] : triangle;
-    uint32_t first = triangle, end = triangle + 1;
-    int32_t sum[3] = {0, 0, 0}, count = 0;
-
-    while (first > 0 && of_polygon(mesh, first - 1, polygon))
-        first--;
-    while (of_polygon(mesh, end, polygon))
-        end++;
-    for (uint32_t corner = 3 * first; corner < 3 * end; corner++) {
-        const uint32_t index = mesh_index(mesh, corner);
-        uint32_t known = 3 * first;
-        int16_t store[3];
-        while (mesh_index(mesh, known) != index)
-            known++;
-        if (known < corner)
-            continue;
-        const int16_t *at = position_of(d, mesh->positions + 3 * index, store);
-        for (int i = 0; i < 3; i++)
-            sum[i] += at[i];
-        count++;
-    }
-    for (int i = 0; i < 3; i++)
-        middle[i] = (int16_t)(sum[i] / count);
-}
-
-static void facet_glow(const struct draw *d, uint16_t triangle, int back, struct glow *glow)
+static APART void facet_glow(const struct draw *d, uint16_t triangle, int back, struct glow *glow)
 {
     int16_t normal[3], middle[3] = {0, 0, 0};
 
-    if (d->tint.points)
-        polygon_middle(d, triangle, middle);
+    if (d->tint.points != NULL)
+        d->tint.points->middle(d, triangle, middle);
     sheen_facet_normal(d, triangle, back, normal);
     glow_light(d, middle, normal, glow);
 }

@@ -32,7 +32,7 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, e
     sheen_q30_t unit[3];
 
     if (light->intensity < 0 || light->intensity > 1 << 16 ||
-        (uint32_t)light->radius > (taken == LIGHTS_ALL ? 1u << 26 : 0))
+        (uint32_t)light->radius > (taken == LIGHTS_ALL && light->points != NULL ? 1u << 26 : 0))
         return SHEEN_ERR_ARGUMENT;
     if (light->radius > 0) {
         to[0] = to[1] = to[2] = 0;

@@ -1,45 +1,7 @@
 /*
  * tinted_light.c - light at a normal from lights that have colours or stand somewhere.
  */
-#include "../math/newton.h"
-#include "../math/vector.h"
 #include "vertex.h"
-
-/* A light where it falls: L, 1 + L.V (Q2.29), and what is left of it, UQ0.32. */
-struct beam {
-    const sheen_q30_t *to;
-    int32_t lv1;
-    uint32_t left;
-    sheen_q30_t own[3];
-};
-
-/* Of light i, a point, at `at`, Q11.20. Range: differences of parts are 2^31 at most, so the squares' sum < 2^64. */
-static APART void beam_of_point(const struct lighting *l, unsigned i, const int32_t at[3], const int16_t normal[3],
-                                struct beam *beam)
-{
-    const uint64_t whole = (uint64_t)l->lv1[i] * (uint64_t)l->lv1[i];
-    int64_t v[3];
-    uint64_t square = 0;
-    int32_t lv = 0;
-
-    for (int k = 0; k < 3; k++) {
-        v[k] = (int64_t)l->to[i][k] - at[k];
-        square += (uint64_t)(v[k] * v[k]);
-    }
-    beam->left = 0;
-    if (square >= whole)
-        return;
-    if (sheen_normalize_wide(v, beam->own) < 0)
-        for (int k = 0; k < 3; k++)
-            beam->own[k] = normal[k] * 32768;
-    for (int k = 0; k < 3; k++)
-        lv += sheen_mul_round(beam->own[k], l->view[k], 31);
-    const unsigned zeros = clz64(whole);
-    const uint32_t lost = sheen_ratio((uint32_t)((square << zeros) >> 32), (uint32_t)((whole << zeros) >> 32));
-    beam->to = beam->own;
-    beam->lv1 = (1 << 29) + lv;
-    beam->left = mul_high(~lost, ~lost);
-}
 
 /* Each light's share of the sum, 2^30 = 1.0, by channel. */
 static APART void add_tinted(uint32_t sum[3], uint32_t amount, uint32_t left, const uint8_t color[3])
@@ -69,8 +31,8 @@ void sheen_light_tinted(const struct lighting *l, const struct power *power, con
         beam.to = l->to[i];
         beam.lv1 = l->lv1[i];
         beam.left = UINT32_MAX;
-        if ((tint->points >> i & 1u) != 0)
-            beam_of_point(l, i, at, normal, &beam);
+        if ((tint->is_point >> i & 1u) != 0)
+            tint->points->beam(l, i, at, normal, &beam);
         if (beam.left == 0)
             continue;
         const int32_t ln = sheen_unit_cosine(normal, lacks, beam.to), rounded = asr32(ln + (1 << 14), 15);

@@ -171,6 +171,26 @@ int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q3
 void sheen_light_plainly(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
 void sheen_light_by_ramp(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
 
+/* A light where it falls: L, 1 + L.V (Q2.29), and what is left of it, UQ0.32, 1.0 as UINT32_MAX. */
+struct beam {
+    const sheen_q30_t *to;
+    int32_t lv1;
+    uint32_t left;
+    sheen_q30_t own[3]; /* where `to` may point */
+};
+
+struct draw;
+
+/* What point lights point to, so that it is linked where there is one. */
+struct sheen_points {
+    /* They are put into d->light and d->tint, where `lights` is set; view: world to eye. */
+    void (*place)(struct draw *d, const struct sheen_object *object, const struct sheen_pose *view);
+    /* Mean of the vertices of a triangle's polygon. */
+    void (*middle)(const struct draw *d, uint32_t triangle, int16_t middle[3]);
+    /* Light i at `at`, see sheen_light_tinted, and a normal. */
+    void (*beam)(const struct lighting *l, unsigned i, const int32_t at[3], const int16_t normal[3], struct beam *beam);
+};
+
 /* What lights that have colours give, by channel: relative to white lights', UQ1.15. */
 struct tinted {
     uint32_t low[3]; /* whatever the normal */

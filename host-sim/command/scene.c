@@ -50,14 +50,19 @@ static int has_points(const struct sheen_options *options)
     return found;
 }
 
-int sheen_scene_is_colored(const struct sheen_scene *scene)
+/* Lights that plain shadings do not read. */
+static int lights_are_colored(const struct sheen_options *options)
 {
-    const struct sheen_options *options = scene->options;
-    int colored = scene->has_colors || !(is_white(options->ambient_color) || is_black(options->ambient_color));
+    int colored = has_points(options) || !(is_white(options->ambient_color) || is_black(options->ambient_color));
 
     for (int i = 0; i < options->lights.count; i++)
-        colored |= !is_white(options->lights.color[i]) || options->lights.radius[i] > 0;
+        colored |= !is_white(options->lights.color[i]);
     return colored;
+}
+
+int sheen_scene_is_colored(const struct sheen_scene *scene)
+{
+    return scene->has_colors || lights_are_colored(scene->options);
 }
 
 static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
@@ -156,6 +161,11 @@ static int check_shading(struct sheen_scene *scene, struct sheen_problem *proble
     const struct sheen_options *options = scene->options;
     const int is_lit = options->shade_given && options->shade > SHEEN_GOURAUD && options->shade < SHEEN_MATCAP;
 
+    scene->is_usage = scene->texel_count && options->shade < SHEEN_MATCAP && lights_are_colored(options);
+    if (scene->is_usage && !is_lit)
+        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
+                             "--%s: %s shows a texture, whose light is white and far away; --texture off shows none",
+                             has_points(options) ? "point-light" : "light", options->mesh);
     scene->is_usage = is_lit && (scene->texel_count || sheen_scene_is_colored(scene));
     if (!scene->is_usage)
         return SHEEN_OK;
@@ -251,6 +261,7 @@ void sheen_scene_look(struct sheen_scene *scene)
             else
                 scene->lights[i].to[k] = (sheen_q30_t)lround(to[k] / largest * (1 << 30));
         }
+        scene->lights[i].points = &sheen_points;
         scene->lights[i].radius = (sheen_q16_t)ceil(options->lights.radius[i] * 65536);
         memcpy(scene->lights[i].color, options->lights.color[i], sizeof scene->lights[i].color);
         scene->lights[i].intensity = to_q16(1);

@@ -8,7 +8,7 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
-# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher by who calls them: what else could stand there does not.
+# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points by who calls them: what else could stand there does not.
 SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
                 (r"(^|:)begin_colours(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
                 (r"(^|:)object_valid$", r"morph_fits$"),
@@ -22,10 +22,13 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
                 (r"(^|:)(cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
                 (r"(^|:)set_up$", r"_setup$|morph_corners$"),
+                (r"(^|:)colored_begin$", r"points_place$"),
+                (r"(^|:)sheen_light_tinted$", r"points_beam$"),
+                (r"(^|:)facet_glow$", r"_light_by_ramp$|morph_facet$|points_middle$"),
                 (r"(^|:)(sheen_facet_(lit|normal)|flat_colored_carry)$", r"_light_by_ramp$|morph_facet$"),
-                (r"(^|:)(sheen_light_back|vertex_light)$", r"_light_by_ramp$|morph_normal$"),
+                (r"(^|:)(sheen_light_back|vertex_light)$", r"_light_by_ramp$|morph_(normal|position)$"),
                 (r"(^|:)(light_normal|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
-                (r"(^|:)(morph_(cut|corners)|position_of|normal_of)$", r"morph_(position|normal)$"),
+                (r"(^|:)(morph_(cut|corners)|position_of|normal_of|points_middle)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
