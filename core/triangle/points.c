@@ -5,7 +5,7 @@
 #include "morph.h"
 
 /* A place by a pose, which is not zero; an error leaves it. */
-static APART int move(const struct sheen_pose *pose, int32_t place[3])
+static APART int move_by(const struct sheen_pose *pose, int32_t place[3])
 {
     struct sheen_pose moved = {.translation = {place[0], place[1], place[2]}};
     const int error = sheen_pose_place(pose, &moved, &moved);
@@ -30,7 +30,7 @@ static void place_point(struct draw *d, const struct sheen_light *light, const s
         at[k] = light->at[k];
         apart[k] = offset[k];
     }
-    if ((!light->with_eye && !sheen_pose_is_zero(view) && move(view, at) < 0) || move(pose, apart) < 0)
+    if ((!light->with_eye && !sheen_pose_is_zero(view) && move_by(view, at) < 0) || move_by(pose, apart) < 0)
         return; /* nothing of it reaches the mesh */
     for (int k = 0; k < 3; k++)
         apart[k] = (int32_t)round_shift64((int64_t)at[k] - apart[k], 4);
@@ -88,7 +88,7 @@ static void points_middle(const struct draw *d, uint32_t triangle, int16_t middl
 }
 
 /* v / |v|, Q1.30. Range: square = |v|^2 < 2^60, not 0, so that the product < 2^62. */
-static void along(const int32_t v[3], uint64_t square, sheen_q30_t to[3])
+static void unit_along(const int32_t v[3], uint64_t square, sheen_q30_t to[3])
 {
     const unsigned up = clz64(square) & ~1u; /* |v| = sqrt(x) 2^(32 - up / 2), x in [1/4, 1) */
     const uint32_t root = sheen_reciprocal_root((uint32_t)((square << up) >> 32)); /* UQ1.31 */
@@ -117,7 +117,7 @@ static void points_beam(const struct lighting *l, unsigned i, const int32_t at[3
     const uint32_t lost = sheen_ratio((uint32_t)((square << zeros) >> 32), (uint32_t)((whole << zeros) >> 32));
     beam->left = mul_high(~lost, ~lost);
     if (square != 0)
-        along(beam->own, square, beam->own);
+        unit_along(beam->own, square, beam->own);
     for (int k = 0; k < 3; k++) {
         if (square == 0)
             beam->own[k] = normal[k] * 32768;
