@@ -226,15 +226,14 @@ extern const struct sheen_points sheen_points;
  * is the corner, flat the mean of the polygon's vertices, whose triangles MUST follow each other.
  */
 struct sheen_light {
-    sheen_q30_t to[3];  /* points to it, any length but zero, in the world; with_eye: in eye space */
-    sheen_q24_t at[3];  /* units, of a point light: where it is, likewise */
-    sheen_q16_t radius; /* units, 0..1024: how far a point light reaches; 0: at infinity */
-    const struct sheen_points
-        *points;           /* &sheen_points, which MUST be there where radius is not 0: linked where named */
-    sheen_q16_t intensity; /* white, 0..1, times the material's diffuse and specular; 0: 1.0 */
-    uint8_t no_highlight;  /* 1: no specular part from this light */
-    uint8_t with_eye;      /* 1: it stays where it is before the eye when the view moves */
-    uint8_t color[3];      /* r, g, b, for shaders that are colored; all 0: white */
+    sheen_q30_t to[3];                 /* points to it, any length but zero, in the world; with_eye: in eye space */
+    sheen_q24_t at[3];                 /* units, of a point light: where it is, likewise */
+    sheen_q16_t radius;                /* units, 0..1024: how far a point light reaches; 0: at infinity */
+    const struct sheen_points *points; /* &sheen_points: MUST be there where radius is not 0; linked where named */
+    sheen_q16_t intensity;             /* white, 0..1, times the material's diffuse and specular; 0: 1.0 */
+    uint8_t no_highlight;              /* 1: no specular part from this light */
+    uint8_t with_eye;                  /* 1: it stays where it is before the eye when the view moves */
+    uint8_t color[3];                  /* r, g, b, for shaders that are colored; all 0: white */
 };
 
 #define SHEEN_MAX_LIGHTS 4 /* of an object */
