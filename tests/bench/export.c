@@ -216,6 +216,15 @@ static void print_uvs(int scene)
     printf("\n};\n");
 }
 
+/* Of a vertex, r, g, b: its place, -1..1 on each axis. */
+static void print_colors(int scene)
+{
+    printf("static const uint8_t colors_%d[] = {", scene);
+    for (int i = 0; i < 3 * vertices; i++)
+        printf("%s%ld,", i % 12 ? " " : "\n    ", lround(127.5 + 127.5 * fmax(-1, fmin(position[i / 3][i % 3], 1))));
+    printf("\n};\n");
+}
+
 static void print_texels(void)
 {
     uint32_t noise = 1;
@@ -308,10 +317,10 @@ static void print_scene(const struct scene *s)
     printf("    {\"S%d\",\n"
            "     {.positions = positions_%d, .normals = normals_%d, .polygon_normals = polygon_normals_%d,\n"
            "      .polygons = polygons_%d, .indices = indices_%d, .warp = warp_%d, .index_bytes = 2,\n"
-           "      .vertices = %d, .triangles = %d, .scale = %ld, .uvs = uvs_%d, .uv_bits = 12,\n      .edges = "
-           "edges_%d},\n     {",
+           "      .vertices = %d, .triangles = %d, .scale = %ld, .uvs = uvs_%d, .uv_bits = 12,\n      "
+           ".colors = colors_%d, .edges = edges_%d},\n     {",
            number, number, number, number, number, number, number, s->vertices, s->triangles,
-           lround(s->unit * 32768 / 32767 * 16777216), number, number);
+           lround(s->unit * 32768 / 32767 * 16777216), number, number, number);
     print_pose(s->degrees - 1, s->depth);
     printf(",\n      ");
     print_pose(s->degrees, s->depth);
@@ -361,6 +370,7 @@ int main(void)
         print_numbers("indices", s->number, triangle[0], 3 * triangles);
         print_baked(s);
         print_uvs(s->number);
+        print_colors(s->number);
     }
     print_texels();
     print_teapot();

@@ -99,6 +99,17 @@ static void measure_all(const struct frame *frame)
         guest_leave(1);
 }
 
+static void measure_colored(const struct bench_scene *scene)
+{
+    static const char *const name[] = {"flat_colored", "gouraud_colored"};
+
+    for (int shading = SHEEN_FLAT; shading <= SHEEN_GOURAUD; shading++) {
+        const struct frame frame = {scene, name[shading], (uint8_t)shading, BENCH_COLORED};
+        if (measure(&frame, 16, PLAIN) < 0)
+            guest_leave(1);
+    }
+}
+
 static void measure_edges(void)
 {
     const struct frame frame = {.scene = &bench_teapot, .name = "gouraud", .shading = SHEEN_GOURAUD};
@@ -129,6 +140,8 @@ void guest_main(void)
             frame.name = texture_name[frame.texture];
             measure_all(&frame);
         }
+        if (i % 2 == 0)
+            measure_colored(frame.scene);
     }
     measure_edges();
     guest_leave(0);

@@ -78,7 +78,7 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
         bench->config.smooth = bench->edges == &sheen_edges_smooth;
         bench->config.max_edges = MAX_EDGES;
     }
-    if (bench->texture != BENCH_PLAIN)
+    if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
@@ -87,6 +87,8 @@ static const struct sheen_shader *shader_of(const struct bench *bench)
 {
     if (bench->texture == BENCH_PLAIN)
         return sheen_shader_of(bench->shading);
+    if (bench->texture == BENCH_COLORED)
+        return sheen_colored_shader_of(bench->shading);
     return bench->texture < BENCH_MATCAP           ? &sheen_textured
            : bench->texture == BENCH_MATCAP_VERTEX ? &sheen_matcap_vertex
                                                    : &sheen_matcap;

@@ -7,7 +7,8 @@
  *   S5  an icosahedron subdivided once, 80 triangles on the unit sphere, as S1: normals up to 36 degrees apart
  *   teapot, 992 triangles, on 240x240: what its edges take
  *
- * S1 and S3 have uvs, 2 by 1 pictures of 64 x 64 texels of 565, nearest or bilinear: their frames with textures.
+ * S1 and S3 have uvs, 2 by 1 pictures of 64 x 64 texels of 565, nearest or bilinear: their frames with textures; and
+ * with vertices' colours, that of their place.
  *
  * 320x240 but for the teapot, vertical field of view 60 degrees, one light, ambient .15, diffuse .70, specular .50,
  * n = 16. Measured is the second frame of two, the first one degree before it; material tables are built before both.
@@ -46,7 +47,8 @@ enum bench_texture {
     BENCH_BILINEAR, /* unlit */
     BENCH_MATCAP,   /* by the normal, in place of uv and light */
     BENCH_MATCAP_VERTEX,
-    BENCH_MATCAP_BILINEAR
+    BENCH_MATCAP_BILINEAR,
+    BENCH_COLORED /* no texture, but vertices' colours: flat or by Gouraud */
 };
 
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */
