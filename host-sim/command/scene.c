@@ -292,7 +292,7 @@ static void paint(struct sheen_scene *scene)
 
 /*
  * An arena for all of the meshes. pieces: of clipped triangles, 0 for the core's
- * default; how many there will be is not known before they are cut.
+ * default; how many there will be is not known before they are cut. Nor is it of edges, whose cut ends are vertices.
  */
 static int make_frame(struct sheen_scene *scene, unsigned pieces)
 {
@@ -305,10 +305,11 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
     }
     const int wants_edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
     uint32_t edges = wants_edges ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
+    vertices += wants_edges ? 4 * pieces : 0;
     *config = (struct sheen_config){.target = scene->target,
                                     .band_rows = (uint16_t)scene->options->band,
                                     .buffers = (uint8_t)scene->options->buffers,
-                                    .max_vertices = (uint16_t)vertices,
+                                    .max_vertices = (uint16_t)(vertices < UINT16_MAX ? vertices : UINT16_MAX),
                                     .max_triangles = (uint16_t)(triangles < UINT16_MAX ? triangles : UINT16_MAX),
                                     .max_draws = (uint16_t)scene->count,
                                     .max_clipped = (uint16_t)pieces,
@@ -451,9 +452,18 @@ static int draw_all(struct sheen_scene *scene, int number)
     return error;
 }
 
+/* Whether edges, or their cut ends, are more than any frame has room for: it has all the room that they can be given. */
+static int edges_are_too_many(const struct sheen_scene *scene)
+{
+    const enum sheen_subject about = sheen_frame_about(scene->frame, NULL);
+
+    return about == SHEEN_ABOUT_MAX_EDGES ||
+           (about == SHEEN_ABOUT_MAX_USED && scene->config.max_vertices == UINT16_MAX);
+}
+
 /*
- * Close to the eye more triangles are cut than the frame has room for: it is made anew with more. Where the edges are
- * too many for any frame, and nobody asked for them, they are left out.
+ * Close to the eye more is cut than the frame has room for: it is made anew with more. Where the edges are too many for
+ * any frame, and nobody asked for them, they are left out.
  */
 int sheen_scene_begin(struct sheen_scene *scene, int number)
 {
@@ -464,7 +474,7 @@ int sheen_scene_begin(struct sheen_scene *scene, int number)
     if (!error)
         error = draw_all(scene, number);
     for (unsigned pieces = 256; error == SHEEN_ERR_CAPACITY && pieces <= UINT16_MAX / 2 + 1; pieces *= 2) {
-        if (scene->options->edges < 0 && sheen_frame_about(scene->frame, NULL) == SHEEN_ABOUT_MAX_EDGES)
+        if (scene->options->edges < 0 && edges_are_too_many(scene))
             scene->edgeless = 1;
         error = make_frame(scene, pieces);
         if (!error)
