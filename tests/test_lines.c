@@ -479,8 +479,9 @@ static void test_contours_alone_are_smoothed(void **state)
     static const enum sheen_pixel pixel[] = {SHEEN_RGB565_BE, SHEEN_RGB565_LE, SHEEN_GREY16, SHEEN_GREY256};
 
     (void)state;
-    for (unsigned i = 0; i < 4 * EDGE_MESHES; i++)
-        check_case(&meshes[i / 4], &views[0], SHEEN_SMOOTH, pixel[i % 4], NULL);
+    for (unsigned i = 0; i < 4 * EDGE_ALL_MESHES; i++)
+        for (size_t k = 0; k < sizeof views / sizeof views[0]; k++)
+            check_case(&meshes[i / 4], &views[k], SHEEN_SMOOTH, pixel[i % 4], NULL);
 }
 
 /* Nearly all steps of lines have the fog's share of their own depth: other lines cross some. Under another few do. */
