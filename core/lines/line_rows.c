@@ -42,8 +42,8 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
         const int32_t at = start + (steep ? place : place * pitch);
         const uint16_t *depth = t->depth + at;
         if (contour) {
-            const int outside = ((across & 0x8000) == 0) == (out < 0);
-            if (outside && (uint32_t)(place + out - lowest) < (uint32_t)wide)
+            const int inside = ((across & 0x8000) == 0) == (out < 0); /* its centre */
+            if (inside && (uint32_t)(place + out - lowest) < (uint32_t)wide)
                 depth += out < 0 ? -next : next;
             if (depth[0] > asr32(z, 8))
                 continue;

@@ -3,7 +3,7 @@
  */
 #include "lines.h"
 
-/* In pieces of one pixel each, by the line's own depth. */
+/* In pieces of one colour each, by the line's own depth. */
 static void fogged_line(const struct line_tile *t, struct steps *s, uint16_t pixel, int contour)
 {
     const int32_t end = s->end;
