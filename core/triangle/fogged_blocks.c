@@ -79,6 +79,7 @@ static int fogged_steps(const struct texel_run *r, int32_t left, struct fogged_p
     p->step.light = p->step.specular = p->part.fog_step = 0;
     for (; count > 1; count /= 2) {
         const uint32_t n = (uint32_t)count - 1;
+        SHEEN_TAP(FOGGED_TRY, 1);
         light = n * r->step.light;
         specular = n * r->step.specular;
         const struct fog_shares last =
@@ -113,6 +114,7 @@ static void fogged_run(const struct texel_run *r, const struct texel_at *from)
     struct fogged_part p = {{r->depth, 0, &p.at, &p.step, 0, 0}, *from, r->step, from->light, from->specular};
 
     for (int32_t left = r->count; left > 0; left -= p.part.count) {
+        SHEEN_TAP(FOGGED_PART, 1);
         if (fogged_steps(r, left, &p))
             bright_part(r, &p, r->count - left);
         else
