@@ -129,6 +129,17 @@ static void warn_if_empty(struct sheen_turntable *table)
     fprintf(stderr, "sheen: warning: %s\n", line.text);
 }
 
+/* Of a capacity its name too: the frame already had all the room that it can be given. */
+static int draw_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem)
+{
+    const char *mesh = table->options->mesh, *text = sheen_strerror(error);
+
+    if (error != SHEEN_ERR_CAPACITY)
+        return sheen_problem(problem, error, "%s: %s", mesh, text);
+    return sheen_problem(problem, error, "%s: %s: %s", mesh, text,
+                         sheen_subject_name(sheen_frame_about(table->scene.frame, NULL)));
+}
+
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem)
 {
     sheen_sim_bus_counters_reset(sheen_sim_panel_bus(table->panel));
@@ -136,7 +147,7 @@ int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen
     if (!error)
         error = sheen_wait(table->scene.frame);
     if (error)
-        return sheen_problem(problem, error, "%s: %s", table->options->mesh, sheen_strerror(error));
+        return draw_problem(table, error, problem);
     warn_if_empty(table);
     return sheen_turntable_read(table, problem);
 }
