@@ -235,8 +235,8 @@ static bool went_back(uint16_t *const frame[3], int at)
 
 /*
  * What goes back and forth. Fewer pixels may go by more than a step to another value and back to just what they were
- * than without, and what returns in part is to be seen less. A silhouette that turns trembles by parts of a pixel, which
- * a pixel does not show that has two values, and one with values in between does: with 4x4 samples a pixel on
+ * than without, and what returns in part is to be seen less. A silhouette that turns trembles by parts of a pixel; a
+ * pixel that has two values does not show that, one with values in between does: with 4x4 samples a pixel on
  * silhouettes alone more pixels return by some step than without (2172 to 1497 on the teapot, 2507 to 1639 on the gear,
  * 824 to 674 on the rabbit), and more to just what they were (1093 to 940, 328 to 96, 545 to 489; smoothed 1650, 950,
  * 633), but fewer by more than a step (47 to 72, 245 to 299, 13 to 26) and far fewer by what is seen (test_smooth

@@ -452,7 +452,7 @@ static int draw_all(struct sheen_scene *scene, int number)
     return error;
 }
 
-/* Whether edges, or their cut ends, are more than any frame has room for: it has all the room that they can be given. */
+/* Whether edges, or their cut ends, are more than any frame has room for: it has all that they can be given. */
 static int edges_are_too_many(const struct sheen_scene *scene)
 {
     const enum sheen_subject about = sheen_frame_about(scene->frame, NULL);
