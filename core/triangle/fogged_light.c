@@ -54,6 +54,17 @@ static uint32_t bend_of(const struct fogged_colour c[3])
     return most;
 }
 
+/*
+ * Whether light begins or ends between three ends where f is L.N, or comes and goes: it is dark at some, or rises at
+ * the first and falls at the last.
+ */
+static int is_edge_of_light(const int32_t f[3], const struct shaded_run *from, const struct shaded_run *to)
+{
+    const int dark = (f[0] <= 0) + (f[1] <= 0) + (f[2] <= 0);
+
+    return dark == 3 ? (int32_t)from->df > 0 && (int32_t)to->df < 0 : dark > 0;
+}
+
 static int32_t longest_of(const struct shaded_run *run, enum second second)
 {
     const uint32_t bend = magnitude32((int32_t)run->ddu);
@@ -70,20 +81,23 @@ static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shade
     const int32_t longest = longest_of(at, second);
     struct fogged_colour c[3];
     struct shaded_run end;
+    int32_t f[3];
     uint32_t bend;
     int first = 0; /* of the colours that are not known yet */
 
     for (int32_t n; left > 0; left -= 2 * n) {
         for (n = min32(longest, left >> 1);; n >>= 1) {
             end = *at;
+            f[0] = (int32_t)at->f;
             for (int k = first; k < (n > 0 ? 3 : 1); k++) {
                 if (k > 0)
                     run_on(&end, (uint32_t)n);
+                f[k] = (int32_t)end.f;
                 colour_here(&c[k], d, &end, second);
             }
             first = 1;
             bend = n > 0 ? bend_of(c) : 0;
-            if (n <= 1 || bend <= MOST_BENT)
+            if (n <= 1 || (bend <= MOST_BENT && !is_edge_of_light(f, at, &end)))
                 break;
         }
         if (n == 0) {
