@@ -99,6 +99,7 @@ static void measure_all(const struct frame *frame)
         guest_leave(1);
 }
 
+/* And what as many free channels take without colours. */
 static void measure_colored(const struct bench_scene *scene)
 {
     static const char *const name[] = {"flat_colored", "gouraud_colored"};
@@ -108,6 +109,9 @@ static void measure_colored(const struct bench_scene *scene)
         if (measure(&frame, 16, PLAIN) < 0)
             guest_leave(1);
     }
+    const struct frame frame = {scene, "gouraud_highlighted", SHEEN_GOURAUD, BENCH_HIGHLIGHTED};
+    if (measure(&frame, 16, PLAIN) < 0)
+        guest_leave(1);
 }
 
 static void measure_edges(void)

@@ -78,14 +78,17 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
         bench->config.smooth = bench->edges == &sheen_edges_smooth;
         bench->config.max_edges = MAX_EDGES;
     }
-    if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED)
+    if (bench->texture == BENCH_HIGHLIGHTED) {
+        bench->material.shine = &sheen_shine_4;
+        bench->material.specular = SHEEN_Q16(0.1); /* up to .95, no pixel is clamped */
+    } else if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
 
 static const struct sheen_shader *shader_of(const struct bench *bench)
 {
-    if (bench->texture == BENCH_PLAIN)
+    if (bench->texture == BENCH_PLAIN || bench->texture == BENCH_HIGHLIGHTED)
         return sheen_shader_of(bench->shading);
     if (bench->texture == BENCH_COLORED)
         return sheen_colored_shader_of(bench->shading);
