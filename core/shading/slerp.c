@@ -7,7 +7,7 @@
 
 SETUP_FITS(struct slerp_setup);
 
-/* `apart` of a right angle, the widest that cosines do; of 60 degrees for sharp highlights: 15 bits are few there. */
+/* `apart` of a right angle, the widest that cosines do; of 60 degrees where n is over 16: 15 bits are few there. */
 #define WIDEST_ARC (1u << 31)
 #define WIDEST_SHARP (1u << 30)
 
@@ -85,7 +85,7 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         sheen_face(&f, c);
     if (f.apart <= CLOSE_ARCS && sheen_setup_reflection(setup, c, g, &f))
         return;
-    int one = f.apart <= (d->power.shininess > 32 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
+    int one = f.apart <= (d->power.shininess > 16 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
               way_wanted(d, SHEEN_WAY_SLERP);
     arcs_setup((struct slerp_setup *)setup, c);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
