@@ -18,11 +18,44 @@ static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[40 * 1024];
 
 static const char *const mesh_name[] = {"ball", "torus", "box"};
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
-#define TEXTURED 4
-#define MATCAP 5
-#define COLORED 6
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
+
+/* Beyond the lecture's. */
+enum {
+    TEXTURED = SHEEN_SHADINGS,
+    MATCAP,  /* of the pixel or of vertices, by mesh and view */
+    COLORED, /* flat or Gouraud, likewise */
+    SHADINGS
+};
+static const char *const shading_name[SHADINGS] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
+
+/* What a draw has besides, all shadings alike. */
+enum beside {
+    BESIDE_NOTHING,
+    BESIDE_FOG, /* biased in depth: some views' fog is nearer or farther for it */
+    BESIDE_STIPPLE,
+    BESIDE_BOTH,
+    BESIDES
+};
+static const char *const beside_name[BESIDES] = {"", "fog ", "stipple ", "both "};
+
+/* Lights of shaders that are colored. */
+enum own_lights {
+    LIGHTS_WHITE,
+    LIGHTS_COLORED,
+    LIGHTS_AT, /* points with and without a colour, one of them with the eye */
+};
+static const char *const lights_name[] = {"view", "tints", "points"};
+
+static const char *const edging_name[SHEEN_EDGINGS] = {"", "smooth ", "outline ", "wire "};
+
+/* What is drawn. */
+struct scene {
+    int mesh, shading, view, format;
+    int beside, lights;
+    unsigned edging;
+    uint16_t weight; /* of another frame */
+};
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
 {
@@ -148,39 +181,6 @@ static void make_second(const struct sheen_mesh *mesh, struct sheen_mesh *second
     second->normals = normals;
 }
 
-/* On a texture, by mesh. */
-enum light {
-    LIGHT_TINTED,
-    LIGHT_WHITE,
-    LIGHT_NONE
-};
-
-/* What a draw has besides, all shadings alike. */
-enum beside {
-    BESIDE_NOTHING,
-    BESIDE_FOG, /* biased in depth: some views' fog is nearer or farther for it */
-    BESIDE_STIPPLE,
-    BESIDE_BOTH,
-    BESIDES
-};
-static const char *const beside_name[] = {"", "fog ", "stipple ", "both "};
-static enum beside beside;
-static uint16_t weight; /* of another frame */
-
-/* Lights of shaders that are colored. */
-enum own_lights {
-    LIGHTS_WHITE,
-    LIGHTS_COLORED,
-    LIGHTS_AT, /* points with and without a colour, one of them with the eye */
-};
-static const char *const lights_name[] = {"view", "tints", "points"};
-static enum own_lights own_lights;
-
-/* As sheen_edges_of has them. */
-static const char *const edges_name[] = {"", "smooth ", "outline ", "wire "};
-#define EDGES (sizeof edges_name / sizeof edges_name[0])
-static unsigned edges;
-
 static uint32_t corner_index(const struct sheen_mesh *mesh, uint32_t corner)
 {
     return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[corner]
@@ -213,7 +213,7 @@ static void find_edges(struct sheen_mesh *mesh)
 /* n / 10 in Q7.24; tcc takes no fractions in an initialiser. */
 #define TENTHS(n) ((sheen_q24_t)(((int64_t)(n) * (1 << 24) + 5) / 10))
 
-static void add_beside(struct sheen_view *view, struct sheen_object *draw, int number)
+static void add_beside(struct sheen_view *view, struct sheen_object *draw, int beside, int number)
 {
     static const struct sheen_fog fogs[VIEWS] = {
         {TENTHS(22), TENTHS(34), {200, 210, 220}, &sheen_fog_mixer},
@@ -232,7 +232,7 @@ static void add_beside(struct sheen_view *view, struct sheen_object *draw, int n
 }
 
 static void color_lights(struct sheen_view *view, struct sheen_object *draw, struct sheen_material *material,
-                         int number)
+                         int own_lights, int number)
 {
     static struct sheen_light lights[4];
     static const uint8_t colors[4][3] = {{255, 128, 40}, {0, 0, 0}, {30, 90, 255}, {200, 0, 1}};
@@ -258,40 +258,60 @@ static void color_lights(struct sheen_view *view, struct sheen_object *draw, str
     material->ambient_color[2] = 255;
 }
 
-/* Two frames, the second turned on, so that what is sent is what changed. */
-static int draw_picture(const struct sheen_target *target, struct sheen_object *draw,
-                        const struct sheen_texture *texture, enum light light, int view_number, int rows, int dither)
-{
-    struct sheen_config config = {.target = target,
-                                  .band_rows = (uint16_t)rows,
-                                  .max_vertices = (uint16_t)(draw->mesh->vertices + (edges != 0 ? 500 : 0)),
-                                  .max_triangles = 1400,
-                                  .max_clipped = 600,
-                                  .max_edges = edges != 0 ? 8000 : 0,
-                                  .smooth = edges == 1};
-    struct sheen_frame *frame;
-    struct sheen_material material;
-    struct sheen_shine shine;
-    struct sheen_view view;
-    size_t size = sizeof arena;
-    int status = sheen_init(&frame, arena, &size, &config);
+/* How a picture is run: all ways give the same pixels. */
+struct way {
+    uint8_t rows, buffers, workers, carried; /* of the configuration */
+    uint8_t backward;                        /* 1: the lowest band first; the workers take turns */
+};
 
-    if (status == SHEEN_OK)
-        status = set_material(&material, &shine, view_number);
-    material.texture = texture;
-    if (light != LIGHT_TINTED)
-        for (int k = 0; k < 3; k++)
-            material.base[k] = material.highlight[k] = 255;
-    if (light == LIGHT_NONE) {
-        material.ambient = SHEEN_Q16(1);
-        material.diffuse = material.specular = 0;
+/* Without and with dither. */
+static const struct way ways[2][3] = {{{1, 1, 1, 0, 0}, {16, 2, 3, 1, 1}, {HEIGHT, 1, 1, 0, 0}},
+                                      {{1, 2, 1, 0, 0}, {16, 1, 2, 2, 0}, {HEIGHT, 1, 1, 0, 0}}};
+
+static int run_bands(struct sheen_frame *frame, const struct way *way)
+{
+    const unsigned count = sheen_band_count(frame);
+    int status = SHEEN_OK;
+
+    for (unsigned i = 0; i < count && status == SHEEN_OK; i++)
+        status = sheen_band(frame, i % way->workers, way->backward ? count - 1 - i : i);
+    return status == SHEEN_OK ? sheen_finish(frame) : status;
+}
+
+static const struct sheen_shader *shader_of(const struct scene *s)
+{
+    if (s->shading == COLORED)
+        return (s->mesh + s->view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored;
+    if (s->shading == MATCAP)
+        return (s->mesh + s->view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap;
+    return s->shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)s->shading);
+}
+
+/* Of a texture by mesh: in its colours, white, none. */
+static void light_texels(struct sheen_material *material, int mesh)
+{
+    if (mesh == SUM_BALL)
+        return;
+    for (int k = 0; k < 3; k++)
+        material->base[k] = material->highlight[k] = 255;
+    if (mesh == SUM_BOX) {
+        material->ambient = SHEEN_Q16(1);
+        material->diffuse = material->specular = 0;
     }
-    draw->material = &material;
+}
+
+/* Two frames, the second turned on, so that what is sent is what changed. */
+static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct sheen_object *draw,
+                       struct sheen_material *material, const struct way *way, int dither)
+{
+    int status = SHEEN_OK;
+
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
-        set_view(view_number, &view, draw);
-        add_beside(&view, draw, view_number);
-        if (own_lights != LIGHTS_WHITE)
-            color_lights(&view, draw, &material, view_number);
+        struct sheen_view view;
+        set_view(s->view, &view, draw);
+        add_beside(&view, draw, s->beside, s->view);
+        if (s->lights != LIGHTS_WHITE)
+            color_lights(&view, draw, material, s->lights, s->view);
         view.dither = (uint8_t)dither;
         if (i == 0)
             sheen_pose_orbit(&draw->pose, 0, 0, 0, 0x03000000);
@@ -299,102 +319,178 @@ static int draw_picture(const struct sheen_target *target, struct sheen_object *
         if (status == SHEEN_OK)
             status = sheen_draw(frame, draw);
         if (status == SHEEN_OK)
-            status = sheen_end(frame);
+            status = way->rows == HEIGHT ? sheen_end(frame) : run_bands(frame, way);
     }
     return status;
 }
 
-static int print_sums(int mesh, int shading, int view, int format)
+static int draw_picture(const struct scene *s, struct sheen_object *draw, const struct sheen_texture *texture,
+                        const struct way *way, int dither)
 {
-    static const int rows[3] = {1, 16, HEIGHT};
     struct sheen_target target = {.push = push,
                                   .width = WIDTH,
                                   .height = HEIGHT,
-                                  .pixel = (uint8_t)format,
-                                  .align_x = format == SHEEN_GREY2    ? 8
-                                             : format == SHEEN_GREY16 ? 2
-                                                                      : 1};
-    struct sheen_mesh own = *sum_mesh((enum sum_mesh)mesh), second;
-    const struct sheen_morph morph = {&second, &sheen_morpher, weight};
-    struct sheen_texture texture = {.bits = 0};
-    const enum light light = shading == TEXTURED || shading == MATCAP ? (enum light)mesh : LIGHT_TINTED;
-    struct sheen_object draw = {.mesh = &own, .edges = sheen_edges_of(edges)};
+                                  .pixel = (uint8_t)s->format,
+                                  .align_x = s->format == SHEEN_GREY2    ? 8
+                                             : s->format == SHEEN_GREY16 ? 2
+                                                                         : 1};
+    struct sheen_config config = {.target = &target,
+                                  .band_rows = way->rows,
+                                  .buffers = way->buffers,
+                                  .workers = way->workers,
+                                  .max_vertices = (uint16_t)(draw->mesh->vertices + (s->edging != 0 ? 500 : 0)),
+                                  .max_triangles = 1400,
+                                  .max_clipped = 600,
+                                  .max_carried = way->carried,
+                                  .max_edges = s->edging != 0 ? 8000 : 0,
+                                  .smooth = s->edging == SHEEN_SMOOTH};
+    struct sheen_frame *frame;
+    struct sheen_material material;
+    struct sheen_shine shine;
+    size_t size = sizeof arena;
+    int status = sheen_init(&frame, arena, &size, &config);
 
     target.ctx = &target;
-    draw.shader = shading == COLORED    ? ((mesh + view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored)
-                  : shading == MATCAP   ? ((mesh + view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap)
-                  : shading == TEXTURED ? &sheen_textured
-                                        : sheen_shader_of((unsigned)shading);
-    if (shading == COLORED)
+    memset(picture, 0, sizeof picture);
+    if (status == SHEEN_OK)
+        status = set_material(&material, &shine, s->view);
+    material.texture = texture;
+    if (texture != NULL)
+        light_texels(&material, s->mesh);
+    draw->material = &material;
+    return status == SHEEN_OK ? draw_frames(frame, s, draw, &material, way, dither) : status;
+}
+
+/* A line for each way that the picture is run. */
+static int print_sums(const struct scene *s)
+{
+    struct sheen_mesh own = *sum_mesh((enum sum_mesh)s->mesh), second;
+    const struct sheen_morph morph = {&second, &sheen_morpher, s->weight};
+    struct sheen_texture texture;
+    struct sheen_object draw = {.mesh = &own, .shader = shader_of(s), .edges = sheen_edges_of(s->edging)};
+    const int textured = s->shading == TEXTURED || s->shading == MATCAP;
+
+    if (s->shading == COLORED)
         paint_vertices(&own);
-    else if (shading >= TEXTURED)
-        hang_texture(&own, &texture, (mesh == 1 && view == 3) || (mesh == 2 && view == 0), view);
-    if (weight != 0) {
+    if (textured)
+        hang_texture(&own, &texture, (s->mesh == 1 && s->view == 3) || (s->mesh == 2 && s->view == 0), s->view);
+    if (s->weight != 0) {
         make_second(&own, &second);
         draw.morph = &morph;
     }
-    if (edges != 0)
+    if (s->edging != 0)
         find_edges(&own);
     for (int i = 0; i < 6; i++) {
-        memset(picture, 0, sizeof picture);
-        int status = draw_picture(&target, &draw, &texture, light, view, rows[i % 3], i / 3);
+        const struct way *way = &ways[i / 3][i % 3];
+        int status = draw_picture(s, &draw, textured ? &texture : NULL, way, i / 3);
         if (status < 0) {
-            fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[mesh], shading_name[shading],
-                    view, format_name[format], rows[i % 3], sheen_strerror(status));
+            fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[s->mesh],
+                    shading_name[s->shading], s->view, format_name[s->format], way->rows, sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s %s %d %s%s%-8s %s %2d rows %08x\n", mesh_name[mesh], shading_name[shading],
-               own_lights == LIGHTS_WHITE && weight != 0 ? "morph" : lights_name[own_lights], view, beside_name[beside],
-               edges_name[edges], format_name[format], i / 3 ? "dither" : "plain ", rows[i % 3],
-               (unsigned)checksum(picture, sizeof picture));
+        printf("%-5s %-7s %s %d %s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
+               s->lights == LIGHTS_WHITE && s->weight != 0 ? "morph" : lights_name[s->lights], s->view,
+               beside_name[s->beside], edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ",
+               way->rows, (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
 }
 
+/* ---- which ---- */
+
+/* Every mesh, view and format. */
+static int plain(int shading, int mesh)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < VIEWS * 5 && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = mesh, .shading = shading, .view = i / 5, .format = i % 5});
+    return status;
+}
+
+static int shadings(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SUM_MESHES * SHEEN_SHADINGS && status == SHEEN_OK; i++)
+        status = plain(i % SHEEN_SHADINGS, i / SHEEN_SHADINGS);
+    for (int i = 0; i < SUM_MESHES * (SHADINGS - SHEEN_SHADINGS) && status == SHEEN_OK; i++)
+        status = plain(SHEEN_SHADINGS + i / SUM_MESHES, i % SUM_MESHES);
+    return status;
+}
+
+/* Every shading and view, under each beside; the mesh by what these are. */
+static int besides(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < (MATCAP + 1) * VIEWS * (BESIDES - 1) * 2 && status == SHEEN_OK; i++) {
+        struct scene s = {.shading = i / (2 * (BESIDES - 1) * VIEWS),
+                          .view = i / (2 * (BESIDES - 1)) % VIEWS,
+                          .beside = 1 + i / 2 % (BESIDES - 1)};
+        s.mesh = (s.shading + s.view + s.beside) % SUM_MESHES;
+        s.format = i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (s.shading + s.view + s.beside) % 4;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
+static int morphs(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SUM_MESHES * SHADINGS && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = i / SHADINGS,
+                                            .shading = i % SHADINGS,
+                                            .view = (i + i / SHADINGS) % VIEWS,
+                                            .format = i * 2 % 5,
+                                            .weight = (uint16_t)(5000 + 1000 * i)});
+    return status;
+}
+
+static int with_edges(void)
+{
+    const int edgings = SHEEN_EDGINGS - 1;
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SUM_MESHES * VIEWS * edgings && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = i / edgings % SUM_MESHES,
+                                            .shading = i % SHEEN_SHADINGS,
+                                            .view = i / edgings / SUM_MESHES,
+                                            .format = i % 5,
+                                            .edging = (unsigned)(1 + i % edgings)});
+    for (int i = 0; i < VIEWS * edgings && status == SHEEN_OK; i++) {
+        struct scene s = {.shading = i % SHEEN_SHADINGS,
+                          .view = i / edgings,
+                          .beside = BESIDE_FOG,
+                          .edging = (unsigned)(1 + i % edgings)};
+        s.mesh = (i + s.view) % SUM_MESHES;
+        s.format = (i + 2 * s.view) % 5;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
+static int own_lights(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SUM_MESHES * VIEWS * 2 && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = i / 2 % SUM_MESHES,
+                                            .shading = COLORED,
+                                            .view = i / 2 / SUM_MESHES,
+                                            .format = i % 5,
+                                            .lights = i % 2 == 0 ? LIGHTS_COLORED : LIGHTS_AT,
+                                            .weight = i % 5 == 4 ? 9000 : 0});
+    return status;
+}
+
 int main(void)
 {
-    for (int i = 0; i < SUM_MESHES * 4 * VIEWS * 5; i++) {
-        if (print_sums(i / (20 * VIEWS), i / (5 * VIEWS) % 4, i / 5 % VIEWS, i % 5) < 0)
+    static int (*const part[])(void) = {shadings, besides, morphs, with_edges, own_lights};
+
+    for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
+        if (part[i]() < 0)
             return 1;
-    }
-    for (int i = 0; i < 3 * SUM_MESHES * VIEWS * 5; i++) {
-        const int of_mesh = i % (SUM_MESHES * VIEWS * 5);
-        if (print_sums(of_mesh / (5 * VIEWS), TEXTURED + i / (SUM_MESHES * VIEWS * 5), i / 5 % VIEWS, i % 5) < 0)
-            return 1;
-    }
-    for (int i = 0; i < (MATCAP + 1) * VIEWS * (BESIDES - 1) * 2; i++) {
-        const int shading = i / (2 * (BESIDES - 1) * VIEWS), view = i / (2 * (BESIDES - 1)) % VIEWS;
-        beside = (enum beside)(1 + i / 2 % (BESIDES - 1));
-        if (print_sums((shading + view + (int)beside) % SUM_MESHES, shading, view,
-                       i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (shading + view + (int)beside) % 4) < 0)
-            return 1;
-    }
-    beside = BESIDE_NOTHING;
-    for (int i = 0; i < SUM_MESHES * (COLORED + 1); i++) {
-        weight = (uint16_t)(5000 + 1000 * i);
-        if (print_sums(i / (COLORED + 1), i % (COLORED + 1), (i + i / (COLORED + 1)) % VIEWS, i * 2 % 5) < 0)
-            return 1;
-    }
-    weight = 0;
-    for (int i = 0; i < SUM_MESHES * VIEWS * ((int)EDGES - 1); i++) {
-        edges = 1 + (unsigned)i % (EDGES - 1);
-        if (print_sums(i / ((int)EDGES - 1) % SUM_MESHES, i % 4, i / ((int)EDGES - 1) / SUM_MESHES, i % 5) < 0)
-            return 1;
-    }
-    beside = BESIDE_FOG;
-    for (int i = 0; i < VIEWS * ((int)EDGES - 1); i++) {
-        const int view = i / ((int)EDGES - 1);
-        edges = 1 + (unsigned)i % (EDGES - 1);
-        if (print_sums((i + view) % SUM_MESHES, i % 4, view, (i + 2 * view) % 5) < 0)
-            return 1;
-    }
-    beside = BESIDE_NOTHING;
-    edges = 0;
-    for (int i = 0; i < SUM_MESHES * VIEWS * 2; i++) {
-        own_lights = i % 2 == 0 ? LIGHTS_COLORED : LIGHTS_AT;
-        weight = i % 5 == 4 ? 9000 : 0;
-        if (print_sums(i / 2 % SUM_MESHES, COLORED, i / 2 / SUM_MESHES, i % 5) < 0)
-            return 1;
-    }
     return ferror(stdout) || fflush(stdout) != 0;
 }
