@@ -221,7 +221,7 @@ struct sheen_points;
 extern const struct sheen_points sheen_points;
 
 /*
- * A light at infinity, or for sheen_flat_colored and sheen_gouraud_colored a point light. Of one at P, d from a point p
+ * A light at infinity, or for flat and gouraud, textured or not, that are colored a point light. Of one at P, d from a point p
  * that it lights, L is (P - p) / d (d = 0: N), and both of its parts are multiplied by max(0, 1 - d^2 / radius^2)^2; p
  * is the corner, flat the mean of the polygon's vertices, whose triangles MUST follow each other.
  */
@@ -270,12 +270,21 @@ extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
 extern const struct sheen_shader sheen_textured, sheen_textured_flat;
 
 /*
+ * The same with the colours of the mesh, the lights and the ambient light, as sheen_gouraud_colored and
+ * sheen_flat_colored: the texel multiplies what these bring over the triangle, the highlight left out; point lights too.
+ */
+extern const struct sheen_shader sheen_textured_colored, sheen_textured_flat_colored;
+
+/*
  * With a picture of a lit sphere, the material's texture, in place of lights: base times the texel at ((1 + x) / 2,
  * (1 - y) / 2) of the picture, x and y of the normal before the eye. sheen_matcap takes the normal of the pixel, as
  * phong, sheen_matcap_vertex the vertices', with coordinates linear in space between. The texture MUST clamp where it
  * is bilinear (clamp_u, clamp_v). Of the material base and texture alone are read.
  */
 extern const struct sheen_shader sheen_matcap, sheen_matcap_vertex;
+
+/* The same with the mesh's colours, linear in space (affine: on the screen), times base. There is no light to tint. */
+extern const struct sheen_shader sheen_matcap_colored, sheen_matcap_vertex_colored;
 
 /*
  * Matcaps of 64 by 64 texels, 8 KB each, linked where they are named: polished metal under a sky, glazed ware in a room

@@ -44,8 +44,7 @@ static int make_shape(struct shape *shape, int index, bool coarse, const char **
     }
 }
 
-/* Of its own at every point, and whole bytes. NULL where memory is short. */
-static double (*corner_colors(const struct ref_polygons *p))[3]
+double (*accuracy_corner_colors(const struct ref_polygons *p))[3]
 {
     uint32_t count = p->first[p->polygon_count];
     double(*color)[3] = calloc(count, sizeof *color);
@@ -65,7 +64,7 @@ int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse)
 
     memset(mesh, 0, sizeof *mesh);
     int status = make_shape(&shape, index, coarse, &mesh->name);
-    double(*color)[3] = status == 0 ? corner_colors(&shape.polygons) : NULL;
+    double(*color)[3] = status == 0 ? accuracy_corner_colors(&shape.polygons) : NULL;
     shape.polygons.color = (const double(*)[3])color;
     if (status == 0)
         status = color ? ref_mesh_build(&mesh->reference, &shape.polygons, &options) : -1;
@@ -110,6 +109,26 @@ void accuracy_more_lights(struct ref_scene *scene)
     scene->light_count = 4;
     scene->diffuse /= 2; /* most pixels stay below 1, where they can be told apart */
     scene->specular /= 2;
+}
+
+void accuracy_tints(struct ref_scene *scene)
+{
+    static const double color[4][3] = {{1, 0.6, 0.2}, {0.2, 0.4, 1}, {1, 1, 1}, {0.8, 0.2, 0.6}};
+    static const double ambient[3] = {0.4, 0.6, 1};
+
+    for (int k = 0; k < 12; k++)
+        scene->light_color[k / 3][k % 3] = floor(255 * color[k / 3][k % 3]) / 255;
+    memcpy(scene->ambient_color, ambient, sizeof ambient);
+}
+
+void accuracy_points(struct ref_scene *scene)
+{
+    static const double at[3][3] = {{0.9, 0.5, 0.7}, {-0.8, -0.4, 1.1}, {0.1, 0.9, 0.2}}, radius[3] = {1.7, 2, 1.1};
+
+    for (int k = 0; k < 3; k++) {
+        memcpy(scene->light[k], at[k], sizeof at[k]);
+        scene->radius[k] = radius[k];
+    }
 }
 
 void accuracy_ortho(struct ref_scene *scene)

@@ -26,14 +26,18 @@ struct accuracy_mesh {
     struct core_mesh own;          /* of a shape: what mesh points to */
 };
 
+/* Of each corner; its point's own, and whole bytes. NULL where memory is short; to be freed. */
+double (*accuracy_corner_colors(const struct ref_polygons *polygons))[3];
 /* Shape number `index`; coarse: with polygons large enough to judge flat shading by. 0 or -1. */
 int accuracy_mesh_make(struct accuracy_mesh *mesh, int index, bool coarse);
 void accuracy_mesh_free(struct accuracy_mesh *mesh);
 
 /* View number `index` of 0..2: pose, distance, field of view, light, colours. */
 void accuracy_view(struct ref_scene *scene, const struct ref_mesh *mesh, int index);
-/* The same with four lights; the same without perspective. */
+/* The same with four lights; these and ambient light with colours; three of them points; without perspective. */
 void accuracy_more_lights(struct ref_scene *scene);
+void accuracy_tints(struct ref_scene *scene);
+void accuracy_points(struct ref_scene *scene);
 void accuracy_ortho(struct ref_scene *scene);
 
 #define ACCURACY_PIXELS (320 * 320) /* of the largest picture */

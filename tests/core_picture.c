@@ -360,13 +360,14 @@ static int core_texture_make(struct core_texture *to, const struct ref_texture *
 
 static const struct sheen_shader *shader_of(const struct ref_scene *scene)
 {
-    static const struct sheen_shader *const colored[] = {&sheen_flat_colored, &sheen_gouraud_colored};
+    const bool colored = scene->colored || is_tinted(scene);
+    const unsigned shading = scene->texels == REF_TEXELS_UV       ? (unsigned)scene->shading
+                             : scene->texels == REF_TEXELS_NORMAL ? SHEEN_MATCAP
+                                                                  : SHEEN_MATCAP_VERTEX;
 
-    if (scene->texels != REF_TEXELS_UV)
-        return scene->texels == REF_TEXELS_NORMAL ? &sheen_matcap : &sheen_matcap_vertex;
-    if (scene->texture)
-        return scene->shading == REF_FLAT ? &sheen_textured_flat : &sheen_textured;
-    return scene->colored || is_tinted(scene) ? colored[scene->shading] : sheen_shader_of((unsigned)scene->shading);
+    if (scene->texture && shading < SHEEN_MATCAP)
+        return sheen_textured_shader_of(shading, colored);
+    return colored ? sheen_colored_shader_of(shading) : sheen_shader_of(shading);
 }
 
 #define CLIPPED 2000 /* pieces, more than any test makes */

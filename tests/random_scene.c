@@ -132,7 +132,6 @@ static void random_texture(struct random_scene *to, const struct random_meshes *
 
     to->mesh = &meshes->textured[stage_random(state) % TEXTURED_MESHES];
     to->scene.mesh = &to->mesh->reference;
-    to->scene.colored = false;
     to->scene.texture = texture;
     *texture = *textured_picture((int)picture);
     texture->bits = fewest[picture] << stage_random(state) % 3;
@@ -210,7 +209,7 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
         to->scene.left_out = 1 + (int)(stage_random(&state) % 63);
         to->scene.phase = (int)(stage_random(&state) % 8);
     }
-    if (shading <= REF_GOURAUD && to->scene.texture == NULL && stage_random(&state) % 4 == 1)
+    if (shading <= REF_GOURAUD && stage_random(&state) % 4 == 1)
         random_tints(&to->scene, &state);
 }
 

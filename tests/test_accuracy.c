@@ -162,23 +162,16 @@ static void vary_colors(struct ref_scene *scene, int i)
 
 static void vary_tints(struct ref_scene *scene, int i)
 {
-    static const double color[4][3] = {{1, 0.6, 0.2}, {0.2, 0.4, 1}, {1, 1, 1}, {0.8, 0.2, 0.6}};
-    static const double ambient[3] = {0.4, 0.6, 1};
-
     vary_colors(scene, i);
     accuracy_more_lights(scene);
+    accuracy_tints(scene);
     scene->colored = i % 2;
-    for (int k = 0; k < 12; k++)
-        scene->light_color[k / 3][k % 3] = floor(255 * color[k / 3][k % 3]) / 255;
-    memcpy(scene->ambient_color, ambient, sizeof ambient);
     if (i >= 9)
         scene->ramp = i == 9 ? REF_GAMMA : REF_HALF;
 }
 
 static void vary_points(struct ref_scene *scene, int i)
 {
-    static const double at[3][3] = {{0.9, 0.5, 0.7}, {-0.8, -0.4, 1.1}, {0.1, 0.9, 0.2}}, radius[3] = {1.7, 2, 1.1};
-
     if (i % 2)
         vary_tints(scene, i);
     else
@@ -186,10 +179,7 @@ static void vary_points(struct ref_scene *scene, int i)
     accuracy_more_lights(scene);
     scene->colored = i % 4 > 1;
     scene->diffuse = 1.6;
-    for (int k = 0; k < 3; k++) {
-        memcpy(scene->light[k], at[k], sizeof at[k]);
-        scene->radius[k] = radius[k];
-    }
+    accuracy_points(scene);
 }
 
 static void vary(struct ref_scene *scene, enum variant variant, int i)

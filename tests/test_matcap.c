@@ -131,7 +131,7 @@ static void print_line(const struct matcap_line *line, const char *mesh, const c
 }
 
 /* Every view (3 is cut by the near plane and seen from inside, 4 by the guard band), affine and ortho. */
-static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_texels texels, int turn)
+static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_texels texels, bool colored, int turn)
 {
     static const double tint[3] = {230 / 255.0, 140 / 255.0, 51 / 255.0};
     struct matcap_line line[2] = {{.equal = 1}, {.equal = 1}};
@@ -146,6 +146,7 @@ static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_t
         matcap_view(&scene, &mesh->reference, view < TEXTURED_VIEWS ? view : 1, texels);
         scene.affine = view == TEXTURED_VIEWS;
         scene.texture = &texture;
+        scene.colored = colored;
         scene.dither = turn % 3 == 1;
         texture.bilinear = bilinear;
         if (turn % 4 == 1)
@@ -156,8 +157,8 @@ static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_t
     }
     for (int bilinear = 0; bilinear < (sphere == TILES ? 1 : 2); bilinear++) {
         char how[32];
-        snprintf(how, sizeof how, "%s %s", texels == REF_TEXELS_NORMAL ? "pixel" : "vertex",
-                 bilinear ? "bilinear" : "nearest");
+        snprintf(how, sizeof how, "%s %s%s", texels == REF_TEXELS_NORMAL ? "pixel" : "vertex",
+                 bilinear ? "bilinear" : "nearest", colored ? " colors" : "");
         print_line(&line[bilinear], mesh->name, sphere_name[sphere], how);
         if (part_of(line[bilinear].compared, line[bilinear].covered) < ACCURACY_COMPARED) {
             printf("  FAILED too little was compared\n");
@@ -228,9 +229,12 @@ int main(int argc, char **argv)
         }
         for (int k = 0; k < 3; k++, turn++) { /* tiles, and the others in turn */
             const int sphere = k == 0 ? TILES : (index + k) % TILES;
-            failed += judge_matcap(&mesh, sphere, REF_TEXELS_NORMAL, turn);
+            failed += judge_matcap(&mesh, sphere, REF_TEXELS_NORMAL, false, turn);
             if (k < 2)
-                failed += judge_matcap(&mesh, sphere, REF_TEXELS_CORNER_NORMALS, turn);
+                failed += judge_matcap(&mesh, sphere, REF_TEXELS_CORNER_NORMALS, false, turn) +
+                          judge_matcap(&mesh, sphere, REF_TEXELS_NORMAL, true, turn);
+            if (k == 1)
+                failed += judge_matcap(&mesh, sphere, REF_TEXELS_CORNER_NORMALS, true, turn);
         }
         accuracy_mesh_free(&mesh);
     }

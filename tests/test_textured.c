@@ -10,7 +10,8 @@
 #include "accuracy_line.h"
 #include "textured_scene.h"
 
-static const char *const light_name[] = {"unlit", "flat", "gouraud", "glossy", "lights"};
+static const char *const light_name[] = {"unlit",  "flat",        "gouraud", "glossy", "lights",
+                                         "colors", "flat colors", "tints",   "points", "flat points"};
 static const char *const picture_name[] = {"tiles", "noise", "marble", "sixteen"};
 static const char *prefix;
 
@@ -109,7 +110,7 @@ static int judge_textured(const struct accuracy_mesh *mesh, int picture, enum te
         printf("  FAILED too little was compared\n");
         failed++;
     }
-    printf("%-10s %-8s %-8s %-8s %5.1f %% compared %5.1f %% settled %6.2f %% equal, %ld beyond, worst %d, %ld of %ld "
+    printf("%-10s %-8s %-11s %-8s %5.1f %% compared %5.1f %% settled %6.2f %% equal, %ld beyond, worst %d, %ld of %ld "
            "drawn, %3.0f %% quotients\n",
            mesh->name, picture_name[picture], light_name[light], bilinear ? "bilinear" : "nearest", 100 * compared,
            100 * part_of(line.compared, line.comparable), 100 * line.equal, line.beyond, line.worst, line.dropped_drawn,
@@ -126,11 +127,23 @@ enum fault {
     TWICE,
     CUT,
     NO_FAULT, /* the last one's scene without it */
+    LATE,
+    TINTED,
+    ON_SCREEN,
+    COLORED,
     FAULTS
 };
 
-static const char *const fault_name[FAULTS] = {
-    "v upwards", "1/8 texel to the right", "affine", "rounded to a byte first", "lit where the planes cut", "none"};
+static const char *const fault_name[FAULTS] = {"v upwards",
+                                               "1/8 texel to the right",
+                                               "affine",
+                                               "rounded to a byte first",
+                                               "lit where the planes cut",
+                                               "none",
+                                               "colours multiplied after interpolation",
+                                               "highlight times texel",
+                                               "light linear on the screen",
+                                               "none, with colours"};
 
 /* The light that a piece's new corners would have of their own. */
 static void light_cut_corners(struct ref_picture *picture, const struct ref_scene *scene)
@@ -151,8 +164,29 @@ static void light_cut_corners(struct ref_picture *picture, const struct ref_scen
     }
 }
 
-/* The picture as its pieces are lit now, or rounded twice. */
-static void colour_again(struct ref_picture *picture, const struct ref_scene *scene, bool twice)
+/* Light without the vertices' colours, to multiply the interpolated ones at the pixel. */
+static void take_colors(struct ref_picture *picture)
+{
+    for (size_t i = 0; i < picture->piece_count; i++)
+        for (int k = 0; k < 9; k++)
+            picture->pieces[i].lit[k / 3].diffuse[k % 3] /= picture->pieces[i].color[k / 3][k % 3];
+}
+
+static void faulty_light(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y,
+                         enum fault fault, struct ref_lit *lit)
+{
+    struct ref_scene as = *scene;
+    double color[3];
+
+    as.affine |= fault == ON_SCREEN;
+    ref_shade(&as, piece, x, y, lit);
+    ref_color(scene, piece, x, y, color);
+    for (int k = 0; k < 3 && fault == LATE; k++)
+        lit->diffuse[k] *= color[k];
+}
+
+/* The picture as its pieces are lit now, or with a fault. */
+static void colour_again(struct ref_picture *picture, const struct ref_scene *scene, enum fault fault)
 {
     for (int i = 0; i < picture->width * picture->height; i++) {
         struct ref_pixel *pixel = &picture->pixels[i];
@@ -164,10 +198,11 @@ static void colour_again(struct ref_picture *picture, const struct ref_scene *sc
             continue;
         ref_texture_point(scene, piece, x + 0.5, y + 0.5, at);
         (void)ref_texture_color(scene->texture, at, texel);
-        ref_shade(scene, piece, x + 0.5, y + 0.5, &lit);
+        faulty_light(scene, piece, x + 0.5, y + 0.5, fault, &lit);
         for (int k = 0; k < 3; k++) {
-            double c = scene->base[k] * texel[k] * lit.diffuse[k] + scene->highlight[k] * lit.specular[k];
-            pixel->color[k] = twice ? floor(255 * fmin(c, 1) + 0.5) / 255 : c;
+            double gloss = scene->highlight[k] * lit.specular[k] * (fault == TINTED ? texel[k] : 1);
+            double c = scene->base[k] * texel[k] * lit.diffuse[k] + gloss;
+            pixel->color[k] = fault == TWICE ? floor(255 * fmin(c, 1) + 0.5) / 255 : c;
         }
         pixel->value = ref_value(scene, pixel->color, x, y, false);
     }
@@ -182,12 +217,13 @@ static int judge_fault(enum fault fault)
     struct accuracy_mesh mesh;
     struct ref_scene scene;
     struct ref_picture picture;
-    const bool is_cut = fault == CUT || fault == NO_FAULT;
-    int kept = fault != NO_FAULT;
+    const bool is_cut = fault == CUT || fault == NO_FAULT, is_right = fault == NO_FAULT || fault == COLORED;
+    int kept = !is_right;
 
-    if (textured_mesh_make(&mesh, is_cut ? 4 : 1) != 0)
+    if (textured_mesh_make(&mesh, is_cut || fault >= LATE ? 4 : 1) != 0)
         return 1;
-    textured_view(&scene, &mesh.reference, is_cut ? 3 : 1, TEXTURED_SCENE_GOURAUD);
+    textured_view(&scene, &mesh.reference, is_cut || fault >= ON_SCREEN ? 3 : 1,
+                  fault >= LATE ? TEXTURED_SCENE_COLORS : TEXTURED_SCENE_GOURAUD);
     if (is_cut) /* through the middle of the screen */
         scene.near = 1.2;
     scene.texture = &texture;
@@ -201,13 +237,15 @@ static int judge_fault(enum fault fault)
         scene.affine = false;
         if (fault == CUT)
             light_cut_corners(&picture, &scene);
-        if (is_cut || fault == TWICE)
-            colour_again(&picture, &scene, fault == TWICE);
+        if (fault == LATE)
+            take_colors(&picture);
+        if (is_cut || fault == TWICE || fault >= LATE)
+            colour_again(&picture, &scene, fault);
         if (accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0) == SHEEN_OK)
             kept = !score_line(&line, &shot, &scene);
         ref_picture_free(&picture);
     }
-    const int wrong = kept == (fault != NO_FAULT);
+    const int wrong = kept != is_right;
     printf("fault, %s: %s%s\n", fault_name[fault], kept ? "kept" : "refused", wrong ? ": WRONG" : "");
     accuracy_mesh_free(&mesh);
     return wrong;
@@ -317,8 +355,8 @@ int main(int argc, char **argv)
             fprintf(stderr, "test_textured: mesh %d could not be made\n", index);
             return 1;
         }
-        for (int light = 0; light <= TEXTURED_SCENE_LIGHTS; light++) {
-            if (light == TEXTURED_SCENE_FLAT && (index == 2 || index == 3))
+        for (int light = 0; light < TEXTURED_SCENE_ALL; light++) {
+            if (textured_is_flat((enum textured_light)light) && (index == 2 || index == 3))
                 continue; /* too fine for what is judged a polygon */
             for (int picture = 0; picture < TEXTURED_PICTURES; picture++, turn++)
                 failed += judge_textured(&mesh, picture, (enum textured_light)light, picture == 2, turn);

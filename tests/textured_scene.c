@@ -79,13 +79,14 @@ int textured_mesh_make(struct accuracy_mesh *mesh, int index)
 {
     static const struct ref_mesh_options options = {.fit = true, .crease = -1};
     struct shape shape;
-    double(*uv)[2] = NULL;
+    double(*uv)[2] = NULL, (*color)[3] = NULL;
 
     memset(mesh, 0, sizeof *mesh);
     int status = make_textured_shape(&shape, index, &mesh->name);
     if (status == 0) {
         uv = calloc(shape.polygons.first[shape.polygons.polygon_count], sizeof *uv);
-        status = uv ? 0 : -1;
+        color = accuracy_corner_colors(&shape.polygons);
+        status = uv && color ? 0 : -1;
     }
     if (status == 0) {
         if (index == 2 || index == 3 || index == 5)
@@ -93,12 +94,14 @@ int textured_mesh_make(struct accuracy_mesh *mesh, int index)
         else
             uv_of_sides(&shape.polygons, uv, index == 0 ? 3 : index == 4 ? -2.5 : 1);
         shape.polygons.uv = (const double(*)[2])uv;
+        shape.polygons.color = (const double(*)[3])color;
         status = ref_mesh_build(&mesh->reference, &shape.polygons, &options);
     }
     if (status == 0)
         status = core_mesh_make(&mesh->own, &mesh->reference);
     mesh->mesh = &mesh->own.mesh;
     free(uv);
+    free(color);
     shape_free(&shape);
     return status;
 }
@@ -157,19 +160,30 @@ const struct ref_texture *textured_picture(int index)
 
 /* ---- scenes ---- */
 
+bool textured_is_flat(enum textured_light light)
+{
+    return light == TEXTURED_SCENE_FLAT || light == TEXTURED_SCENE_FLAT_COLORS || light == TEXTURED_SCENE_FLAT_POINTS;
+}
+
 static void set_light(struct ref_scene *scene, enum textured_light light)
 {
     static const double white[3] = {1, 1, 1};
 
-    scene->shading = light == TEXTURED_SCENE_FLAT ? REF_FLAT : REF_GOURAUD;
+    scene->shading = textured_is_flat(light) ? REF_FLAT : REF_GOURAUD;
     scene->shininess = 16;
     scene->ambient = light == TEXTURED_SCENE_UNLIT ? 1 : 0.23; /* 1/4 would be a tie of many texels */
     scene->diffuse = light == TEXTURED_SCENE_UNLIT ? 0 : light == TEXTURED_SCENE_GLOSSY ? 0.9 : 0.7;
     scene->specular = light >= TEXTURED_SCENE_GLOSSY ? 0.6 : light == TEXTURED_SCENE_FLAT ? 0.2 : 0;
     if (light < TEXTURED_SCENE_GLOSSY)
         memcpy(scene->base, white, sizeof scene->base);
-    if (light == TEXTURED_SCENE_LIGHTS)
+    if (light == TEXTURED_SCENE_LIGHTS || light >= TEXTURED_SCENE_TINTS)
         accuracy_more_lights(scene);
+    if (light == TEXTURED_SCENE_TINTS)
+        accuracy_tints(scene);
+    if (light >= TEXTURED_SCENE_POINTS) {
+        scene->diffuse = 1.6;
+        accuracy_points(scene);
+    }
 }
 
 void textured_view(struct ref_scene *scene, const struct ref_mesh *mesh, int view, enum textured_light light)
@@ -186,4 +200,7 @@ void textured_view(struct ref_scene *scene, const struct ref_mesh *mesh, int vie
     if (view == 4)
         scene->fov = 9;
     set_light(scene, light);
+    scene->colored = light >= TEXTURED_SCENE_COLORS; /* flat without, a whole picture may hang on one tie */
+    if (light == TEXTURED_SCENE_TINTS || light == TEXTURED_SCENE_POINTS)
+        scene->colored = view % 2;
 }

@@ -21,11 +21,18 @@ enum textured_light {
     TEXTURED_SCENE_FLAT,
     TEXTURED_SCENE_GOURAUD,
     TEXTURED_SCENE_GLOSSY,
-    TEXTURED_SCENE_LIGHTS
+    TEXTURED_SCENE_LIGHTS,
+    TEXTURED_SCENE_COLORS, /* of the vertices, glossy */
+    TEXTURED_SCENE_FLAT_COLORS,
+    TEXTURED_SCENE_TINTS, /* of lights and ambient light, and every other view's vertices */
+    TEXTURED_SCENE_POINTS,
+    TEXTURED_SCENE_FLAT_POINTS,
+    TEXTURED_SCENE_ALL
 };
 
 /* Mesh's view of 0..4 (3: cut by the near plane, 4: magnified, so that the guard band cuts). */
 #define TEXTURED_VIEWS 5
+bool textured_is_flat(enum textured_light light);
 void textured_view(struct ref_scene *scene, const struct ref_mesh *mesh, int view, enum textured_light light);
 
 #endif

@@ -218,10 +218,11 @@ struct texel_terms {
 struct tint_terms {
     uint32_t low[3]; /* of channels, what a ramp's low gives of white lights: not in `a` then */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
-    uint8_t lights;                    /* 1: lights have colours, or are points */
-    uint8_t is_point;                  /* a bit a light: it is a point */
-    const struct sheen_points *points; /* NULL: there are none */
-    int32_t reach; /* of the mesh as it stands: units that raw 32768 is, Q7.24; read where there are points */
+    uint8_t lights;   /* 1: lights have colours, or are points */
+    uint8_t is_point; /* a bit a light: it is a point */
+    int32_t reach;    /* of the mesh as it stands: units that raw 32768 is, Q7.24; read where there are points */
+    const struct sheen_points *points;   /* NULL: there are none */
+    const struct sheen_texture *texture; /* of shadings with one */
 };
 
 /* x times a byte that is 1.0 at 255. */

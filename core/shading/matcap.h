@@ -20,10 +20,37 @@ struct matcap_setup {
 
 #define LARGEST_BLOCK 32 /* px */
 
+/* What L.N of two lights would be x and y of the normal before the eye for. */
+extern const struct sheen_light sheen_eye_axes[2];
+
 /* (1 + x) / 2 of the picture's 2^size texels, Q16.16, within its edges; x: Q0.15. */
 static inline int32_t texel_at_cosine(int32_t x, unsigned size, int32_t edge)
 {
     return max32(edge, min32((x + 32768) * (1 << size) + BORDER_BIAS, (1 << (16 + size)) - edge));
+}
+
+/*
+ * x and y of a normal of any length brought to 1.0, Q0.15; 0 where it has none. Range: parts are below
+ * 2^15, the largest 2^14 or more, so a part times half of the root is at most 2^30.
+ */
+static inline void cosines_of(const uint32_t normal[3], int32_t *x, int32_t *y)
+{
+    uint32_t all = magnitude32((int32_t)normal[0]) | magnitude32((int32_t)normal[1]) | magnitude32((int32_t)normal[2]);
+    unsigned up = 0;
+
+    *x = *y = 0;
+    if (all >= 1u << 10) {
+        int32_t n[3];
+        for (; all < 1u << 30; all <<= 1)
+            up++;
+        for (int i = 0; i < 3; i++)
+            n[i] = asr32((int32_t)(normal[i] << up), 16);
+        const uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
+        const unsigned quarter = square < 1u << 30 ? 2 : 0;
+        const int32_t root = (int32_t)(root_seed(square << quarter >> 1) >> 1);
+        *x = asr32(n[0] * root, 15 - quarter / 2);
+        *y = asr32(n[1] * root, 15 - quarter / 2);
+    }
 }
 
 void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s);

@@ -1,7 +1,6 @@
 /*
  * matcap_blocks.c - rows of matcaps by blocks: between its ends texel coordinates are linear.
  */
-#include "../math/newton.h"
 #include "matcap.h"
 
 /* Columns of a row that are left to draw. */
@@ -96,28 +95,12 @@ struct block_end {
     uint32_t u, v;
 };
 
-/*
- * The texel of e->n, of any length; the middle where it has none. Range: parts are below 2^15, the largest 2^14 or
- * more, so a part times half of the root is at most 2^30.
- */
+/* The texel of e->n, of any length; the middle where it has none. */
 static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
 {
-    uint32_t all = magnitude32((int32_t)e->n[0]) | magnitude32((int32_t)e->n[1]) | magnitude32((int32_t)e->n[2]);
-    unsigned up = 0;
-    int32_t x = 0, y = 0;
+    int32_t x, y;
 
-    if (all >= 1u << 10) {
-        int32_t n[3];
-        for (; all < 1u << 30; all <<= 1)
-            up++;
-        for (int i = 0; i < 3; i++)
-            n[i] = asr32((int32_t)(e->n[i] << up), 16);
-        const uint32_t square = (uint32_t)(n[0] * n[0]) + (uint32_t)(n[1] * n[1]) + (uint32_t)(n[2] * n[2]);
-        const unsigned quarter = square < 1u << 30 ? 2 : 0;
-        const int32_t root = (int32_t)(root_seed(square << quarter >> 1) >> 1);
-        x = asr32(n[0] * root, 15 - quarter / 2);
-        y = asr32(n[1] * root, 15 - quarter / 2);
-    }
+    cosines_of(e->n, &x, &y);
     e->u = (uint32_t)texel_at_cosine(x, t->width_log2, texel_edge(t));
     e->v = (uint32_t)texel_at_cosine(-y, t->height_log2, texel_edge(t));
 }

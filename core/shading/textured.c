@@ -12,22 +12,6 @@ static void textured_begin(struct draw *d, const struct sheen_material *material
     sheen_texel_begin(&d->texel, format, material, d->light.diffuse_sum, d->light.specular_sum);
 }
 
-/* Texels of u (i = 0) or v, Q15.16; what repeats is brought near 0, so that quotients are fine. */
-static struct at_corners texels_of(const struct draw *d, const struct surface_corners *c, int i)
-{
-    const struct sheen_texture *t = d->texel.texture;
-    const unsigned size = i == 0 ? t->width_log2 : t->height_log2, clamp = i == 0 ? t->clamp_u : t->clamp_v;
-    const unsigned up = 16 - d->mesh->uv_bits + size; /* 1..25 */
-    uint32_t first = ((uint32_t)(int32_t)c->at.normal[0][i] << up) + ((uint32_t)d->mesh->uv_offset[i] << size);
-    struct at_corners at;
-
-    if (!clamp)
-        first &= (1u << (16 + size)) - 1;
-    for (int k = 0; k < 3; k++)
-        at.f[k] = (int32_t)(first + BORDER_BIAS + ((uint32_t)(c->at.normal[k][i] - c->at.normal[0][i]) << up));
-    return at;
-}
-
 static void textured_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
 {
     (void)back;
@@ -43,9 +27,11 @@ static void textured_as(struct setup *s, struct surface_corners *c, const struct
 {
     const struct draw *d = s->draw;
     const struct colour_terms *colour = &d->colour;
-    struct at_corners at[4] = {texels_of(d, c, 0), texels_of(d, c, 1), {{0, 0, 0}}, {{0, 0, 0}}};
+    struct at_corners at[4];
     int32_t diffuse[2], specular[2];
 
+    sheen_texels_of(&at[0], d, d->texel.texture, &c->at, 0);
+    sheen_texels_of(&at[1], d, d->texel.texture, &c->at, 1);
     for (int k = 0; k < 3; k++) {
         at[2].f[k] = texel_light(&d->texel, lit[k].diffuse);
         at[3].f[k] = (int32_t)(d->texel.white ? lit[k].specular * d->texel.gloss >> (30 - LIGHT_BITS)

@@ -69,6 +69,7 @@ void sheen_glow_begin(struct draw *d, const struct sheen_material *material, con
     const uint32_t share = is_low ? sheen_ratio((uint32_t)own->ambient, (uint32_t)material->ambient) : 0;
 
     (void)format;
+    d->tint.texture = material->texture;
     d->tint.lights = 0;
     d->tint.points = NULL;
     d->tint.is_point = 0;

@@ -64,7 +64,7 @@ static APART void of_piece(const int16_t (*piece)[3], int16_t number[3][3])
 static const struct sheen_mesh *mesh_of(const struct setup *s, union shared_triangle of, uint32_t index[3])
 {
     const struct sheen_mesh *mesh = s->draw->mesh;
-    const uint32_t triangle = (s->detail & SHARES_PIECE) != 0 ? (uint16_t)of.piece[0][2] : (uint32_t)of.own;
+    const uint32_t triangle = shared_triangle_of(s, of);
 
     for (uint32_t k = 0; k < 3; k++)
         index[k] = 3 * mesh_index(mesh, 3 * triangle + k);

@@ -30,6 +30,11 @@ struct shares_setup {
 #define SHARES_BACK 1u
 #define SHARES_PIECE 2u
 
+static inline uint32_t shared_triangle_of(const struct setup *s, union shared_triangle of)
+{
+    return (s->detail & SHARES_PIECE) != 0 ? (uint16_t)of.piece[0][2] : (uint32_t)of.own;
+}
+
 /* A struct sheen_shader's carry. Of such a shader what corners have as their normal is not read but for pieces. */
 void sheen_carry_shares(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
 

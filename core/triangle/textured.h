@@ -4,7 +4,7 @@
 #ifndef SHEEN_TEXTURED_H
 #define SHEEN_TEXTURED_H
 
-#include "triangle.h"
+#include "texels.h"
 
 /* What a pixel takes: all give what the first, which takes everything, would. */
 enum textured_pixels {
@@ -46,9 +46,6 @@ struct texel_run {
     uint32_t packed, mend;
 };
 
-/* What rounding takes off a coordinate that lies on a border must not show the texel on its other side. */
-#define BORDER_BIAS 64 /* 1/1024 texel */
-
 /*
  * As near to a picture's edges, texels in Q16.16, a coordinate may come so that neither steps along a run, which are
  * off by less than TEXEL_EDGE, packed or not, nor a bilinear neighbour show the other side (its share is rounded, by
@@ -60,11 +57,6 @@ static inline int32_t texel_edge(const struct sheen_texture *t)
 {
     return t->bilinear ? 1 << 15 : TEXEL_EDGE;
 }
-
-/* Of an attribute, in the order of the gradients. */
-struct at_corners {
-    int32_t f[3];
-};
 
 /* Light at a diffuse intensity, UQ1.15, as it is stepped. */
 static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)

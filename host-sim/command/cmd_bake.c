@@ -199,7 +199,7 @@ static int quantise(struct baking *baking)
         baking->pictures[baking->count] = baking->host.part[i].picture;
         struct sheen_group *group = &baking->groups[baking->count++];
         *group = baking->host.group[baking->host.part[i].group];
-        if (baking->host.has_colors && !baking->host.part[i].picture) { /* those of the vertices come with them */
+        if (baking->host.has_colors) { /* those of the vertices come with them */
             memcpy(group->color, group->own, sizeof group->color);
             group->has_color = group->has_own;
         }

@@ -63,7 +63,7 @@ const struct sheen_option sheen_option_table[] = {
     {"ambient-color", "COLOR", "ffffff", "of the light from everywhere", SHEEN_OPTION_COLOR, SHEEN_DRAWS,
      AT(ambient_color), 0, 0, 0},
     {"vertex-colors", "on|off", "on",
-     "the file's colours of vertices, which --color multiplies; shown flat or gouraud, where no texture is",
+     "the file's colours of vertices, which --color multiplies; shown flat or gouraud, on textures and on matcaps",
      SHEEN_OPTION_CHOICE, SHEEN_DRAWS | SHEEN_BAKE, AT(no_vertex_colors), 0, 0, 0},
     {"ambient", "K", "0.2", "light from everywhere", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(ambient), 0, 4, 0},
     {"diffuse", "K", "0.8", "light that scatters", SHEEN_OPTION_REAL, SHEEN_DRAWS, AT(diffuse), 0, 4, 0},

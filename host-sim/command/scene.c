@@ -62,7 +62,7 @@ static int lights_are_colored(const struct sheen_options *options)
 
 int sheen_scene_is_colored(const struct sheen_scene *scene)
 {
-    return scene->has_colors || lights_are_colored(scene->options);
+    return scene->has_colors || (scene->options->shade < SHEEN_MATCAP && lights_are_colored(scene->options));
 }
 
 static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
@@ -99,16 +99,15 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     const struct sheen_ramp *ramp = sheen_ramp_of(&scene->ramp, scene->options);
     for (size_t i = 0; i < host->part_count; i++) {
         const struct sheen_group *group = &host->group[host->part[i].group];
-        const int shows_vertices = host->has_colors && !host->part[i].picture && scene->options->shade < SHEEN_MATCAP;
-        const int use_group = paint->from_file && (shows_vertices ? group->has_own : group->has_color);
+        const int use_group = paint->from_file && (host->has_colors ? group->has_own : group->has_color);
         error = sheen_quantise(&scene->meshes[scene->count], host, (uint32_t)i);
         if (error)
             return error;
         struct sheen_material *material = &scene->materials[scene->count];
         set_material(material, &scene->shine, scene->options,
-                     !use_group       ? paint->color
-                     : shows_vertices ? group->own
-                                      : group->color);
+                     !use_group         ? paint->color
+                     : host->has_colors ? group->own
+                                        : group->color);
         material->ramp = ramp;
         scene->morphs[scene->count] = (struct sheen_morph){&scene->meshes[scene->count].second, &sheen_morpher, 0};
         if (host->part[i].picture)
@@ -161,11 +160,6 @@ static int check_shading(struct sheen_scene *scene, struct sheen_problem *proble
     const struct sheen_options *options = scene->options;
     const int is_lit = options->shade_given && options->shade > SHEEN_GOURAUD && options->shade < SHEEN_MATCAP;
 
-    scene->is_usage = scene->texel_count && options->shade < SHEEN_MATCAP && lights_are_colored(options);
-    if (scene->is_usage && !is_lit)
-        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
-                             "--%s: %s shows a texture, whose light is white and far away; --texture off shows none",
-                             has_points(options) ? "point-light" : "light", options->mesh);
     scene->is_usage = is_lit && (scene->texel_count || sheen_scene_is_colored(scene));
     if (!scene->is_usage)
         return SHEEN_OK;
@@ -275,15 +269,15 @@ static void paint(struct sheen_scene *scene)
     static const uint8_t white[3] = {255, 255, 255};
     const struct sheen_paint *paint = &scene->options->color;
     const int is_matcap = scene->options->shade >= SHEEN_MATCAP;
-    const int shows_white =
-        scene->target->pixel > SHEEN_RGB565_LE || scene->texel_count || scene->has_colors || is_matcap;
+    const int shows_colors = scene->texel_count || scene->has_colors || is_matcap;
+    const int shows_white = scene->target->pixel > SHEEN_RGB565_LE || shows_colors;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_material *material = &scene->materials[i];
         material->texture = is_matcap ? &scene->matcap.texture : scene->own_texture[i];
         if (scene->own_color[i])
             continue;
-        const int is_asked = paint->given && !(paint->from_file && scene->has_colors);
+        const int is_asked = paint->given && !(paint->from_file && shows_colors);
         memcpy(material->base, shows_white && !is_asked ? white : paint->color, sizeof material->base);
     }
 }
@@ -409,12 +403,13 @@ void sheen_scene_pose(const struct sheen_scene *scene, int number, struct sheen_
 static const struct sheen_shader *shader_at(const struct sheen_scene *scene, size_t i)
 {
     const enum sheen_shading shading = sheen_scene_shading(scene);
-    const struct sheen_shader *colored = sheen_scene_is_colored(scene) ? sheen_colored_shader_of(shading) : NULL;
+    const int is_colored = sheen_scene_is_colored(scene);
+    const struct sheen_shader *colored = is_colored ? sheen_colored_shader_of(shading) : NULL;
 
     if (scene->options->edges == SHEEN_WIRE)
         return &sheen_flat;
     if (scene->materials[i].texture && shading < SHEEN_MATCAP)
-        return shading == SHEEN_FLAT ? &sheen_textured_flat : &sheen_textured;
+        return sheen_textured_shader_of(shading, is_colored);
     return colored ? colored : sheen_shader_of(shading);
 }
 

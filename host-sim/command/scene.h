@@ -49,7 +49,7 @@ struct sheen_texture_options sheen_scene_texture_options(const struct sheen_opti
 int sheen_scene_texels(struct sheen_texels **texels, const struct sheen_host_mesh *host,
                        const struct sheen_options *options);
 
-/* 1 where there are colours of vertices, lights or ambient light. */
+/* 1 where there are colours of vertices, lights or ambient light that the shading asked for shows. */
 int sheen_scene_is_colored(const struct sheen_scene *scene);
 
 /* How it is shaded: as the options say, or where a texture or colours are shown by default gouraud. */

@@ -21,7 +21,19 @@ enum sheen_shading {
 /* The one that reads colours; NULL: there is none. */
 static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shading)
 {
-    return shading == SHEEN_FLAT ? &sheen_flat_colored : shading == SHEEN_GOURAUD ? &sheen_gouraud_colored : NULL;
+    static const struct sheen_shader *const shader[SHEEN_ALL_SHADINGS] = {
+        &sheen_flat_colored, &sheen_gouraud_colored, NULL, NULL, &sheen_matcap_colored, &sheen_matcap_vertex_colored};
+
+    return shader[shading];
+}
+
+/* That of textures, flat or gouraud. */
+static inline const struct sheen_shader *sheen_textured_shader_of(unsigned shading, int colored)
+{
+    static const struct sheen_shader *const shader[2][2] = {{&sheen_textured_flat, &sheen_textured},
+                                                            {&sheen_textured_flat_colored, &sheen_textured_colored}};
+
+    return shader[colored != 0][shading != SHEEN_FLAT];
 }
 
 static inline const struct sheen_shader *sheen_shader_of(unsigned shading)

@@ -163,6 +163,26 @@ static int is_texels(const struct setup *s)
     return s->way >= SHEEN_WAY_TEXTURED_LINEAR;
 }
 
+/* Texels with colours, whose draws keep no struct texel_terms. */
+static int is_colored(const struct draw *d)
+{
+    return d->shader == &sheen_textured_colored || d->shader == &sheen_textured_flat_colored ||
+           d->shader == &sheen_matcap_colored || d->shader == &sheen_matcap_vertex_colored;
+}
+
+static void count_colored(const struct setup *s, uint32_t rows, uint32_t covered, uint32_t shaded)
+{
+    const struct sheen_texture *texture = s->draw->tint.texture;
+
+    SHEEN_TAP(TEXELS_SHARED, is_new);
+    SHEEN_TAP(TEXELS_COLORED_COVERED, covered);
+    SHEEN_TAP(TEXELS_COLORED_SHADED, shaded);
+    SHEEN_TAP(TEXEL_ROW, rows);
+    SHEEN_TAP(TEXEL_NIBBLE, texture->bits == 4 ? covered : 0);
+    SHEEN_TAP(TEXEL_MIXED, texture->bilinear ? shaded : 0);
+    SHEEN_TAP(FOG, s->draw->fog ? shaded : 0);
+}
+
 static unsigned texels_kind(const struct tile *t, const struct setup *s)
 {
     static const uint16_t kinds[] = {
@@ -259,7 +279,9 @@ void sheen_plan_rows(const struct tile *tile, const struct setup *setup)
     }
     setup->rows(tile, setup);
     const uint32_t shaded = *tile->shaded - before;
-    if (is_texels(setup)) {
+    if (is_texels(setup) && is_colored(setup->draw)) {
+        count_colored(setup, rows, covered, shaded);
+    } else if (is_texels(setup)) {
         count_texels(tile, setup, rows, covered, shaded);
     } else {
         const unsigned kind = kind_of(tile, setup);

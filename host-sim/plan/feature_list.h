@@ -53,6 +53,7 @@ enum sheen_plan_stage {
     F(TEXELS_SKEWED, TRIANGLES)       /* in perspective, */                                                            \
     F(TEXELS_CURVED, TRIANGLES)       /* quadratic: a matcap's, */                                                     \
     F(TEXELS_TURNED, TRIANGLES)       /* and by normals */                                                             \
+    F(TEXELS_SHARED, TRIANGLES)       /* with colours */                                                               \
     F(TEXELS_LIGHT, TRIANGLES)        /* with light, linear, */                                                        \
     F(TEXELS_SKEWED_LIGHT, TRIANGLES) /* or in perspective */                                                          \
     F(LINE_LOOKED_AT, TRIANGLES)      /* lines, times bands */                                                         \
@@ -66,6 +67,7 @@ enum sheen_plan_stage {
     F(SKEWED_LIGHT_END, ROWS)    /* with light */                                                                      \
     F(CURVED_BLOCK, ROWS)        /* quadratic */                                                                       \
     F(TURNED_BLOCK, ROWS)        /* by normals */                                                                      \
+    F(COLORED_END, ROWS)         /* where a part of one with colours may end */                                        \
     F(FOGGED_PART, ROWS)         /* of texels under fog */                                                             \
     F(FOGGED_TRY, ROWS)          /* ends of these that were tried */                                                   \
     F(PUSH, PIXELS)              /* rectangles handed to the driver */                                                 \
@@ -163,7 +165,8 @@ enum sheen_plan_stage {
     T(BILINEAR_LIT)                                                                                                    \
     T(FOGGED)                                                                                                          \
     T(FOGGED_APART) /* whose coordinates take two words */                                                             \
-    T(FOGGED_OTHER) /* of a palette, with a key, or bilinear */
+    T(FOGGED_OTHER) /* of a palette, with a key, or bilinear */                                                        \
+    T(COLORED)      /* of any kind, with colours */
 
 #define SHEEN_PLAN_FEATURE_NUMBER(name, stage) SHEEN_PLAN_##name,
 #define SHEEN_PLAN_KIND_NUMBERS(name)                                                                                  \

@@ -57,9 +57,20 @@ static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *recor
 static unsigned room_of(const struct sheen_shader *shader)
 {
     static const struct sheen_shader *const shaders[SHEEN_PLAN_ROOMS] = {
-        &sheen_flat,         &sheen_gouraud,         &sheen_phong,         &sheen_slerp,
-        &sheen_flat_colored, &sheen_gouraud_colored, &sheen_textured_flat, &sheen_textured,
-        &sheen_matcap,       &sheen_matcap_vertex,
+        &sheen_flat,
+        &sheen_gouraud,
+        &sheen_phong,
+        &sheen_slerp,
+        &sheen_flat_colored,
+        &sheen_gouraud_colored,
+        &sheen_textured_flat,
+        &sheen_textured,
+        &sheen_matcap,
+        &sheen_matcap_vertex,
+        &sheen_textured_flat_colored,
+        &sheen_textured_colored,
+        &sheen_matcap_colored,
+        &sheen_matcap_vertex_colored,
     };
     unsigned room = 0;
 

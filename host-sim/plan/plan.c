@@ -145,10 +145,10 @@ static void note_look(struct sheen_plan *plan, const struct sheen_scene *scene)
 
     plan->shade = o->edges == SHEEN_WIRE ? SHEEN_FLAT : sheen_scene_shading(scene);
     snprintf(plan->look, sizeof plan->look, "%s%s%s%s%s%s%s%s", texture_of(scene),
-             sheen_scene_is_colored(scene) && plan->shade < SHEEN_MATCAP ? ", coloured" : "",
-             o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", by a ramp" : "", o->morph ? ", between two frames" : "",
-             scene->view.fog ? ", under fog" : "", o->opacity < 1 ? ", by a pattern" : "",
-             edges[sheen_scene_edging(scene)], scene->view.dither ? ", dithered" : "");
+             sheen_scene_is_colored(scene) ? ", coloured" : "", o->ramp.kind != SHEEN_RAMP_LAMBERT ? ", by a ramp" : "",
+             o->morph ? ", between two frames" : "", scene->view.fog ? ", under fog" : "",
+             o->opacity < 1 ? ", by a pattern" : "", edges[sheen_scene_edging(scene)],
+             scene->view.dither ? ", dithered" : "");
 }
 
 /* Once a frame has been drawn. */

@@ -109,9 +109,12 @@ static void measure_colored(const struct bench_scene *scene)
         if (measure(&frame, 16, PLAIN) < 0)
             guest_leave(1);
     }
-    const struct frame frame = {scene, "gouraud_highlighted", SHEEN_GOURAUD, BENCH_HIGHLIGHTED};
-    if (measure(&frame, 16, PLAIN) < 0)
-        guest_leave(1);
+    const struct frame more[] = {{scene, "gouraud_highlighted", SHEEN_GOURAUD, BENCH_HIGHLIGHTED},
+                                 {scene, "textured_colored", SHEEN_GOURAUD, BENCH_TEXTURED_COLORED},
+                                 {scene, "matcap_colored", SHEEN_GOURAUD, BENCH_MATCAP_COLORED}};
+    for (const struct frame *frame = more; frame < more + sizeof more / sizeof *more; frame++)
+        if (measure(frame, 16, PLAIN) < 0)
+            guest_leave(1);
 }
 
 static void measure_edges(void)

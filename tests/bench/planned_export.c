@@ -67,10 +67,21 @@ struct named {
         &(x), "&" #x                                                                                                   \
     }
 
-static const struct named shaders[] = {
-    NAMED(sheen_flat),         NAMED(sheen_gouraud),         NAMED(sheen_phong),    NAMED(sheen_slerp),
-    NAMED(sheen_flat_colored), NAMED(sheen_gouraud_colored), NAMED(sheen_textured), NAMED(sheen_textured_flat),
-    NAMED(sheen_matcap),       NAMED(sheen_matcap_vertex),   {NULL, NULL}};
+static const struct named shaders[] = {NAMED(sheen_flat),
+                                       NAMED(sheen_gouraud),
+                                       NAMED(sheen_phong),
+                                       NAMED(sheen_slerp),
+                                       NAMED(sheen_flat_colored),
+                                       NAMED(sheen_gouraud_colored),
+                                       NAMED(sheen_textured),
+                                       NAMED(sheen_textured_flat),
+                                       NAMED(sheen_textured_colored),
+                                       NAMED(sheen_textured_flat_colored),
+                                       NAMED(sheen_matcap_colored),
+                                       NAMED(sheen_matcap_vertex_colored),
+                                       NAMED(sheen_matcap),
+                                       NAMED(sheen_matcap_vertex),
+                                       {NULL, NULL}};
 static const struct named edgings[] = {
     NAMED(sheen_edges_smooth), NAMED(sheen_edges_outline), NAMED(sheen_edges_wire), {NULL, NULL}};
 static const struct named ramps[] = {NAMED(sheen_ramp_half), NAMED(sheen_ramp_toon), {NULL, NULL}};

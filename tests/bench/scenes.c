@@ -54,13 +54,15 @@ static const struct sheen_texture spheres[2] = {{.texels = bench_texels,
 
 static void show_texture(struct sheen_material *material, enum bench_texture texture)
 {
-    material->texture = texture >= BENCH_MATCAP     ? &spheres[texture == BENCH_MATCAP_BILINEAR]
-                        : texture == BENCH_BILINEAR ? &bilinear
-                                                    : &nearest;
+    const int is_lit = texture == BENCH_LIT || texture == BENCH_GLOSSY || texture == BENCH_TEXTURED_COLORED;
+
+    material->texture = texture >= BENCH_MATCAP && !is_lit ? &spheres[texture == BENCH_MATCAP_BILINEAR]
+                        : texture == BENCH_BILINEAR        ? &bilinear
+                                                           : &nearest;
     material->base[0] = material->base[1] = material->base[2] = 255;
     if (texture != BENCH_GLOSSY)
         material->specular = 0;
-    if (texture == BENCH_UNLIT || texture >= BENCH_BILINEAR) {
+    if (!is_lit) {
         material->ambient = SHEEN_Q16(1);
         material->diffuse = 0;
     }
@@ -92,6 +94,8 @@ static const struct sheen_shader *shader_of(const struct bench *bench)
         return sheen_shader_of(bench->shading);
     if (bench->texture == BENCH_COLORED)
         return sheen_colored_shader_of(bench->shading);
+    if (bench->texture >= BENCH_TEXTURED_COLORED)
+        return bench->texture == BENCH_MATCAP_COLORED ? &sheen_matcap_colored : &sheen_textured_colored;
     return bench->texture < BENCH_MATCAP           ? &sheen_textured
            : bench->texture == BENCH_MATCAP_VERTEX ? &sheen_matcap_vertex
                                                    : &sheen_matcap;

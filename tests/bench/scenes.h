@@ -48,8 +48,10 @@ enum bench_texture {
     BENCH_MATCAP,   /* by the normal, in place of uv and light */
     BENCH_MATCAP_VERTEX,
     BENCH_MATCAP_BILINEAR,
-    BENCH_COLORED,    /* no texture, but vertices' colours: flat or by Gouraud */
-    BENCH_HIGHLIGHTED /* no texture, but a highlight everywhere: colours as free as vertices', by Gouraud */
+    BENCH_TEXTURED_COLORED, /* as BENCH_LIT, with vertices' colours; */
+    BENCH_MATCAP_COLORED,   /* as BENCH_MATCAP */
+    BENCH_COLORED,          /* no texture, but vertices' colours: flat or by Gouraud */
+    BENCH_HIGHLIGHTED       /* no texture, but a highlight everywhere: colours as free as vertices', by Gouraud */
 };
 
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */

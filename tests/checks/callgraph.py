@@ -28,11 +28,12 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(sheen_facet_(lit|normal)|flat_colored_carry)$", r"_light_by_ramp$|morph_facet$"),
                 (r"(^|:)(sheen_light_back|sheen_vertex_glow)$", r"_light_by_ramp$|morph_(normal|position)$"),
                 (r"(^|:)(light_normal|sheen_setup_mean_normal|\w*_(light|carry))$", r"_light_by_ramp$"),
-                (r"(^|:)(morph_(cut|corners)|position_of|normal_of|points_middle)$", r"morph_(position|normal)$"),
+                (r"(^|:)(morph_(cut|corners)|position_of|normal_of|points_middle|sheen_shared_normals)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
+                (r"(^|:)texel_values_at", r"texel_of_unit$"),
                 (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
 

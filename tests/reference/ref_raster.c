@@ -145,7 +145,9 @@ static void color(const struct ref_scene *scene, const struct ref_picture *pictu
         ref_texture_point(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, at);
         (void)ref_texture_color(scene->texture, at, texel);
     }
-    if (scene->texels == REF_TEXELS_UV) {
+    if (scene->texels != REF_TEXELS_UV) {
+        ref_color(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, lit.diffuse);
+    } else {
         ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &lit);
         pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
     }

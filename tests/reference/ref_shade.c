@@ -105,10 +105,19 @@ static void normal_at(const struct ref_scene *scene, const struct ref_piece *p, 
         normal[0] = normal[1] = normal[2] = 0;
 }
 
+void ref_color(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double color[3])
+{
+    double b[3];
+
+    ref_weights(scene, p, x, y, b);
+    for (int k = 0; k < 3; k++)
+        color[k] = scene->colored ? b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k] : 1;
+}
+
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, struct ref_lit *lit)
 {
     static const double anywhere[3] = {0, 0, 0}; /* no point lights here */
-    double b[3], normal[3];
+    double b[3], normal[3], color[3];
 
     ref_weights(scene, p, x, y, b);
     if (scene->shading == REF_FLAT || scene->shading == REF_GOURAUD) {
@@ -121,8 +130,9 @@ void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double 
     }
     normal_at(scene, p, x, y, normal);
     ref_light(scene, anywhere, normal, lit);
-    for (int k = 0; scene->colored && k < 3; k++)
-        lit->diffuse[k] *= b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k];
+    ref_color(scene, p, x, y, color);
+    for (int k = 0; k < 3; k++)
+        lit->diffuse[k] *= color[k];
 }
 
 int ref_tread(const struct ref_scene *scene, const struct ref_piece *p, double x, double y)

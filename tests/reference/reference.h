@@ -207,6 +207,8 @@ void ref_light(const struct ref_scene *scene, const double at[3], const double n
 double ref_ramp(const struct ref_scene *scene, double x);
 /* Light of a piece at the point (x, y) of the screen, which for slerp lies on the scan line of a row. */
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, struct ref_lit *lit);
+/* The vertices' colours there, white where the scene has none: what of light at the pixel, or a matcap, they leave. */
+void ref_color(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double color[3]);
 /* The corners' weights at a point of the screen, in space or, under affine, on the screen. */
 void ref_weights(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double b[3]);
 /* U and V, in texels, there. */

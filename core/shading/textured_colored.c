@@ -1,0 +1,81 @@
+/*
+ * textured_colored.c - textures under light with colours, with colours of vertices and point lights: light at the
+ * corners has three channels, and a highlight, which texels do not multiply, three more.
+ */
+#include "../triangle/colored_texels.h"
+#include "shading.h"
+
+/* glow: at the corners. */
+static APART void draw_texels(const struct tile *t, const struct setup *s, const struct glow glow[3])
+{
+    const struct shares_setup *q = (const struct shares_setup *)s;
+    const struct sheen_mesh *mesh = s->draw->mesh;
+    struct texel_corners corners = {.texel_of = NULL};
+    const uint32_t triangle = shared_triangle_of(s, q->of);
+    struct corners at;
+
+    for (uint32_t k = 0; k < 3; k++)
+        at.normal[k] = mesh->uvs + 2 * mesh_index(mesh, 3 * triangle + k);
+    for (int i = 0; i < 2; i++) {
+        sheen_texels_of(&corners.place[i], s->draw, s->draw->tint.texture, &at, i);
+        sheen_mix_corners(&corners.place[i], q);
+    }
+    sheen_color_corners(&corners, q, glow);
+    sheen_colored_texels(t, s, &corners);
+}
+
+static void textured_colored_rows(const struct tile *t, const struct setup *s)
+{
+    const struct shares_setup *q = (const struct shares_setup *)s;
+    const uint32_t triangle = shared_triangle_of(s, q->of);
+    struct glow glow[3];
+
+    for (uint32_t k = 0; k < 3; k++)
+        sheen_vertex_glow(s->draw, 3 * (ptrdiff_t)mesh_index(s->draw->mesh, 3 * triangle + k), s->detail & SHARES_BACK,
+                          &glow[k]);
+    draw_texels(t, s, glow);
+}
+
+static void textured_flat_colored_rows(const struct tile *t, const struct setup *s)
+{
+    const struct shares_setup *q = (const struct shares_setup *)s;
+    struct glow glow[3];
+
+    sheen_polygon_glow(s->draw, (uint16_t)shared_triangle_of(s, q->of), s->detail & SHARES_BACK, &glow[0]);
+    glow[1] = glow[2] = glow[0];
+    draw_texels(t, s, glow);
+}
+
+static void shares_as(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                      void (*rows)(const struct tile *t, const struct setup *s))
+{
+    sheen_setup_shares((struct shares_setup *)s, c, g);
+    s->way = SHEEN_WAY_TEXTURED_QUOTIENT;
+    s->fast = 0;
+    s->rows = rows;
+}
+
+static void textured_colored_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    shares_as(s, c, g, textured_colored_rows);
+}
+
+static void textured_flat_colored_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+{
+    shares_as(s, c, g, textured_flat_colored_rows);
+}
+
+const struct sheen_shader sheen_textured_colored = {.begin = sheen_glow_begin,
+                                                    .carry = sheen_carry_shares,
+                                                    .setup = textured_colored_setup,
+                                                    .lights = LIGHTS_ALL,
+                                                    .needs_normals = 1,
+                                                    .needs_texture = 1,
+                                                    .needs_uvs = 1};
+
+const struct sheen_shader sheen_textured_flat_colored = {.begin = sheen_glow_begin,
+                                                         .carry = sheen_carry_shares,
+                                                         .setup = textured_flat_colored_setup,
+                                                         .lights = LIGHTS_ALL,
+                                                         .needs_texture = 1,
+                                                         .needs_uvs = 1};

@@ -1,0 +1,188 @@
+/*
+ * colored_texels.c - rows of texels with colours, by blocks: exact at their ends and middles, linear in between.
+ */
+#include <string.h>
+
+#include "../math/inverse.h"
+#include "colored_texels.h"
+
+/* Range: differences below 2^31 and shares that sum to 1.0. */
+void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
+{
+    const int32_t first = at->f[0], d1 = at->f[1] - first, d2 = at->f[2] - first;
+
+    for (int k = 0; k < 3 && (s->s.detail & SHARES_PIECE) != 0; k++) {
+        const int16_t *share = s->of.piece[k];
+        at->f[k] = first + sheen_mul_round(d1, share[0] + (share[0] >> 14), 15) +
+                   sheen_mul_round(d2, share[1] + (share[1] >> 14), 15);
+    }
+}
+
+void sheen_color_corners(struct texel_corners *c, const struct shares_setup *s, const struct glow glow[3])
+{
+    const struct draw *d = s->s.draw;
+    const uint32_t triangle = shared_triangle_of(&s->s, s->of);
+    uint32_t some = 0;
+
+    for (uint32_t k = 0; k < 3; k++) {
+        const uint8_t *color = d->mesh->colors;
+        if (color != NULL)
+            color += 3 * mesh_index(d->mesh, 3 * triangle + k);
+        for (int i = 0; i < 3; i++) {
+            const uint32_t base = glow[k].base[i];
+            c->channel[i].f[k] = (int32_t)(color != NULL ? by_colour(base, color[i]) : base);
+            c->channel[3 + i].f[k] = (int32_t)glow[k].highlight[i];
+            some |= glow[k].highlight[i];
+        }
+    }
+    c->channels = some != 0 ? 6 : 3;
+    for (unsigned i = 0; i < c->channels; i++)
+        sheen_mix_corners(&c->channel[i], s);
+}
+
+/* A triangle's rows on their way. */
+struct texel_rows {
+    const struct shares_setup *s;
+    const struct texel_corners *c;
+    struct colored_run run;
+};
+
+/* Of corners 1 and 2 at pixel (x, y) of the triangle, Q3.28: quotients (lecture, "Fixing Distortion"). */
+static inline void corner_shares(const struct shares *p, int32_t x, int32_t y, int32_t share[2])
+{
+    const struct inverse i = inverse_of(plane_at(&p->weight, x, y) | 1u);
+
+    for (int j = 0; j < 2; j++) /* a weight is below 1.0: i.up >= 2 */
+        share[j] = over(i, (int32_t)(plane_at(&p->part[j], x, y) << (i.up - 2)));
+}
+
+/* f, linear in space. share: UQ1.15. */
+static inline uint32_t channel_between(const struct at_corners *f, const int32_t share[2])
+{
+    return (uint32_t)f->f[0] +
+           2u * (uint32_t)(mul_16_32(share[0], f->f[1] - f->f[0]) + mul_16_32(share[1], f->f[2] - f->f[0]));
+}
+
+/* Of texel coordinates. share: Q3.28. Range: differences < 2^29. */
+static inline uint32_t texels_between(const struct at_corners *f, const int32_t share[2])
+{
+    return (uint32_t)f->f[0] + 4u * (uint32_t)(PRODUCT_FORM(high)(share[0] * 4, f->f[1] - f->f[0]) +
+                                               PRODUCT_FORM(high)(share[1] * 4, f->f[2] - f->f[0]));
+}
+
+/* At pixel (x, y) of the triangle, exactly. */
+static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t y, uint32_t value[TEXEL_VALUES])
+{
+    const struct texel_corners *c = r->c;
+    int32_t fine[2], share[2];
+    uint32_t n[3];
+
+    SHEEN_TAP(COLORED_END, 1);
+    corner_shares(&r->s->shares, x, y, fine);
+    for (int j = 0; j < 2; j++)
+        share[j] = max32(0, min32(asr32(fine[j] + (1 << 12), 13), 32768));
+    for (unsigned i = 0; i < c->channels; i++)
+        value[2 + i] = channel_between(&c->channel[i], share);
+    if (c->texel_of == NULL) {
+        value[0] = texels_between(&c->place[0], fine);
+        value[1] = texels_between(&c->place[1], fine);
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const int32_t *f = c->place[i].f;
+        n[i] = (uint32_t)(f[0] * 32768) + (uint32_t)(share[0] * (f[1] - f[0])) + (uint32_t)(share[1] * (f[2] - f[0]));
+    }
+    c->texel_of(r->s->s.draw->tint.texture, n, value);
+}
+
+#define LONGEST_PART 16 /* px */
+
+/* (to - from) / count, count 1..LONGEST_PART. */
+static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
+{
+    static const uint16_t part[LONGEST_PART + 1] = {
+        0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192,
+        7282, 6554, 5958,  5461,  5041,  4681,  4369,  4096}; /* 2^16 / count */
+    const int32_t difference = (int32_t)(to - from);
+
+    return (uint32_t)(count == 1 ? difference : mul_16_32(part[count], difference));
+}
+
+/*
+ * 1 where in a block's middle linear is off by more than 1/8 texel or 1/8 of a 64th of 1.0: in its halves it is off by a
+ * quarter of that.
+ */
+static int bends(const struct texel_rows *r, const uint32_t from[], const uint32_t middle[], const uint32_t end[],
+                 int32_t half, int32_t count)
+{
+    const uint32_t most[2] = {1u << 13, 1u << (r->s->s.draw->colour.unit - 3)};
+
+    for (unsigned i = 0; i < r->run.values; i++) {
+        const uint32_t linear = from[i] + (uint32_t)half * part_step(from[i], end[i], count);
+        if (magnitude32((int32_t)(middle[i] - linear)) > most[i > 1])
+            return 1;
+    }
+    return 0;
+}
+
+/* Pixels up to before the end, `count` farther on. */
+static void put_part(struct texel_rows *r, const uint32_t from[], const uint32_t end[], int32_t count)
+{
+    struct colored_run *run = &r->run;
+    uint32_t step[TEXEL_VALUES];
+
+    for (unsigned i = 0; i < run->values; i++)
+        step[i] = part_step(from[i], end[i], count);
+    run->count = count;
+    sheen_colored_run(*run, from, step);
+    run->offset += (uint32_t)count;
+    run->x += count;
+    run->z += (uint32_t)count * run->dz;
+}
+
+/* The row's last block ends in its last pixel: beyond, weights may be none. */
+static APART void colored_row(struct texel_rows *r, int32_t left)
+{
+    uint32_t from[TEXEL_VALUES], middle[TEXEL_VALUES], end[TEXEL_VALUES];
+    const int32_t y = r->run.y;
+
+    texel_values_at(r, r->run.x, y, from);
+    while (left > 1) {
+        const int32_t x = r->run.x;
+        int32_t to = min32(left - 1, LONGEST_PART), half;
+        texel_values_at(r, x + to, y, end);
+        for (half = to / 2; half > 0; half = to / 2) {
+            texel_values_at(r, x + half, y, middle);
+            if (!bends(r, from, middle, end, half, to))
+                break;
+            memcpy(end, middle, sizeof end);
+            to = half;
+        }
+        if (half > 0) {
+            put_part(r, from, middle, half);
+            put_part(r, middle, end, to - half);
+        } else {
+            put_part(r, from, end, to);
+        }
+        memcpy(from, end, sizeof from);
+        left -= to;
+    }
+    put_part(r, from, from, 1);
+}
+
+void sheen_colored_texels(const struct tile *t, const struct setup *s, const struct texel_corners *c)
+{
+    struct texel_rows r = {(const struct shares_setup *)s, c, {.t = t, .d = s->draw, .values = 2 + c->channels}};
+
+    r.run.dz = s->depth.dx;
+    for (unsigned row = 0; row < t->rows; row++) {
+        const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row, left = t->spans[row].x1 - x;
+        if (left <= 0)
+            continue;
+        r.run.x = x;
+        r.run.y = y;
+        r.run.offset = tile_offset(t, x, y);
+        r.run.z = plane_at(&s->depth, x, y);
+        colored_row(&r, left);
+    }
+}

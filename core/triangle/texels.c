@@ -1,0 +1,19 @@
+/*
+ * texels.c - where in a texture a triangle's corners lie.
+ */
+#include "texels.h"
+
+/* Near 0 quotients are fine. */
+void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
+                     const struct corners *c, int i)
+{
+    const unsigned size = i == 0 ? t->width_log2 : t->height_log2, clamp = i == 0 ? t->clamp_u : t->clamp_v;
+    const unsigned up = 16 - d->mesh->uv_bits + size; /* 1..25 */
+    const int32_t own = c->normal[0][i];
+    uint32_t first = ((uint32_t)own << up) + ((uint32_t)d->mesh->uv_offset[i] << size);
+
+    if (!clamp)
+        first &= (1u << (16 + size)) - 1;
+    for (int k = 0; k < 3; k++)
+        at->f[k] = (int32_t)(first + BORDER_BIAS + ((uint32_t)(c->normal[k][i] - own) << up));
+}
