@@ -25,9 +25,11 @@ enum {
     TEXTURED = SHEEN_SHADINGS,
     MATCAP,  /* of the pixel or of vertices, by mesh and view */
     COLORED, /* flat or Gouraud, likewise */
+    TEXTURED_FLAT,
     SHADINGS
 };
-static const char *const shading_name[SHADINGS] = {"flat", "gouraud", "phong", "slerp", "texture", "matcap", "colored"};
+static const char *const shading_name[SHADINGS] = {"flat",    "gouraud", "phong",   "slerp",
+                                                   "texture", "matcap",  "colored", "texflat"};
 
 /* What a draw has besides, all shadings alike. */
 enum beside {
@@ -49,12 +51,23 @@ static const char *const lights_name[] = {"view", "tints", "points"};
 
 static const char *const edging_name[SHEEN_EDGINGS] = {"", "smooth ", "outline ", "wire "};
 
+enum ramp {
+    RAMP_NONE,
+    RAMP_HALF,
+    RAMP_TOON,
+    RAMP_GAMMA,
+    RAMPS
+};
+static const char *const ramp_name[RAMPS] = {"", "half ", "toon ", "gamma "};
+
 /* What is drawn. */
 struct scene {
     int mesh, shading, view, format;
-    int beside, lights;
+    int beside, lights, ramp;
     unsigned edging;
-    uint16_t weight; /* of another frame */
+    uint16_t weight;      /* of another frame */
+    uint8_t orthographic; /* 1: drawn so */
+    uint8_t mixed;        /* 1: a texture is bilinear in all views, with a key but for matcaps */
 };
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -86,7 +99,7 @@ static uint32_t checksum(const uint8_t *bytes, size_t count)
  */
 #define VIEWS 5
 
-static void set_view(int number, struct sheen_view *view, struct sheen_object *draw)
+static void set_view(int number, int orthographic, struct sheen_view *view, struct sheen_object *draw)
 {
     static const struct sheen_light behind = {.to = {-0x20000000, 0x18000000, -0x2ccccccd}, .intensity = 65536};
     static const struct sheen_light lights[3] = {
@@ -99,6 +112,8 @@ static void set_view(int number, struct sheen_view *view, struct sheen_object *d
     view->affine = number == 1 || number == 4;
     if (number == 4)
         view->fov = 0x02000000;
+    if (orthographic)
+        view->orthographic = 0x02d00000;
     if (number == 2)
         view->viewport = (struct sheen_rect){8, 5, 88, 71};
     draw->lights = number == 3 ? &behind : lights;
@@ -121,11 +136,16 @@ static int set_material(struct sheen_material *material, struct sheen_shine *shi
     return sheen_shine_make(shine, shininess[view]);
 }
 
-/* x and y are u and v; a view has texels of 16, 8, 4 bits, bilinear, with a key, or held at the edges. */
-static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, int larger, int view)
+/*
+ * x and y are u and v; a view has texels of 16, 8, 4 bits, bilinear, with a key, or held at the edges, as a bilinear
+ * matcap has to be.
+ */
+static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, const struct scene *s)
 {
     static const uint16_t palette[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0xf81f, 0x07ff,
                                          0x8410, 0xc618, 0x8000, 0x0400, 0x0010, 0x8400, 0xfc00, 0x2945};
+    const int view = s->view, larger = (s->mesh == 1 && view == 3) || (s->mesh == 2 && view == 0);
+    const int held = s->shading == MATCAP && (view == 3 || s->mixed);
     static int16_t uvs[2 * 1400];
     static uint16_t wide[128 * 64];
     static uint8_t byte[128 * 64];
@@ -146,11 +166,11 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     texture->bits = view == 1 ? 4 : view == 2 ? 8 : 16;
     if (texture->bits == 16)
         texture->texels = wide;
-    texture->bilinear = view == 3;
-    texture->keyed = view == 2;
+    texture->bilinear = view == 3 || s->mixed;
+    texture->keyed = view == 2 || (s->mixed && s->shading != MATCAP);
     texture->key = 0xf800;
-    texture->clamp_u = view == 1;
-    texture->clamp_v = view == 4;
+    texture->clamp_u = view == 1 || held;
+    texture->clamp_v = view == 4 || held;
 }
 
 /* Each vertex by where it is. */
@@ -284,20 +304,33 @@ static const struct sheen_shader *shader_of(const struct scene *s)
         return (s->mesh + s->view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored;
     if (s->shading == MATCAP)
         return (s->mesh + s->view) % 3 == 2 ? &sheen_matcap_vertex : &sheen_matcap;
+    if (s->shading == TEXTURED_FLAT)
+        return &sheen_textured_flat;
     return s->shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)s->shading);
 }
 
-/* Of a texture by mesh: in its colours, white, none. */
-static void light_texels(struct sheen_material *material, int mesh)
+/* Of a texture by mesh: in its colours, white, none (lit a polygon: white). */
+static void light_texels(struct sheen_material *material, const struct scene *s)
 {
-    if (mesh == SUM_BALL)
+    if (s->mesh == SUM_BALL)
         return;
     for (int k = 0; k < 3; k++)
         material->base[k] = material->highlight[k] = 255;
-    if (mesh == SUM_BOX) {
+    if (s->mesh == SUM_BOX && s->shading != TEXTURED_FLAT) {
         material->ambient = SHEEN_Q16(1);
         material->diffuse = material->specular = 0;
     }
+}
+
+static int set_ramp(struct sheen_material *material, int ramp)
+{
+    static struct sheen_ramp gamma;
+
+    material->ramp = ramp == RAMP_HALF   ? &sheen_ramp_half
+                     : ramp == RAMP_TOON ? &sheen_ramp_toon
+                     : ramp == RAMP_NONE ? NULL
+                                         : &gamma;
+    return ramp == RAMP_GAMMA ? sheen_ramp_make_gamma(&gamma, material->ambient, material->diffuse) : SHEEN_OK;
 }
 
 /* Two frames, the second turned on, so that what is sent is what changed. */
@@ -308,7 +341,7 @@ static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct 
 
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         struct sheen_view view;
-        set_view(s->view, &view, draw);
+        set_view(s->view, s->orthographic, &view, draw);
         add_beside(&view, draw, s->beside, s->view);
         if (s->lights != LIGHTS_WHITE)
             color_lights(&view, draw, material, s->lights, s->view);
@@ -356,7 +389,9 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
         status = set_material(&material, &shine, s->view);
     material.texture = texture;
     if (texture != NULL)
-        light_texels(&material, s->mesh);
+        light_texels(&material, s);
+    if (status == SHEEN_OK)
+        status = set_ramp(&material, s->ramp);
     draw->material = &material;
     return status == SHEEN_OK ? draw_frames(frame, s, draw, &material, way, dither) : status;
 }
@@ -368,12 +403,12 @@ static int print_sums(const struct scene *s)
     const struct sheen_morph morph = {&second, &sheen_morpher, s->weight};
     struct sheen_texture texture;
     struct sheen_object draw = {.mesh = &own, .shader = shader_of(s), .edges = sheen_edges_of(s->edging)};
-    const int textured = s->shading == TEXTURED || s->shading == MATCAP;
+    const int textured = s->shading == TEXTURED || s->shading == TEXTURED_FLAT || s->shading == MATCAP;
 
     if (s->shading == COLORED)
         paint_vertices(&own);
     if (textured)
-        hang_texture(&own, &texture, (s->mesh == 1 && s->view == 3) || (s->mesh == 2 && s->view == 0), s->view);
+        hang_texture(&own, &texture, s);
     if (s->weight != 0) {
         make_second(&own, &second);
         draw.morph = &morph;
@@ -388,10 +423,11 @@ static int print_sums(const struct scene *s)
                     shading_name[s->shading], s->view, format_name[s->format], way->rows, sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s %s %d %s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
+        printf("%-5s %-7s %s %d %s%s%s%s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
                s->lights == LIGHTS_WHITE && s->weight != 0 ? "morph" : lights_name[s->lights], s->view,
-               beside_name[s->beside], edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ",
-               way->rows, (unsigned)checksum(picture, sizeof picture));
+               s->orthographic ? "ortho " : "", s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside],
+               edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
+               (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
 }
@@ -414,7 +450,7 @@ static int shadings(void)
 
     for (int i = 0; i < SUM_MESHES * SHEEN_SHADINGS && status == SHEEN_OK; i++)
         status = plain(i % SHEEN_SHADINGS, i / SHEEN_SHADINGS);
-    for (int i = 0; i < SUM_MESHES * (SHADINGS - SHEEN_SHADINGS) && status == SHEEN_OK; i++)
+    for (int i = 0; i < SUM_MESHES * (COLORED + 1 - SHEEN_SHADINGS) && status == SHEEN_OK; i++)
         status = plain(SHEEN_SHADINGS + i / SUM_MESHES, i % SUM_MESHES);
     return status;
 }
@@ -439,10 +475,10 @@ static int morphs(void)
 {
     int status = SHEEN_OK;
 
-    for (int i = 0; i < SUM_MESHES * SHADINGS && status == SHEEN_OK; i++)
-        status = print_sums(&(struct scene){.mesh = i / SHADINGS,
-                                            .shading = i % SHADINGS,
-                                            .view = (i + i / SHADINGS) % VIEWS,
+    for (int i = 0; i < SUM_MESHES * (COLORED + 1) && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = i / (COLORED + 1),
+                                            .shading = i % (COLORED + 1),
+                                            .view = (i + i / (COLORED + 1)) % VIEWS,
                                             .format = i * 2 % 5,
                                             .weight = (uint16_t)(5000 + 1000 * i)});
     return status;
@@ -485,9 +521,98 @@ static int own_lights(void)
     return status;
 }
 
+/* Mesh, format and beside by shading and view, so that they meet in most ways. */
+static struct scene varied(int shading, int view)
+{
+    const int sum = shading + view;
+
+    return (struct scene){.mesh = (shading + 2 * view) % SUM_MESHES,
+                          .shading = shading,
+                          .view = view,
+                          .format = sum % 2 == 0 ? SHEEN_RGB565_BE : 1 + (shading + sum / 2) % 4,
+                          .beside = (sum + view / 2) % BESIDES};
+}
+
+/* Textures lit a polygon, and what the loops above leave out under fog and stipple. */
+static int flat_texels(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SUM_MESHES * VIEWS && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){
+            .mesh = i / VIEWS, .shading = TEXTURED_FLAT, .view = i % VIEWS, .format = i % 2 == 0 ? i / 2 % 5 : 0});
+    for (int i = 0; i < 2 * VIEWS * (BESIDES - 1) && status == SHEEN_OK; i++) {
+        struct scene s = varied(COLORED + i % 2, i / 2 % VIEWS);
+        s.beside = 1 + i / (2 * VIEWS);
+        s.mesh = (s.mesh + s.beside) % SUM_MESHES;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
+static int bilinear_texels(void)
+{
+    static const int shading[3] = {TEXTURED, TEXTURED_FLAT, MATCAP};
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 3 * VIEWS && status == SHEEN_OK; i++) {
+        struct scene s = varied(shading[i % 3], i / 3);
+        s.mixed = 1;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
+/* Every shading that has light at every ramp; texels of a box have no light. */
+static int ramps(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SHADINGS * VIEWS && status == SHEEN_OK; i++) {
+        struct scene s = varied(i % SHADINGS, i / SHADINGS);
+        s.ramp = 1 + (s.shading + s.view) % (RAMPS - 1);
+        if (s.shading == TEXTURED)
+            s.mesh %= SUM_BOX;
+        if (s.shading != MATCAP)
+            status = print_sums(&s);
+    }
+    return status;
+}
+
+static int orthographic(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < SHADINGS * VIEWS && status == SHEEN_OK; i++) {
+        struct scene s = varied(i % SHADINGS, i / SHADINGS);
+        s.orthographic = 1;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
+/* Points and tints with what stands above. */
+static int own_lights_besides(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 2 * VIEWS && status == SHEEN_OK; i++) {
+        struct scene s = varied(COLORED, i / 2);
+        s.lights = i % 2 == 0 ? LIGHTS_COLORED : LIGHTS_AT;
+        s.mesh = i % SUM_MESHES;
+        s.beside = 1 + i % (BESIDES - 1);
+        s.ramp = i % 3 == 0 ? RAMP_HALF : RAMP_NONE;
+        s.orthographic = i % 4 == 3;
+        s.weight = i % 5 == 4 ? 20000 : 0;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
 int main(void)
 {
-    static int (*const part[])(void) = {shadings, besides, morphs, with_edges, own_lights};
+    static int (*const part[])(void) = {shadings,    besides,         morphs, with_edges,   own_lights,
+                                        flat_texels, bilinear_texels, ramps,  orthographic, own_lights_besides};
 
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (part[i]() < 0)
