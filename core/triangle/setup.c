@@ -123,7 +123,7 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
     if (to.row >= to.end)
         return 0;
     s->right = (uint8_t)sheen_edges_begin(s->edge, at, &to, spans);
-    s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0;
+    s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0 || screen->again > 0;
     if (s->beyond)
         sheen_clip_spans(spans, (unsigned)(to.end - to.row), rect);
     c->flat = !sheen_gradients(g, at[0].x, at[0].y);
