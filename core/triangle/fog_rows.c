@@ -12,17 +12,16 @@
 
 /*
  * Along a run: `left` is what of the colour is left, UQ2.30, and `apart` what the fog's level has more than a channel,
- * with the draw's fraction.
+ * with the draw's fraction, as int32_t; unsigned, as the step behind a run's last pixel may leave these.
  */
 struct fog_at {
-    uint32_t z;
-    int32_t left, apart[3];
+    uint32_t z, left, apart[3];
 };
 
 /* A channel under fog, 24 fraction bits. Range: |apart| < 2^16 with 10 of them, so the product is below 2^30. */
-SPECIALISED uint32_t under_fog(uint32_t level, int32_t apart, int32_t share)
+SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share)
 {
-    return level - (uint32_t)(asr32(apart, LOOP_FRACTION - 10) * share);
+    return level - (uint32_t)(asr32((int32_t)apart, LOOP_FRACTION - 10) * share);
 }
 
 /* 565, nothing to clamp. even: of one colour. */
@@ -38,7 +37,7 @@ SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t 
     do {
         if (nearer(t, depth, at.z)) {
             const uint32_t up = threshold == NULL ? 0 : (uint32_t)threshold[x & 7u] << 17;
-            const int32_t share = asr32(at.left, 16);
+            const int32_t share = asr32((int32_t)at.left, 16);
             *pixel_at(depth, to_pixel) =
                 fast_pixel(under_fog(r, at.apart[0], share) + up, under_fog(g, at.apart[1], share) + up,
                            under_fog(b, at.apart[2], share) + up, 24, swap);
@@ -69,9 +68,9 @@ static void fog_steps(const struct linear_setup *l, struct fog_at *step)
 
     step->z = l->s.depth.dx;
     const int32_t left = mul_16_32(fog->scale, (int32_t)l->s.depth.dx);
-    step->left = fog->shift < 16 ? (int32_t)((uint32_t)left << (16 - fog->shift)) : asr32(left, fog->shift - 16u);
+    step->left = fog->shift < 16 ? (uint32_t)left << (16 - fog->shift) : (uint32_t)asr32(left, fog->shift - 16u);
     for (int k = 0; k < 3; k++)
-        step->apart[k] = (int32_t)(0u - l->channel[k].dx);
+        step->apart[k] = 0u - l->channel[k].dx;
 }
 
 /* From (x, y) on; 1 where neither fog's share nor a channel has to be held in its range over `last` px more. */
@@ -85,10 +84,10 @@ static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t l
                 within(near - (z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
 
     at->z = z;
-    at->left = (int32_t)((1u << 30) - ((uint32_t)fog->start - (z >> fog->shift)) * fog->scale);
+    at->left = (1u << 30) - ((uint32_t)fog->start - (z >> fog->shift)) * fog->scale;
     for (int k = 0; k < 3; k++) {
         const uint32_t channel = plane_at(&l->channel[k], x, y);
-        at->apart[k] = (int32_t)(((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - channel);
+        at->apart[k] = ((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - channel;
         clear &= within(channel, channel + (uint32_t)last * l->channel[k].dx, d->colour.top[k]);
     }
     return clear;
