@@ -12,19 +12,22 @@ struct packed_at {
     struct packed colour;
 };
 
-/* Without dither rounding is in the words. */
+/* Without dither rounding is in the words. seen: nothing is made of a colour before its pixel is seen. */
 struct packed_way {
     intptr_t to_pixel;
-    unsigned dither, swap;
+    unsigned dither, swap, seen;
 };
 
 SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
                               const struct packed_way *way, const threshold_t *thresholds)
 {
     if (nearer(t, depth, at->z)) {
+        struct packed colour = at->colour;
+        if (way->seen)
+            OPAQUE(colour.red_blue);
         *pixel_at(depth, way->to_pixel) =
-            way->dither ? dithered_565(t, depth, at->colour, threshold_pair(thresholds, depth), way->swap)
-                        : packed_565(at->colour, way->swap);
+            way->dither ? dithered_565(t, depth, colour, threshold_pair(thresholds, depth), way->swap)
+                        : packed_565(colour, way->swap);
     }
     at->z += step->z;
     at->colour.red_blue += step->colour.red_blue;

@@ -17,48 +17,82 @@ SPECIALISED void swap_depth(uint16_t *depth, uint16_t *kept, int back)
     }
 }
 
-/* count px, 8 apart. */
-SPECIALISED uint16_t *swap_column(uint16_t *depth, uint16_t *kept, int32_t count, int back)
+SPECIALISED void swap_four(uint16_t *depth, uint16_t *kept, int32_t apart, int back)
 {
-    for (; count >= 4; count -= 4, depth += 32, kept += 4) {
-        swap_depth(depth, kept, back);
-        swap_depth(depth + 8, kept + 1, back);
-        swap_depth(depth + 16, kept + 2, back);
-        swap_depth(depth + 24, kept + 3, back);
+    swap_depth(depth, kept, back);
+    swap_depth(depth + apart, kept + 1, back);
+    swap_depth(depth + 2 * apart, kept + 2, back);
+    swap_depth(depth + 3 * apart, kept + 3, back);
+}
+
+/* count px, `apart` px from one to the next. */
+SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, int32_t count, int32_t apart, int back)
+{
+    const int32_t group = FAST_LOOPS && apart == 2 ? 8 : 4;
+
+    for (count -= group; count >= 0; count -= group) {
+        swap_four(depth, kept, apart, back);
+        if (group == 8)
+            swap_four(depth + 4 * apart, kept + 4, apart, back);
+        depth += group * apart;
+        kept += group;
+        OPAQUE(depth); /* one address for all */
+        OPAQUE(kept);
+        OPAQUE(count);
     }
-    for (; count > 0; count--, depth += 8, kept++)
-        swap_depth(depth, kept, back);
+    for (count += group; count > 0; count--, depth += apart)
+        swap_depth(depth, kept++, back);
     return kept;
 }
 
-/* What a row leaves out of `width` px from `depth` on; left_out: a bit a px of 8, again and again. */
-SPECIALISED uint16_t *swap_row(uint16_t *depth, uint16_t *kept, int32_t width, uint32_t left_out, int back)
+/* Of a half: every second pixel, those at odd columns where `odd` is. */
+SPECIALISED uint16_t *swap_second(uint16_t *line, uint16_t *kept, struct span span, uint32_t odd, int back)
 {
+    const int32_t x = span.x0 + (int32_t)(((uint32_t)span.x0 + odd) & 1u);
+
+    return swap_every(line + x, kept, (span.x1 - x + 1) >> 1, 2, back);
+}
+
+/* left_out: a bit a column. */
+SPECIALISED uint16_t *swap_any(uint16_t *line, uint16_t *kept, struct span span, uint32_t left_out, int back)
+{
+    const int32_t turn = span.x0 & 7, width = span.x1 - span.x0;
+    uint16_t *depth = line + span.x0;
+
+    left_out = (left_out | left_out << 8) >> turn & 0xffu; /* from the first pixel on, again and again */
     if (width > 16) {
-        left_out &= 0xffu;
         for (int32_t x = 0; left_out != 0; x++, left_out >>= 1)
             if (left_out & 1u)
-                kept = swap_column(depth + x, kept, (width + 7 - x) >> 3, back);
+                kept = swap_every(depth + x, kept, (width + 7 - x) >> 3, 8, back);
         return kept;
     }
-    SHEEN_TAP(NARROW, back ? 0 : width);
-    for (const uint16_t *end = depth + width; depth != end; depth++, left_out = left_out >> 1 | left_out << 31)
-        if (left_out & 1u)
-            swap_depth(depth, kept++, back);
+    SHEEN_TAP(NARROW, back || left_out == 0 ? 0 : width);
+    left_out |= left_out << 8;
+    for (int32_t x = 0; x < width; x++)
+        if (left_out >> x & 1u)
+            swap_depth(depth + x, kept++, back);
     return kept;
 }
 
 SPECIALISED void swap_rows(struct stippled_rows *r, const struct tile *t, const struct draw *d, int back)
 {
-    const struct span *span = r->span;
-    uint16_t *kept = r->depth, *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
+    const struct span *span = r->span, *end = span + t->rows;
+    const int32_t pitch = t->pitch;
+    uint16_t *kept = r->depth, *line = t->depth + (t->first_row - t->rect.y0) * pitch - t->rect.x0;
+    uint32_t y = (uint32_t)t->first_row;
 
-    for (int32_t y = t->first_row, end = y + (int32_t)t->rows; y < end; y++, span++, line += t->pitch) {
-        const uint32_t left_out = 0x01010101u * d->left_out[y & 7], turn = (uint32_t)span->x0 & 7u;
-        SHEEN_TAP(STRIP_ROW, !back);
-        if (left_out != 0)
-            kept = swap_row(line + span->x0, kept, span->x1 - span->x0, left_out >> turn | left_out << (31 - turn) << 1,
-                            back);
+    SHEEN_TAP(STRIP_ROW, back ? 0 : t->rows);
+    if (d->stippled == STIPPLED_SECOND) {
+        y += d->left_out[0] + 1u;
+        do {
+            kept = swap_second(line, kept, *span, y++, back);
+            line += pitch;
+        } while (++span != end);
+    } else {
+        do {
+            kept = swap_any(line, kept, *span, d->left_out[y++ & 7u], back);
+            line += pitch;
+        } while (++span != end);
     }
     SHEEN_TAP(HIDDEN, back ? 0 : kept - r->depth);
 }
@@ -66,38 +100,30 @@ SPECIALISED void swap_rows(struct stippled_rows *r, const struct tile *t, const 
 /* Columns at a time: rows of them have room, and of cells some. */
 static int32_t strip_of(const struct setup *s)
 {
-    const int32_t half = s->draw->stippled == STIPPLED_HALF;
+    const int32_t half = s->draw->stippled != STIPPLED_MORE;
 
     return s->way == SHEEN_WAY_PHONG_CELLS ? 16 << half : KEPT_DEPTHS << half;
 }
 
-/* Depths that a row may leave out, at the most. */
-static int32_t kept_of(const struct draw *d, int32_t width, unsigned left_out)
+/* The next rows of the columns x to before x1, one below the other, as many as there is room for; returns how many. */
+static unsigned take_rows(struct stippled_rows *r, struct tile *t, const struct draw *d, int32_t x, int32_t x1)
 {
-    if (left_out == 0)
-        return 0;
-    return d->stippled == STIPPLED_HALF ? (width + 1) >> 1 : width;
-}
+    const int32_t half = d->stippled != STIPPLED_MORE;
+    const struct span *whole = r->whole + r->row, *end = whole + min32((int32_t)(r->rows - r->row), STIPPLED_ROWS);
+    struct span *span = r->span;
+    int32_t room = KEPT_DEPTHS, y = r->first_row + (int32_t)r->row;
 
-/* The next rows of the strip, one below the other, as many as there is room for. */
-static unsigned take_rows(struct stippled_rows *r, struct tile *t, const struct setup *s, int32_t strip)
-{
-    int32_t room = KEPT_DEPTHS;
-    unsigned count = 0;
-
-    t->first_row = (int16_t)(r->first_row + (int32_t)r->row);
-    for (; r->row < r->rows && count < STIPPLED_ROWS; r->row++) {
-        const struct span whole = r->whole[r->row];
-        struct span span = {(int16_t)max32(whole.x0, r->x), (int16_t)min32(whole.x1, r->x + strip)};
-        const unsigned left_out = s->draw->left_out[(t->first_row + (int32_t)count) & 7];
-        if (left_out == 0xffu || span.x0 >= span.x1)
-            span.x1 = span.x0;
-        room -= kept_of(s->draw, span.x1 - span.x0, left_out);
+    t->first_row = (int16_t)y;
+    for (; whole != end; whole++, span++, y++) {
+        const int32_t from = max32(whole->x0, x);
+        const int32_t to = half == 0 && d->left_out[y & 7] == 0xffu ? from : max32(min32(whole->x1, x1), from);
+        room -= (to - from + half) >> half;
         if (room < 0)
             break;
-        r->span[count++] = span;
+        *span = (struct span){(int16_t)from, (int16_t)to};
     }
-    return count;
+    r->row = (unsigned)(whole - r->whole);
+    return (unsigned)(span - r->span);
 }
 
 static void take_triangle(struct stippled_rows *r, const struct tile *t)
@@ -138,7 +164,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
         t->thresholds = sheen_thresholds;
         return 0;
     }
-    t->rows = (uint16_t)take_rows(r, t, s, strip);
+    t->rows = (uint16_t)take_rows(r, t, s->draw, r->x, r->x + strip);
     SHEEN_TAP(STRIP, 1);
     swap_rows(r, t, s->draw, 0);
     return 1;
@@ -155,7 +181,7 @@ static int stipple_begin(struct draw *d, const struct sheen_object *o)
             columns |= (unsigned)(sheen_thresholds[y][(x + o->phase) & 7u] > 2u * (64u - o->transparency)) << x;
         d->left_out[y] = (uint8_t)columns;
     }
-    d->stippled = o->transparency > 32 ? STIPPLED_MORE : STIPPLED_HALF;
+    d->stippled = o->transparency > 32 ? STIPPLED_MORE : o->transparency == 32 ? STIPPLED_SECOND : STIPPLED_HALF;
     if (d->dither)
         take_general_loops(d);
     return SHEEN_OK;

@@ -11,9 +11,10 @@
 struct sheen_shader;
 struct fog_terms;
 
-/* Pixels that a draw leaves out: none, half of every row's at the most, or more. */
+/* Pixels that a draw leaves out: none, every second one, half of every row's at the most, or more. */
 enum stippled {
     STIPPLED_NOT,
+    STIPPLED_SECOND,
     STIPPLED_HALF,
     STIPPLED_MORE
 };
