@@ -32,7 +32,7 @@ void sheen_part_of_square(const struct tile *t, const struct square_line *l, int
 SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
                               const struct packed_way *way, const threshold_t *thresholds)
 {
-    packed_pixel(t, depth, at, step, way, thresholds);
+    packed_pixel(t, depth, at, step, way, thresholds, !way->dither);
     OPAQUE(at->z);
     OPAQUE(at->colour.red_blue);
     OPAQUE(at->colour.green);
@@ -42,7 +42,7 @@ SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, struct pack
 SPECIALISED void squares_run(const struct tile *t, const struct square_line *l, int32_t x, int32_t count, int32_t y,
                              unsigned dither)
 {
-    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = 1, .seen = !dither};
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = 1};
     const threshold_t *thresholds = t->dither_rows[y & 7];
     const struct square_corner *corner = l->corner + ((x - l->x) >> 2);
     struct packed_at at = {plane_at(l->depth, x, y), side_at(corner, y)}, step = {l->depth->dx, {0, 0}};

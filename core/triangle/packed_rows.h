@@ -12,22 +12,22 @@ struct packed_at {
     struct packed colour;
 };
 
-/* Without dither rounding is in the words. seen: nothing is made of a colour before its pixel is seen. */
+/* Without dither rounding is in the words. */
 struct packed_way {
     intptr_t to_pixel;
-    unsigned dither, swap, seen;
+    unsigned dither, swap;
 };
 
+/* late: nothing is made of the colour before the pixel is seen. */
 SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
-                              const struct packed_way *way, const threshold_t *thresholds)
+                              const struct packed_way *way, const threshold_t *thresholds, unsigned late)
 {
     if (nearer(t, depth, at->z)) {
-        struct packed colour = at->colour;
-        if (way->seen)
-            OPAQUE(colour.red_blue);
+        if (late)
+            OPAQUE(at->colour.red_blue);
         *pixel_at(depth, way->to_pixel) =
-            way->dither ? dithered_565(t, depth, colour, threshold_pair(thresholds, depth), way->swap)
-                        : packed_565(colour, way->swap);
+            way->dither ? dithered_565(t, depth, at->colour, threshold_pair(thresholds, depth), way->swap)
+                        : packed_565(at->colour, way->swap);
     }
     at->z += step->z;
     at->colour.red_blue += step->colour.red_blue;
@@ -41,7 +41,7 @@ SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, int32_t count
     const uint16_t *end = depth + count;
 
     do
-        packed_pixel(t, depth, &at, &step, &way, thresholds);
+        packed_pixel(t, depth, &at, &step, &way, thresholds, 0);
     while (++depth != end);
 }
 
