@@ -137,6 +137,14 @@ void accuracy_ortho(struct ref_scene *scene)
     scene->affine = false; /* the same there */
 }
 
+static enum sheen_pixel format_of(int levels)
+{
+    return levels == 0   ? SHEEN_RGB565_BE
+           : levels == 2 ? SHEEN_GREY2
+           : levels < 17 ? SHEEN_GREY16
+                         : SHEEN_GREY256;
+}
+
 static int shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
                  const struct sheen_mesh *mesh, const struct sheen_morph *morph, unsigned way)
 {
@@ -145,7 +153,7 @@ static int shoot(struct accuracy_shot *shot, const struct ref_scene *scene, cons
 
     if (scene->width * scene->height > ACCURACY_PIXELS)
         return SHEEN_ERR_ARGUMENT;
-    if (memory_target_init(&target, scene->width, scene->height, SHEEN_RGB565_BE) != 0)
+    if (memory_target_init(&target, scene->width, scene->height, format_of(scene->levels)) != 0)
         return SHEEN_ERR_MEMORY;
     if (morph)
         status = core_draw_between(&target.target, scene, mesh, morph, 16, &shot->stats);

@@ -10,7 +10,7 @@
 #define ACCURACY_SHAPES 8
 #define ACCURACY_VIEWS 3
 
-/* The limits of README, "How close the integers come". Shares are of the compared pixels. */
+/* The limits that README's accuracy stands on; shares are of the compared pixels. */
 struct accuracy_limit {
     double equal, within_one;
     int worst; /* steps of a channel */
@@ -46,7 +46,7 @@ void accuracy_ortho(struct ref_scene *scene);
 struct accuracy_shot {
     struct ref_score score;
     struct core_stats stats;
-    uint16_t values[ACCURACY_PIXELS]; /* 565, row by row */
+    uint16_t values[ACCURACY_PIXELS]; /* 565 or the scene's grey levels, row by row */
 };
 
 /* Draw the scene, of which `picture` is the reference's, by the core; way as in struct sheen_object. 0 or negative. */

@@ -150,16 +150,19 @@ static bool comparable(const struct ref_scene *scene, const struct ref_picture *
     return high <= low * (1 + DEPTH_JUMP);
 }
 
-static int steps_apart(uint16_t a, uint16_t b)
+static int steps_apart(int levels, uint16_t a, uint16_t b)
 {
+    if (levels)
+        return abs(a - b);
     int r = abs((a >> 11) - (b >> 11)), g = abs((a >> 5 & 63) - (b >> 5 & 63)), l = abs((a & 31) - (b & 31));
 
     return r > g ? (r > l ? r : l) : g > l ? g : l;
 }
 
-static void judge(struct ref_score *score, const struct ref_pixel *pixel, uint16_t value, int x, int y, double bound)
+static void judge(struct ref_score *score, const struct ref_scene *scene, const struct ref_pixel *pixel, uint16_t value,
+                  int x, int y, double bound)
 {
-    int apart = steps_apart(pixel->value, value);
+    int apart = steps_apart(scene->levels, pixel->value, value);
 
     score->compared++;
     score->equal += apart == 0;
@@ -236,7 +239,7 @@ int ref_compare(struct ref_score *score, const struct ref_scene *scene, const st
                 continue;
             score->comparable++;
             if (settled(scene, picture, pixel, x, y, &bound))
-                judge(score, pixel, values[y * picture->width + x], x, y, bound);
+                judge(score, scene, pixel, values[y * picture->width + x], x, y, bound);
         }
     }
     free(surface);

@@ -44,16 +44,22 @@ static double grey_of(const double color[3])
     return 0.2126 * clamp01(color[0]) + 0.7152 * clamp01(color[1]) + 0.0722 * clamp01(color[2]);
 }
 
-double ref_fog_share(const struct ref_scene *scene, double m)
+double ref_nearness(const struct ref_scene *scene, double m)
+{
+    const double near = scene->near, far = scene->far;
+
+    return scene->ortho ? (far - m) / (far - near) : (1 / m - 1 / far) / (1 / near - 1 / far);
+}
+
+double ref_fog_share(const struct ref_scene *scene, double z)
 {
     double from = scene->fog_from, to = scene->fog_to, near = scene->near, far = scene->far;
-    double nearer = (double)scene->bias / REF_STEPS;
+    double weight = 1 / far + z * (1 / near - 1 / far);
 
     if (!scene->fog)
         return 0;
     if (scene->ortho || scene->fog_in_m)
-        return clamp01((fmin(fmax(m - nearer * (far - near), near), far) - from) / (to - from));
-    double weight = fmin(fmax(1 / m + nearer * (1 / near - 1 / far), 1 / far), 1 / near);
+        return clamp01(((scene->ortho ? far - z * (far - near) : 1 / weight) - from) / (to - from));
     return clamp01((1 / from - weight) / (1 / from - 1 / to));
 }
 

@@ -128,6 +128,9 @@ static void to_screen(const struct ref_scene *scene, const struct corner *c, str
     piece->y[k] = scene->height / 2.0 - f * c->eye[1] / by;
     piece->w[k] = scene->ortho ? 1 : 1 / m;
     piece->depth[k] = scene->ortho ? -m : 1 / m;
+    piece->z[k] = ref_nearness(scene, m);
+    if (scene->bias != 0)
+        piece->z[k] = fmin(fmax(piece->z[k] + (double)scene->bias / REF_STEPS, 0), 1);
     memcpy(piece->normal[k], c->normal, sizeof piece->normal[k]);
     piece->lit[k] = c->lit;
     memcpy(piece->color[k], c->color, sizeof piece->color[k]);

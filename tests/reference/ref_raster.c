@@ -58,14 +58,10 @@ static double screen_linear(const struct ref_piece *p, const double at[3], doubl
     return (edge(p, 1, 2, x, y) * at[0] + edge(p, 2, 0, x, y) * at[1] + edge(p, 0, 1, x, y) * at[2]) / area;
 }
 
-/* Near 65535, far 0. */
-static int z16(const struct ref_scene *scene, double depth)
+/* Whole steps, 0 far. */
+static int z16(const struct ref_piece *p, double x, double y)
 {
-    double near = scene->ortho ? -scene->near : 1 / scene->near;
-    double far = scene->ortho ? -scene->far : 1 / scene->far;
-    double z = 65535 * (depth - far) / (near - far);
-
-    return (int)floor(fmin(fmax(z, 0), 65535) + 0.5);
+    return (int)floor(REF_STEPS * fmin(fmax(screen_linear(p, p->z, x, y), 0), 1) + 0.5);
 }
 
 static int first_pixel(double low)
@@ -102,7 +98,7 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
                 continue;
             double depth = screen_linear(p, p->depth, x + 0.5, y + 0.5);
             double m = scene->ortho ? -depth : 1 / depth;
-            int z = z16(scene, depth), *best = &nearest[y * picture->width + x];
+            int z = z16(p, x + 0.5, y + 0.5), *best = &nearest[y * picture->width + x];
             if (m >= scene->far || z <= *best || transparent(scene, p, x + 0.5, y + 0.5))
                 continue;
             *best = z;
@@ -111,7 +107,8 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
                                                                          .triangle = p->triangle,
                                                                          .polygon = p->polygon,
                                                                          .piece = index,
-                                                                         .m = m};
+                                                                         .m = m,
+                                                                         .z = screen_linear(p, p->z, x + 0.5, y + 0.5)};
         }
     }
 }
@@ -126,7 +123,7 @@ static void look_through(struct ref_picture *picture, const int *nearest, const 
         if (!ref_inside(p, x, y) || (picture->pixels[i].covered && picture->pixels[i].piece == index))
             continue;
         double depth = screen_linear(p, p->depth, x, y);
-        if (z16(scene, depth) <= nearest[i] || (scene->ortho ? -depth : 1 / depth) >= scene->far)
+        if (z16(p, x, y) <= nearest[i] || (scene->ortho ? -depth : 1 / depth) >= scene->far)
             continue;
         picture->pixels[i].dropped = true;
         if (!ref_settled(scene, picture, p, x, y, &bound))
@@ -164,7 +161,7 @@ void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)
     if (!nearest)
         abort();
     for (size_t i = 0; i < count; i++)
-        nearest[i] = -1;
+        nearest[i] = 0; /* what is held to far is not seen */
     for (size_t i = 0; i < picture->piece_count; i++)
         draw(picture, nearest, scene, (uint32_t)i);
     for (size_t i = 0; i < picture->piece_count && scene->texture && scene->texture->keyed; i++)
@@ -188,7 +185,7 @@ int ref_render(struct ref_picture *picture, const struct ref_scene *scene)
                 color(scene, picture, pixel, x, y);
             else
                 memcpy(pixel->color, scene->background, sizeof pixel->color);
-            pixel->value = pixel->covered ? ref_fogged_value(scene, pixel->color, ref_fog_share(scene, pixel->m), x, y)
+            pixel->value = pixel->covered ? ref_fogged_value(scene, pixel->color, ref_fog_share(scene, pixel->z), x, y)
                                           : ref_value(scene, pixel->color, x, y, true);
         }
     }

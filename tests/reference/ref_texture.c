@@ -121,21 +121,24 @@ static void slopes(const struct ref_scene *scene, const struct ref_piece *piece,
         slope[i] = (fabs(at[1][i] - at[0][i]) + fabs(at[3][i] - at[2][i])) / (2 * h);
 }
 
-static int largest_difference(const uint16_t *value, int count)
+/* Of the channel where they differ most, in its steps; on greys their channels' differences as one step's. */
+static double largest_difference(const struct ref_scene *scene, const uint16_t *value, int count)
 {
-    static const int shift[3] = {11, 5, 0}, mask[3] = {31, 63, 31};
-    int most = 0;
+    static const double steps[3] = {31, 63, 31}, weight[3] = {0.2126, 0.7152, 0.0722};
+    double most = 0, grey = 0;
 
     for (int k = 0; k < 3; k++) {
-        int low = 64, high = 0;
+        double low = 1, high = 0;
         for (int i = 0; i < count; i++) {
-            int level = value[i] >> shift[k] & mask[k];
-            low = level < low ? level : low;
-            high = level > high ? level : high;
+            double color[3];
+            colour_of(value[i], color);
+            low = fmin(low, color[k]);
+            high = fmax(high, color[k]);
         }
-        most = high - low > most ? high - low : most;
+        most = fmax(most, steps[k] * (high - low));
+        grey += weight[k] * (high - low);
     }
-    return most;
+    return scene->levels ? (scene->levels - 1) * grey : most;
 }
 
 bool ref_settled(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_piece *piece,
@@ -160,7 +163,7 @@ bool ref_settled(const struct ref_scene *scene, const struct ref_picture *pictur
     }
     *bound = 1;
     if (t->bilinear) {
-        *bound = 1 + (z[0] + z[1]) * largest_difference(used, 16);
+        *bound = 1 + (z[0] + z[1]) * largest_difference(scene, used, 16);
         for (int k = 1; k < 4; k++)
             if (t->keyed && (seen[k] == t->key) != (seen[0] == t->key))
                 return false;

@@ -1,7 +1,7 @@
 /*
  * reference.h - the picture in double precision: what the integer core is measured against.
  *
- * Written from the definition of the picture alone (README, "The picture"); it
+ * Written from the definition of the picture alone (core/sheen.h says it); it
  * shares no code with the core. Plain and slow on purpose: every formula stands
  * here as it is printed, one pixel at a time.
  *
@@ -139,7 +139,7 @@ struct ref_scene {
     bool fog;            /* from m = fog_from to fog_to */
     bool fog_in_m;       /* a fault: linear in m where it has to be in 1/m */
     double fog_from, fog_to, fog_color[3];
-    int bias;   /* steps, REF_STEPS from far to near, that a pixel lies nearer in the fog */
+    int bias;   /* steps, REF_STEPS from far to near, that corners lie nearer, held to far and near */
     int levels; /* 0: RGB565; 2, 16, 256: grey */
     bool dither;
     const struct ref_texture *texture; /* NULL: none; by uv: flat or Gouraud, the mesh has uv; else Phong */
@@ -161,6 +161,7 @@ struct ref_pixel {
     uint32_t polygon;
     uint32_t piece;  /* of ref_picture.pieces */
     double m;        /* depth in front of the eye */
+    double z;        /* what is left in depth: 0 far, 1 near */
     double color[3]; /* 0..1, unrounded */
     int tread;       /* ref_tread at its centre */
     double specular; /* I_specular, the largest channel's */
@@ -178,6 +179,7 @@ struct ref_lit {
 struct ref_piece {
     double x[3], y[3], w[3]; /* px; w: the weight 1/m (1 under ortho) */
     double depth[3];         /* linear on the screen, larger is nearer: 1/m, under ortho -m */
+    double z[3];             /* likewise: 0 far, 1 near, biased; what hides and what is fogged */
     double normal[3][3];     /* eye space, turned to the eye's side on a drawn back face */
     struct ref_lit lit[3];   /* flat, Gouraud: at the corners, the vertices' colours in it */
     double uv[3][2], color[3][3];
@@ -236,7 +238,10 @@ bool ref_inside(const struct ref_piece *piece, double x, double y);
 double ref_side_distance(const struct ref_piece *piece, int side, double x, double y);
 uint16_t ref_565(const double color[3]);
 int ref_bayer8(int x, int y);
-double ref_fog_share(const struct ref_scene *scene, double m);
+/* At a pixel's z. */
+double ref_fog_share(const struct ref_scene *scene, double z);
+/* 0 far, 1 near, of what is m before the eye; not biased. */
+double ref_nearness(const struct ref_scene *scene, double m);
 /* Of a colour that is drawn, under so much fog; of any without. */
 uint16_t ref_fogged_value(const struct ref_scene *scene, const double color[3], double share, int x, int y);
 uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background);
@@ -248,14 +253,14 @@ struct ref_score {
     long comparable;                 /* compared, or with a texture not settled */
     long beyond;                     /* of the compared: off by more than the texels there allow */
     long dropped, dropped_drawn;     /* settled transparent pixels with nothing behind; those that are not background */
-    int worst;                       /* steps of a channel */
+    int worst;                       /* steps of a channel, or grey levels */
     int worst_x, worst_y;            /* where */
     long highlight, highlight_equal; /* of the compared: I_specular > 1/63 */
     uint32_t cause;                  /* the triangle at the worst pixel */
 };
 
 /*
- * Compare 565 values (width * height, row by row) at the pixels whose 3x3
+ * Compare 565 values or grey levels (width * height, row by row) at the pixels whose 3x3
  * neighbourhood belongs to triangles joined through shared edges with equal
  * corner normals and uv (flat: one polygon), without a jump in depth above 2 %
  * and without one of a toon ramp (ref_tread), and whose texels, if any, are settled.
