@@ -4,12 +4,12 @@
  *
  *   test_mixed MIXES [FIRST]
  *
- * A mix's number says its shading, format and whether it lies in fog, so that all of these meet; poses, lights,
- * materials, ramps and meshes are random_scene.c's; texels (nearest, bilinear, key, palettes), coloured and point
+ * A mix's number says its shading, format, filter and whether it lies in fog, so that all of these meet; poses, lights,
+ * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), coloured and point
  * lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps,
  * a step more in fog (bilinear: within what its texels allow), and draws nothing that is left out. Shares of equal
- * pixels are judged by shading, format and fog over all mixes: of one, an area of one colour that lies on a rounding
- * edge decides.
+ * pixels, bilinear where these are calm (REF_CALM), are judged by shading, format and fog over all mixes: of one, an
+ * area of one colour that lies on a rounding edge decides.
  */
 #include <math.h>
 #include <stdio.h>
@@ -51,7 +51,7 @@ struct mix {
 
 /* Of one shading, format and fog; nearest and bilinear texels apart. */
 static struct row {
-    long pictures, covered, compared, equal, beyond, dropped, dropped_drawn;
+    long pictures, covered, compared, calm, equal, beyond, dropped, dropped_drawn;
     int worst;
 } rows[SHOWN][FORMATS][2][2];
 
@@ -200,7 +200,7 @@ static void make_mix(struct mix *mix, const struct random_meshes *meshes, uint32
     if (mix->shown == MATCAP || mix->shown == MATCAP_VERTEX)
         choose_sphere(mix, &state);
     if (mix->shown >= TEXTURED_FLAT) {
-        mix->texture.bilinear = stage_random(&state) % 2;
+        mix->texture.bilinear = number / (SHOWN * FORMATS * 2) % 2;
         mix->random.scene.texture = &mix->texture;
     }
     choose_view(&mix->random.scene, &state);
@@ -247,7 +247,8 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
     row->pictures++;
     row->covered += s->covered;
     row->compared += s->compared;
-    row->equal += s->equal;
+    row->calm += s->calm;
+    row->equal += s->calm_equal;
     row->beyond += s->beyond;
     row->dropped += s->dropped;
     row->dropped_drawn += s->dropped_drawn;
@@ -269,7 +270,7 @@ static int judge_row(const struct row *row, int shown, int format, int in_fog, i
     const double asked = bilinear                           ? 0.88
                          : shown == PHONG || shown == SLERP ? 0.96
                                                             : 0.97,
-                 equal = share(row->equal, row->compared);
+                 equal = share(row->equal, row->calm);
 
     if (row->pictures == 0)
         return 0;

@@ -168,6 +168,8 @@ static void judge(struct ref_score *score, const struct ref_scene *scene, const 
     score->equal += apart == 0;
     score->within_one += apart <= 1;
     score->beyond += apart > bound;
+    score->calm += bound <= 1 + REF_CALM;
+    score->calm_equal += bound <= 1 + REF_CALM && apart == 0;
     if (pixel->specular > 1.0 / 63) {
         score->highlight++;
         score->highlight_equal += apart == 0;

@@ -248,10 +248,17 @@ uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, 
 
 /* ---- comparison ---- */
 
+/*
+ * Bilinear texels turn an error of 1/16 texel and 1/16 px into as large a part of their difference. Of what rounds to
+ * another value for that, some 4 % come with each step: up to here a share of equal pixels is owed.
+ */
+#define REF_CALM 2.0
+
 struct ref_score {
     long covered, compared, equal, within_one;
     long comparable;                 /* compared, or with a texture not settled */
     long beyond;                     /* of the compared: off by more than the texels there allow */
+    long calm, calm_equal;           /* of the compared: where texels allow no more than REF_CALM steps besides 1 */
     long dropped, dropped_drawn;     /* settled transparent pixels with nothing behind; those that are not background */
     int worst;                       /* steps of a channel, or grey levels */
     int worst_x, worst_y;            /* where */
