@@ -72,7 +72,7 @@ static double part_of(long part, long whole)
 static int score_picture(struct matcap_line *line, const struct accuracy_shot *shot, const struct ref_scene *scene)
 {
     const struct ref_score *s = &shot->score;
-    const double equal = part_of(s->equal, s->compared), least = scene->texture->bilinear ? 0.88 : 0.97;
+    const double equal = part_of(s->calm_equal, s->calm), least = scene->texture->bilinear ? 0.88 : 0.97;
 
     line->covered += s->covered;
     line->comparable += s->comparable;
@@ -139,8 +139,6 @@ static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_t
 
     for (int i = 0; i < 2 * (TEXTURED_VIEWS + 2); i++, turn++) {
         const int view = i >> 1, bilinear = i & 1;
-        if (bilinear && sphere == TILES) /* whose texels differ too much */
-            continue;
         struct ref_texture texture = sphere_texture(sphere);
         struct ref_scene scene;
         matcap_view(&scene, &mesh->reference, view < TEXTURED_VIEWS ? view : 1, texels);
@@ -155,7 +153,7 @@ static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_t
             accuracy_ortho(&scene);
         failed += judge_picture(&line[bilinear], &scene, mesh->mesh);
     }
-    for (int bilinear = 0; bilinear < (sphere == TILES ? 1 : 2); bilinear++) {
+    for (int bilinear = 0; bilinear < 2; bilinear++) {
         char how[32];
         snprintf(how, sizeof how, "%s %s%s", texels == REF_TEXELS_NORMAL ? "pixel" : "vertex",
                  bilinear ? "bilinear" : "nearest", colored ? " colors" : "");

@@ -5,8 +5,8 @@
  *   test_mixed MIXES [FIRST]
  *
  * A mix's number says its shading, format, filter and whether it lies in fog, so that all of these meet; poses, lights,
- * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), coloured and point
- * lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps,
+ * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), vertex
+ * colours, coloured and point lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps,
  * a step more in fog (bilinear: within what its texels allow), and draws nothing that is left out. Shares of equal
  * pixels, bilinear where these are calm (REF_CALM), are judged by shading, format and fog over all mixes: of one, an
  * area of one colour that lies on a rounding edge decides.
@@ -146,6 +146,7 @@ static void choose_sphere(struct mix *mix, uint32_t *state)
                                         .bits = 16};
     mix->random.scene.texels = mix->shown == MATCAP ? REF_TEXELS_NORMAL : REF_TEXELS_CORNER_NORMALS;
     mix->random.scene.ramp = REF_LAMBERT;
+    mix->random.scene.colored = stage_random(state) % 2;
 }
 
 static void choose_view(struct ref_scene *scene, uint32_t *state)
@@ -193,7 +194,8 @@ static void make_mix(struct mix *mix, const struct random_meshes *meshes, uint32
     mix->format = (int)(number / SHOWN % FORMATS);
     take_scene(mix, meshes, &state);
     choose_mesh(mix, meshes, &state);
-    if (mix->shown == FLAT_COLORED || mix->shown == GOURAUD_COLORED)
+    if (mix->shown == FLAT_COLORED || mix->shown == GOURAUD_COLORED ||
+        (shading_of[mix->shown] <= REF_GOURAUD && mix->shown >= TEXTURED_FLAT && stage_random(&state) % 2))
         choose_colors(mix, &state);
     if (mix->shown == TEXTURED || mix->shown == TEXTURED_FLAT)
         choose_texels(mix, &state);
