@@ -12,6 +12,13 @@ if(SHEEN_SANITIZED)
   add_test(NAME test_frame_calls_all COMMAND test_frame_calls all)
   sheen_part(test_frame_calls_all long)
 endif()
+# Random mixes of what may be drawn, likewise.
+sheen_test(test_frame_mixes frames SOURCES test_frame_mixes.c frame_mix.c
+  LIBRARIES core_picture sheen::core Threads::Threads)
+if(SHEEN_SANITIZED)
+  add_test(NAME test_frame_mixes_all COMMAND test_frame_mixes all)
+  sheen_part(test_frame_mixes_all long)
+endif()
 sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
 sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)

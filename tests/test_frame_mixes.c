@@ -1,0 +1,289 @@
+/*
+ * test_frame_mixes.c - random mixes of shadings and all there is besides, over a few frames of one struct sheen_frame
+ * in random bands, buffers, workers, orders and carried set-ups, against each frame drawn alone, whole, in one band.
+ *
+ *   test_frame_mixes          400 mixes
+ *   test_frame_mixes all      40,000
+ *   test_frame_mixes from N   from mix N on: what a failure names
+ */
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "frame_mix.h"
+#include "frame_test.h"
+
+static unsigned first_mix, mixes = 400;
+static const struct mix *failing; /* the mix that is played */
+static unsigned failing_number;
+
+static struct mix_mesh meshes[STAGE_MESHES];
+
+/* ---- how ---- */
+
+enum order {
+    BY_END,
+    FORWARD,
+    BACKWARD,
+    ANY,
+    THREADS,
+    ORDERS
+};
+
+struct way {
+    enum sheen_pixel pixel;
+    int align_x, align_y, band_rows, buffers, workers, carried;
+    enum order order;
+    bool delayed;
+};
+
+static void random_way(struct way *way, uint32_t *seed)
+{
+    static const int rows[] = {1, 2, 5, 7, 16, 33, MIX_HEIGHT}, carried[] = {0, 1, 2, 5, 254};
+
+    way->pixel = (enum sheen_pixel)(stage_random(seed) % 5);
+    way->align_x = way->pixel == SHEEN_GREY2 ? 8 : way->pixel == SHEEN_GREY16 ? 2 : stage_random(seed) % 4 ? 1 : 4;
+    way->align_y = way->pixel == SHEEN_GREY2 || stage_random(seed) % 4 ? 1 : 2;
+    way->band_rows = rows[stage_random(seed) % 7];
+    way->buffers = 1 + (int)(stage_random(seed) % 2);
+    way->workers = 1 + (int)(stage_random(seed) % 4);
+    way->carried = carried[stage_random(seed) % 5];
+    way->order = (enum order)(stage_random(seed) % ORDERS);
+    way->delayed = stage_random(seed) % 2;
+}
+
+static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER, dealt = PTHREAD_MUTEX_INITIALIZER;
+
+static void take_lock(void *ctx)
+{
+    (void)pthread_mutex_lock(ctx);
+}
+
+static void give_lock(void *ctx)
+{
+    (void)pthread_mutex_unlock(ctx);
+}
+
+struct job {
+    struct sheen_frame *frame;
+    unsigned worker, *next;
+    int status;
+};
+
+/* The next band to who comes first. */
+static void *work(void *argument)
+{
+    struct job *job = argument;
+    const unsigned count = sheen_band_count(job->frame);
+
+    while (job->status == SHEEN_OK) {
+        (void)pthread_mutex_lock(&dealt);
+        const unsigned band = (*job->next)++;
+        (void)pthread_mutex_unlock(&dealt);
+        if (band >= count)
+            break;
+        job->status = sheen_band(job->frame, job->worker, band);
+    }
+    return NULL;
+}
+
+static int run_threads(struct sheen_frame *frame, unsigned workers)
+{
+    pthread_t thread[4];
+    struct job job[4];
+    unsigned next = 0;
+    int status = SHEEN_OK;
+
+    for (unsigned w = 0; w < workers; w++) {
+        job[w] = (struct job){frame, w, &next, SHEEN_OK};
+        assert_int_equal(pthread_create(&thread[w], NULL, work, &job[w]), 0);
+    }
+    for (unsigned w = 0; w < workers; w++) {
+        assert_int_equal(pthread_join(thread[w], NULL), 0);
+        status = status == SHEEN_OK ? job[w].status : status;
+    }
+    return status;
+}
+
+static int run_bands(struct sheen_frame *frame, const struct way *way, uint32_t *seed)
+{
+    const unsigned count = sheen_band_count(frame);
+    unsigned band[MIX_HEIGHT];
+    int status = SHEEN_OK;
+
+    if (way->order == THREADS)
+        return run_threads(frame, (unsigned)way->workers);
+    for (unsigned i = 0; i < count; i++) {
+        const unsigned j = way->order == ANY ? stage_random(seed) % (i + 1) : i;
+        band[i] = band[j];
+        band[j] = way->order == BACKWARD ? count - 1 - i : i;
+    }
+    for (unsigned i = 0; i < count && status == SHEEN_OK; i++) {
+        const unsigned worker = way->order == ANY ? stage_random(seed) : i;
+        status = sheen_band(frame, worker % (unsigned)way->workers, band[i]);
+    }
+    return status;
+}
+
+/* ---- frames ---- */
+
+static int draw_objects(struct sheen_frame *frame, const struct mix_frame *f)
+{
+    int status = sheen_begin(frame, &f->view);
+
+    for (unsigned i = 0; i < f->count && status == SHEEN_OK; i++)
+        status = sheen_draw(frame, &f->object[i]);
+    return status;
+}
+
+static void check(struct sheen_frame *frame, int status)
+{
+    if (status != SHEEN_OK)
+        fail_msg("%s, about %s", sheen_strerror(status), sheen_subject_name(sheen_frame_about(frame, NULL)));
+}
+
+static void open_frame(struct core_frame *f, struct memory_target *t, const struct way *way)
+{
+    struct sheen_config config;
+
+    assert_int_equal(memory_target_init(t, MIX_WIDTH, MIX_HEIGHT, way->pixel), 0);
+    t->target.align_x = (uint8_t)way->align_x;
+    t->target.align_y = (uint8_t)way->align_y;
+    t->delayed = way->delayed;
+    stage_config(&config, t, MIX_OBJECTS);
+    config.max_clipped = 1000;
+    config.band_rows = (uint16_t)way->band_rows;
+    config.buffers = (uint8_t)way->buffers;
+    config.workers = (uint8_t)way->workers;
+    config.max_carried = (uint16_t)way->carried;
+    if (way->order == THREADS) {
+        config.lock = take_lock;
+        config.unlock = give_lock;
+        config.lock_ctx = &one_at_a_time;
+    }
+    assert_int_equal(core_frame_make(f, &config), SHEEN_OK);
+}
+
+static void close_frame(struct core_frame *f, struct memory_target *t)
+{
+    if (t->breaches > 0)
+        fail_msg("%s", t->first_breach);
+    core_frame_free(f);
+    memory_target_free(t);
+}
+
+/* Outside the viewport the target keeps what it had. */
+static void compare(const struct memory_target *got, const struct mix_frame *f, const struct way *way, unsigned number)
+{
+    struct way whole = {.pixel = way->pixel,
+                        .align_x = way->align_x,
+                        .align_y = way->align_y,
+                        .band_rows = MIX_HEIGHT,
+                        .buffers = 1,
+                        .workers = 1};
+    struct sheen_rect r = f->view.viewport;
+    struct memory_target expected;
+    struct core_frame alone;
+    unsigned differing = 0;
+    int at[2] = {0, 0};
+
+    open_frame(&alone, &expected, &whole);
+    check(alone.frame, draw_objects(alone.frame, f));
+    check(alone.frame, sheen_end(alone.frame));
+    if (r.x0 >= r.x1 || r.y0 >= r.y1)
+        r = (struct sheen_rect){0, 0, MIX_WIDTH, MIX_HEIGHT};
+    for (int y = r.y1 - 1; y >= r.y0; y--) {
+        for (int x = r.x1 - 1; x >= r.x0; x--) {
+            if (memory_target_pixel(got, x, y) != memory_target_pixel(&expected, x, y)) {
+                differing++;
+                at[0] = x;
+                at[1] = y;
+            }
+        }
+    }
+    if (differing > 0)
+        fail_msg("frame %u: %u px differ, the first at (%d, %d): %04x, whole %04x; bands of %d rows, %d buffers, "
+                 "%d workers, %d carried, order %d, format %d",
+                 number, differing, at[0], at[1], memory_target_pixel(got, at[0], at[1]),
+                 memory_target_pixel(&expected, at[0], at[1]), way->band_rows, way->buffers, way->workers, way->carried,
+                 (int)way->order, (int)way->pixel);
+    close_frame(&alone, &expected);
+}
+
+static struct {
+    unsigned frames, drawn, partly, shader[32];
+} met;
+
+static void play(const struct mix *mix, const struct way *way, uint32_t *seed)
+{
+    struct memory_target target;
+    struct core_frame f;
+    struct sheen_stats stats;
+
+    open_frame(&f, &target, way);
+    for (unsigned i = 0; i < MIX_FRAMES; i++) {
+        const struct mix_frame *frame = &mix->frame[i];
+        memory_target_begin(&target);
+        if (frame->invalidated)
+            sheen_invalidate(f.frame);
+        check(f.frame, draw_objects(f.frame, frame));
+        if (frame->mark.x0 < frame->mark.x1)
+            check(f.frame, sheen_mark(f.frame, frame->mark));
+        if (way->order != BY_END)
+            check(f.frame, run_bands(f.frame, way, seed));
+        check(f.frame, way->order == BY_END ? sheen_end(f.frame) : sheen_finish(f.frame));
+        check(f.frame, sheen_wait(f.frame));
+        sheen_frame_stats(f.frame, &stats);
+        met.frames++;
+        met.drawn += stats.setups > 0;
+        met.partly += target.area > 0 && target.area < MIX_WIDTH * MIX_HEIGHT / 2;
+        compare(&target, frame, way, i);
+    }
+    close_frame(&f, &target);
+}
+
+static void random_mixes(void **state)
+{
+    static struct mix mix;
+
+    (void)state;
+    mix_meshes(meshes, &stage);
+    failing = &mix;
+    for (unsigned i = 0; i < mixes; i++) {
+        uint32_t seed = (first_mix + i + 1) * 2246822519u;
+        struct way way;
+        failing_number = first_mix + i;
+        random_way(&way, &seed);
+        mix_make(&mix, first_mix + i, meshes, way.align_x, way.align_y);
+        play(&mix, &way, &seed);
+        for (unsigned k = 0; k < mix.count; k++)
+            met.shader[mix.shader[k]]++;
+    }
+    failing = NULL;
+    print_message("  %u mixes, %u frames, %u of them with triangles, %u of them sent in part\n", mixes, met.frames,
+                  met.drawn, met.partly);
+    assert_true(met.drawn > met.frames / 2 && met.partly > met.frames / 4);
+    for (unsigned i = 0; i < mix_shaders(); i++)
+        assert_true(met.shader[i] > mixes / 32);
+}
+
+static int name_mix(void **state)
+{
+    (void)state;
+    if (failing != NULL) {
+        print_message("  mix %u: test_frame_mixes from %u\n", failing_number, failing_number);
+        mix_print(failing);
+    }
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test_teardown(random_mixes, name_mix)};
+
+    if (argc > 1 && strcmp(argv[1], "all") == 0)
+        mixes = 40000;
+    if (argc > 2 && strcmp(argv[1], "from") == 0)
+        first_mix = (unsigned)strtoul(argv[2], NULL, 10);
+    return cmocka_run_group_tests_name("frame_mixes", tests, make_stage, free_stage);
+}
