@@ -375,8 +375,8 @@ struct sheen_canvas {
 
 struct sheen_fog_mixer;
 
-/* What fogs. */
-extern const struct sheen_fog_mixer sheen_fog_mixer;
+/* What fogs: all that is drawn; or edges' lines alone, and not the faces. */
+extern const struct sheen_fog_mixer sheen_fog_mixer, sheen_line_fog_mixer;
 
 /*
  * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
@@ -384,12 +384,13 @@ extern const struct sheen_fog_mixer sheen_fog_mixer;
  * whatever reads the depths afterwards sees it. The unrounded colour goes to colour + f (F - colour), F the fog's
  * colour rounded to the target's levels, and is rounded or dithered once. All that is drawn is fogged, edges' lines by
  * their own depth and from their own colour rounded likewise; the background is not: full fog of its colour meets it
- * without a seam.
+ * without a seam. With sheen_line_fog_mixer faces are not fogged either: those of a wire drawing that have the
+ * background's colour keep it.
  */
 struct sheen_fog {
     sheen_q24_t start, end;              /* m, units, 0 < start < end, at least 256 steps of depth apart */
     uint8_t color[3];                    /* r, g, b */
-    const struct sheen_fog_mixer *mixer; /* &sheen_fog_mixer: what is named is linked */
+    const struct sheen_fog_mixer *mixer; /* &sheen_fog_mixer or &sheen_line_fog_mixer: what is named is linked */
 };
 
 /* What the eye sees, a frame long. */

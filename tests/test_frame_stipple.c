@@ -30,6 +30,10 @@ static const struct actor cast[] = {{STAGE_TORUS, 0, SHEEN_FLAT, 0.2, 0.1, 3, 1.
 
 static const struct sheen_fog fog = {SHEEN_Q24(2), SHEEN_Q24(4), {180, 190, 200}, &sheen_fog_mixer};
 
+static const struct sheen_fog line_fog = {SHEEN_Q24(2), SHEEN_Q24(4), {180, 190, 200}, &sheen_line_fog_mixer};
+
+#define LINES 2 /* fog on these alone */
+
 struct case_of {
     enum sheen_pixel pixel;
     enum sheen_shading shading;
@@ -54,7 +58,7 @@ static void draw(const struct case_of *c, unsigned actors, unsigned to[HEIGHT][W
     stage_view(&view);
     view.dither = (uint8_t)c->dither;
     view.affine = (uint8_t)c->affine;
-    view.fog = c->fog ? &fog : NULL;
+    view.fog = c->fog == LINES ? &line_fog : c->fog ? &fog : NULL;
     assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
     for (unsigned i = 0; i < 3; i++) {
         struct sheen_object object;
@@ -230,6 +234,26 @@ static void test_full_fog(void **unused)
     }
 }
 
+/* Where fog is for lines, faces are as without. */
+static void test_line_fog(void **unused)
+{
+    (void)unused;
+    for (unsigned i = 0; i < 20; i++) {
+        struct case_of c = {.pixel = (enum sheen_pixel)(i / 4),
+                            .shading = (enum sheen_shading)(i % 4),
+                            .rows = 16,
+                            .workers = 1,
+                            .dither = i % 3 == 0};
+        draw(&c, 7, picture[0]);
+        c.fog = LINES;
+        draw(&c, 7, picture[1]);
+        assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
+        c.fog = 1;
+        draw(&c, 7, picture[1]);
+        assert_memory_not_equal(picture[0], picture[1], sizeof picture[0]);
+    }
+}
+
 static void test_fog_arguments(void **unused)
 {
     static const struct sheen_fog wrong[] = {{0, SHEEN_Q24(2), {0, 0, 0}, &sheen_fog_mixer},
@@ -237,6 +261,7 @@ static void test_fog_arguments(void **unused)
                                              {SHEEN_Q24(2), SHEEN_Q24(2), {0, 0, 0}, &sheen_fog_mixer},
                                              {SHEEN_Q24(2), SHEEN_Q24(2.01), {0, 0, 0}, &sheen_fog_mixer},
                                              {SHEEN_Q24(100), SHEEN_Q24(127), {0, 0, 0}, &sheen_fog_mixer},
+                                             {SHEEN_Q24(2), SHEEN_Q24(2.01), {0, 0, 0}, &sheen_line_fog_mixer},
                                              {SHEEN_Q24(2), SHEEN_Q24(4), {0, 0, 0}, NULL}};
     struct memory_target target;
     struct sheen_config config;
@@ -262,9 +287,10 @@ static void test_fog_arguments(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out), cmocka_unit_test(test_greys),
-                                       cmocka_unit_test(test_dithered), cmocka_unit_test(test_arguments),
-                                       cmocka_unit_test(test_full_fog), cmocka_unit_test(test_fog_arguments)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out),     cmocka_unit_test(test_greys),
+                                       cmocka_unit_test(test_dithered),     cmocka_unit_test(test_arguments),
+                                       cmocka_unit_test(test_full_fog),     cmocka_unit_test(test_line_fog),
+                                       cmocka_unit_test(test_fog_arguments)};
 
     return cmocka_run_group_tests_name("frame_stipple", tests, make_stage, free_stage);
 }

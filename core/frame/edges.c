@@ -152,7 +152,6 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
             found = kind;
             SHEEN_TAP(LINE_LOOKED_AT, end - line);
             lt->depth_bias = d->as.depth_bias;
-            lt->fog = d->as.fog;
             kind->draw(lt, line, end, d->line);
         }
         line = end;
@@ -182,6 +181,7 @@ static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, 
                            .y1 = y1,
                            .whole_bits = whole_share_bits(&f->projection),
                            .apron = y0 - t->rect.y0,
+                           .fog = f->view.fog != NULL ? &f->fog : NULL,
                            .rows = (uint32_t)(y1 - y0),
                            .touched = w->spans,
                            .marks = smooth_marks(f, w),

@@ -252,6 +252,12 @@ static void fog_draw(struct draw *d, const struct fog_terms *terms)
     d->fog = terms;
 }
 
+static void line_fog_draw(struct draw *d, const struct fog_terms *terms)
+{
+    (void)d;
+    (void)terms;
+}
+
 static void fog_setup(struct setup *s)
 {
     if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->fast != TEXTURED_ANY)
@@ -269,3 +275,7 @@ const struct sheen_fog_mixer sheen_fog_mixer = {.begin = fog_begin,
                                                 .normal_run = sheen_fogged_normal_run,
                                                 .texel_run = sheen_fogged_texel_run,
                                                 .line_run = fogged_line_run};
+
+/* Draws stay without fog, so that of theirs nothing else is called. */
+const struct sheen_fog_mixer sheen_line_fog_mixer = {
+    .begin = fog_begin, .draw = line_fog_draw, .line_run = fogged_line_run};

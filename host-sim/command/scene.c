@@ -203,6 +203,12 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     return sheen_matcap_load(&scene->matcap, options->matcap, (unsigned)options->palette, options->bilinear, problem);
 }
 
+/* All that is seen is wholly in the fog; 24 fraction bits may be few for where it begins and ends. */
+static int ends_before(const struct sheen_scene *scene)
+{
+    return !scene->options->ortho && scene->options->fog.end < scene->view.z_near / 2.0 / (1 << 24);
+}
+
 static void look_through_fog(struct sheen_scene *scene)
 {
     const struct sheen_options *options = scene->options;
@@ -210,15 +216,23 @@ static void look_through_fog(struct sheen_scene *scene)
     scene->view.fog = options->fog.end > 0 ? &scene->fog : NULL;
     scene->fog.start = (sheen_q24_t)fmax(to_q24(options->fog.start), 1);
     scene->fog.end = to_q24(options->fog.end);
+    if (ends_before(scene)) {
+        scene->fog.start = scene->view.z_near / 4;
+        scene->fog.end = scene->view.z_near / 2;
+    }
     memcpy(scene->fog.color, options->fog_color.given ? options->fog_color.color : options->background,
            sizeof scene->fog.color);
-    scene->fog.mixer = &sheen_fog_mixer;
+    scene->fog.mixer = options->edges == SHEEN_WIRE ? &sheen_line_fog_mixer : &sheen_fog_mixer;
 }
 
 int sheen_scene_check_fog(const struct sheen_scene *scene, struct sheen_problem *problem)
 {
     const struct sheen_view *view = &scene->view;
-    const double near = view->z_near, far = view->z_far, start = scene->fog.start, end = scene->fog.end;
+    const struct sheen_depths *depths = &scene->options->fog;
+    const int before = ends_before(scene);
+    const double near = view->z_near, far = view->z_far;
+    const double start = before ? depths->start * (1 << 24) : scene->fog.start;
+    const double end = before ? depths->end * (1 << 24) : scene->fog.end;
 
     if (!view->fog)
         return SHEEN_OK;
@@ -228,7 +242,7 @@ int sheen_scene_check_fog(const struct sheen_scene *scene, struct sheen_problem 
         return SHEEN_OK;
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
                          "--fog: START and END are %.0f steps of 16-bit depth apart, fewer than 256",
-                         floor(part * DEPTH_STEPS));
+                         fmax(floor(part * DEPTH_STEPS), 0));
 }
 
 void sheen_scene_look(struct sheen_scene *scene)
