@@ -133,6 +133,17 @@ uint32_t read_picture(document &file, const item &number, double cutoff, struct 
     return made;
 }
 
+/* What a program of shaders shows, in old files that came from COLLADA. */
+void note_technique(document &file, const item &from)
+{
+    const item extensions = from.get("extensions");
+
+    if (from.get("technique") || extensions.get("KHR_techniques_webgl") || extensions.get("KHR_technique_webgl"))
+        sheen_note(&file.notes, SHEEN_NOTE_WARNING,
+                   "%s: its techniques of WebGL are not read, nor the colours and textures that they show",
+                   file.path());
+}
+
 } // namespace
 
 uint64_t texcoord_of(const item &material)
@@ -157,6 +168,8 @@ material read_material(document &file, const item &from, struct sheen_polygons &
         made.picture = read_picture(file, texture.get("index"), cutoff_of(from), out);
         read_transform(transform_of(texture), made.uv);
     }
+    if (!texture && !factor)
+        note_technique(file, from);
     return made;
 }
 

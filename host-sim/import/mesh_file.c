@@ -47,7 +47,7 @@ static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
     if (!error)
         error = sheen_textures_read(&polygons, textures, path, &problem);
     if (!error)
-        sheen_polygons_finish(&polygons, path);
+        sheen_polygons_finish(&polygons);
     _exit(sheen_mesh_send(pipe, error, &polygons, &problem) == 0 ? 0 : 1);
 }
 

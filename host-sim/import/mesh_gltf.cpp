@@ -242,9 +242,11 @@ void read(struct sheen_polygons &out, const char *path)
     making to{file, out, {}, false, false, false};
 
     make_groups(to);
+    const uint32_t noted = file.notes.count;
     add_meshes(to);
     if (out.polygon_count == 0)
-        refuse(file.notes.count ? "its scene has points or lines, but no triangles" : "its scene has no triangles");
+        refuse(file.notes.count > noted ? "its scene has points or lines, but no triangles"
+                                        : "its scene has no triangles");
     set_groups(to);
     if (!to.with_normals) {
         free(out.normals);

@@ -17,20 +17,22 @@ static const char other_words[] = " vp g s o mg p l lod bevel c_interp d_interp 
 /* Surfaces, curves and files that are not read. */
 static const char left_out_words[] = " surf curv curv2 scrv call csh cdc ";
 
+#define BYTES 16 /* colours up to this are 0..255: by the format they are 0..1, and none are all that dark */
+
 struct obj {
     struct sheen_bytes bytes;
     struct sheen_text text;
     struct sheen_polygons *out;
-    size_t points, normals, uvs; /* so far */
-    size_t total[3];             /* of each, after the first pass */
-    double color_most;           /* of vertices' colours: 1, or 255 where any is more than 1 */
-    uint16_t group;              /* of faces */
+    size_t points, normals, uvs;    /* so far */
+    size_t total[3];                /* of each, after the first pass */
+    struct sheen_color_range range; /* of vertices' colours, known after the first pass */
+    uint16_t group;                 /* of faces */
     struct sheen_word *names;
     size_t names_count, names_room;
     struct sheen_word left_out;
 };
 
-/* v x y z, then nothing, a weight, r g b, or a weight and r g b. The weight is of curves, and not of a face. */
+/* v x y z, then nothing, a weight, which is of curves and not of a face, or r g b and what else there may be. */
 static int read_vertex(struct obj *obj, struct sheen_sink *sink)
 {
     double point[3], more[5];
@@ -45,12 +47,11 @@ static int read_vertex(struct obj *obj, struct sheen_sink *sink)
     }
     if (error)
         return error;
-    const double *rgb = count == 3 ? more : count == 4 ? more + 1 : NULL;
-    for (int k = 0; rgb && k < 3; k++) {
-        obj->color_most = rgb[k] > 1 ? 255 : obj->color_most;
-        color[k] = sheen_color_byte(rgb[k], obj->color_most);
-    }
-    sheen_sink_point(sink, point, rgb ? color : NULL);
+    if (count >= 3 && !sink->keeping)
+        sheen_color_range_add(&obj->range, more);
+    for (int k = 0; count >= 3 && k < 3; k++)
+        color[k] = sheen_color_byte(more[k], sheen_color_range_most(&obj->range, BYTES));
+    sheen_sink_point(sink, point, count >= 3 ? color : NULL);
     obj->points++;
     return SHEEN_OK;
 }
@@ -124,14 +125,6 @@ static int find(struct obj *obj, int64_t index, const char *what, size_t so_far,
     return SHEEN_OK;
 }
 
-/* A face may name uv that are not there: it has none then. */
-static size_t find_uv(const struct obj *obj, int64_t index)
-{
-    if (index < 0 && index >= -(int64_t)obj->uvs)
-        return (size_t)((int64_t)obj->uvs + index);
-    return index > 0 && index <= (int64_t)obj->total[2] ? (size_t)index - 1 : SHEEN_NONE;
-}
-
 static int read_corner(struct obj *obj, struct sheen_sink *sink, const struct sheen_word *word)
 {
     size_t point = 0, normal = SHEEN_NONE, uv = SHEEN_NONE;
@@ -142,9 +135,11 @@ static int read_corner(struct obj *obj, struct sheen_sink *sink, const struct sh
         return sheen_text_problem(&obj->text, "'%.*s' is no corner of a face", SHEEN_WORD(*word));
     if (sink->keeping) {
         error = find(obj, part[0], "vertex", obj->points, obj->total[0], &point);
-        if (!error && part[2] != ABSENT && obj->total[1] > 0) /* a file may name normals and have none at all */
+        /* A file may name normals or texture coordinates and have none at all. */
+        if (!error && part[2] != ABSENT && obj->total[1] > 0)
             error = find(obj, part[2], "normal", obj->normals, obj->total[1], &normal);
-        uv = find_uv(obj, part[1]);
+        if (!error && part[1] != ABSENT && obj->total[2] > 0)
+            error = find(obj, part[1], "texture coordinate", obj->uvs, obj->total[2], &uv);
     }
     if (!error)
         sheen_sink_corner(sink, point, normal, uv);
@@ -310,14 +305,17 @@ static void read_materials(struct obj *obj)
 
 int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
-    struct obj obj = {
-        .text = {.path = path, .comments = 1, .joins = 1, .problem = problem}, .out = polygons, .color_most = 1};
+    struct obj obj = {.text = {.path = path, .comments = 1, .joins = 1, .problem = problem}, .out = polygons};
     int error = sheen_bytes_load(&obj.bytes, path, problem);
 
     if (!error)
         error = sheen_text_begin(&obj.text, &obj.bytes);
     if (!error)
         error = sheen_sink_run(polygons, pass, &obj, path, problem);
+    if (!error && sheen_color_range_most(&obj.range, BYTES) > 1)
+        sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
+                   "%s: its vertices' colours, up to %g, are taken as 0..255, though those of an OBJ are 0..1", path,
+                   obj.range.largest);
     if (!error)
         read_materials(&obj);
     free(obj.names);

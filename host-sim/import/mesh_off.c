@@ -18,11 +18,11 @@ struct off {
     struct sheen_bytes bytes;
     struct sheen_text text, body; /* body: where the vertices begin */
     struct sheen_polygons *out;
-    int normals, colors, textures; /* that vertices have, by the first word */
-    int by_lines;                  /* 1: numbers to the end of a line belong to what stands before them */
-    int color_numbers;             /* of a vertex: 3 or 4 */
-    int64_t vertices, faces;       /* promised */
-    double color_most;             /* 1, or 255 where a colour's part is more than 1 */
+    int normals, colors, textures;  /* that vertices have, by the first word */
+    int by_lines;                   /* 1: numbers to the end of a line belong to what stands before them */
+    int color_numbers;              /* of a vertex: 3 or 4 */
+    int64_t vertices, faces;        /* promised */
+    struct sheen_color_range range; /* of colours, known after the first pass */
 };
 
 /* `want` numbers, or by lines all of this line, of which EXTRA are kept. The count, or -1 and an error. */
@@ -49,12 +49,12 @@ static int read_extra(struct off *off, int want, double numbers[EXTRA])
     return count;
 }
 
-static const uint8_t *to_color(struct off *off, const double *numbers, uint8_t color[3])
+static const uint8_t *to_color(struct off *off, const struct sheen_sink *sink, const double *numbers, uint8_t color[3])
 {
-    for (int k = 0; k < 3; k++) {
-        off->color_most = numbers[k] > 1 ? 255 : off->color_most;
-        color[k] = sheen_color_byte(numbers[k], off->color_most);
-    }
+    if (!sink->keeping)
+        sheen_color_range_add(&off->range, numbers);
+    for (int k = 0; k < 3; k++)
+        color[k] = sheen_color_byte(numbers[k], sheen_color_range_most(&off->range, 2));
     return color;
 }
 
@@ -72,7 +72,7 @@ static int read_vertex(struct off *off, struct sheen_sink *sink)
         return SHEEN_ERR_ARGUMENT;
     if (count > want)
         sheen_note(&off->out->notes, 0, "%s: numbers after vertices are left out", off->text.path);
-    sheen_sink_point(sink, point, off->colors ? to_color(off, extra + before_color, color) : NULL);
+    sheen_sink_point(sink, point, off->colors ? to_color(off, sink, extra + before_color, color) : NULL);
     if (off->normals)
         sheen_sink_normal(sink, extra);
     return SHEEN_OK;
@@ -119,7 +119,7 @@ static int read_face(struct off *off, struct sheen_sink *sink)
     if (count == 2 || count > 4)
         return sheen_text_problem(&off->text, "%d numbers after a face's corners", count);
     if (sink->corners - sink->begun >= 3)
-        sheen_sink_polygon(sink, 0, count >= 3 ? to_color(off, extra, color) : NULL);
+        sheen_sink_polygon(sink, 0, count >= 3 ? to_color(off, sink, extra, color) : NULL);
     else
         sheen_note(&off->out->notes, 0, "%s: a face of %zu corners is left out", off->text.path, sheen_sink_drop(sink));
     return SHEEN_OK;
@@ -229,8 +229,7 @@ static void count_color_numbers(struct off *off)
 
 int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
-    struct off off = {
-        .text = {.path = path, .line = 1, .comments = 1, .problem = problem}, .out = polygons, .color_most = 1};
+    struct off off = {.text = {.path = path, .line = 1, .comments = 1, .problem = problem}, .out = polygons};
     int error = sheen_bytes_load(&off.bytes, path, problem);
 
     const char *first = (const char *)off.bytes.bytes;
@@ -248,6 +247,7 @@ int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struc
         error = sheen_sink_run(polygons, pass, &off, path, problem);
         if (error == SHEEN_ERR_ARGUMENT) {
             off.by_lines = 1;
+            off.range = (struct sheen_color_range){0, 0};
             error = sheen_sink_run(polygons, pass, &off, path, problem);
         }
     }

@@ -145,3 +145,16 @@ uint8_t sheen_color_byte(double value, double most)
 {
     return (uint8_t)(255 * fmin(fmax(value / most, 0), 1) + 0.5); /* fmax(NaN, 0) is 0 */
 }
+
+void sheen_color_range_add(struct sheen_color_range *range, const double parts[3])
+{
+    for (int k = 0; k < 3; k++) {
+        range->has_others |= !(parts[k] >= 0 && parts[k] <= 255 && parts[k] == floor(parts[k]));
+        range->largest = fmax(range->largest, parts[k]);
+    }
+}
+
+double sheen_color_range_most(const struct sheen_color_range *range, double least)
+{
+    return !range->has_others && range->largest >= least ? 255 : 1;
+}

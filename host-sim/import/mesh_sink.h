@@ -49,4 +49,16 @@ int sheen_sink_run(struct sheen_polygons *out, sheen_sink_pass *pass, void *cont
 /* A colour's part: 0..most to 0..255, rounded; no number is 0. */
 uint8_t sheen_color_byte(double value, double most);
 
+/*
+ * What 1.0 is in a file that does not say so, from all its colours' parts: 255 where they are whole numbers of 0..255
+ * and one is `least` or more, else 1: a part a little above 1 is just that.
+ */
+struct sheen_color_range {
+    double largest; /* so far; 0 at first */
+    int has_others; /* 1: a part is no byte's value */
+};
+
+void sheen_color_range_add(struct sheen_color_range *range, const double parts[3]);
+double sheen_color_range_most(const struct sheen_color_range *range, double least);
+
 #endif

@@ -114,26 +114,7 @@ static int is_finite3(const double v[3])
     return isfinite(v[0]) && isfinite(v[1]) && isfinite(v[2]);
 }
 
-/* The mean over the group's corners; 0 where it has none. */
-static int mean_color(const struct sheen_polygons *polygons, size_t group, uint8_t mean[3])
-{
-    uint64_t sum[3] = {0, 0, 0}, count = 0;
-
-    for (size_t p = 0; p < polygons->polygon_count; p++) {
-        if (polygons->groups[p] != group)
-            continue;
-        for (uint32_t c = polygons->first[p]; c < polygons->first[p + 1]; c++) {
-            for (int k = 0; k < 3; k++)
-                sum[k] += polygons->colors[c][k];
-        }
-        count += polygons->first[p + 1] - polygons->first[p];
-    }
-    for (int k = 0; k < 3 && count; k++)
-        mean[k] = (uint8_t)((sum[k] + count / 2) / count);
-    return count > 0;
-}
-
-void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name)
+void sheen_polygons_finish(struct sheen_polygons *polygons)
 {
     for (size_t c = 0; polygons->normals && c < polygons->corner_count; c++) {
         if (!is_finite3(polygons->normals[c]))
@@ -141,15 +122,8 @@ void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name)
     }
     for (size_t g = 0; polygons->group && g < polygons->group_count; g++) {
         struct sheen_group *group = &polygons->group[g];
-        uint8_t mean[3];
         memcpy(group->own, group->color, sizeof group->own);
         group->has_own = group->has_color;
-        if (!polygons->colors || !mean_color(polygons, g, mean))
-            continue;
-        for (int k = 0; k < 3; k++)
-            group->color[k] = group->has_own ? (uint8_t)((mean[k] * group->own[k] + 127) / 255) : mean[k];
-        group->has_color = 1;
-        sheen_note(&polygons->notes, SHEEN_NOTE_ON_COLORS, "%s: has vertex colours; their mean is used", name);
     }
 }
 

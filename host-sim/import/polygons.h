@@ -33,7 +33,7 @@ struct sheen_picture {
 /* Faces of one material. */
 struct sheen_group {
     char name[64];    /* the material's, cut; "" where it has none */
-    uint8_t color[3]; /* base colour, sRGB, 255 = 1.0; where corners have colours times their mean */
+    uint8_t color[3]; /* base colour, sRGB, 255 = 1.0 */
     uint8_t has_color;
     uint8_t own[3]; /* the material's, without that of corners */
     uint8_t has_own;
@@ -88,11 +88,8 @@ void sheen_polygons_drop_pictures(struct sheen_polygons *polygons);
 /* 1: every corner of the polygon has uv and its group a texture. */
 int sheen_polygons_is_textured(const struct sheen_polygons *polygons, size_t polygon);
 
-/*
- * What every reader of files ends with: normals that are no number become zero, and where corners have colours
- * their mean goes into the group's, with a note. `name`: of the file.
- */
-void sheen_polygons_finish(struct sheen_polygons *polygons, const char *name);
+/* What every reader of files ends with: normals that are no number become zero. */
+void sheen_polygons_finish(struct sheen_polygons *polygons);
 
 /* z becomes up: (x, y, z) to (x, z, -y), points and normals. */
 void sheen_polygons_turn(struct sheen_polygons *polygons);

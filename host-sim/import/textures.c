@@ -204,8 +204,8 @@ static int check_uvs(struct sheen_polygons *polygons, const char *name, struct s
             double texels = (spans[i].high[k] - spans[i].low[k]) * polygons->picture[i].size[k];
             if (!(texels <= SHEEN_UV_SPAN))
                 error = sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                                      "%s: its texture coordinates span %.4g texels, at most %.0f can be drawn", name,
-                                      texels, SHEEN_UV_SPAN);
+                                      "%s: its texture coordinates span %.9g texels, at most %.0f can be drawn", name,
+                                      ceil(texels), SHEEN_UV_SPAN);
         }
     }
     free(spans);

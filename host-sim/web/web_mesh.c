@@ -33,7 +33,7 @@ const char *sheen_web_path;
 static _Noreturn void answer(int error, struct sheen_polygons *polygons, const struct sheen_problem *problem)
 {
     if (!error)
-        sheen_polygons_finish(polygons, sheen_web_path);
+        sheen_polygons_finish(polygons);
     exit(sheen_mesh_send(STDOUT_FILENO, error, polygons, problem) == 0 ? 0 : 1);
 }
 
