@@ -98,15 +98,21 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     if (options->name && !is_identifier(options->name))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%s': not a C identifier of 1..39 letters",
                              options->name);
+    int error = sheen_textures_out_check(options, problem);
+    if (error)
+        return error;
     if (is_shine(options))
         return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    if (is_matcap(options) && !options->mesh[strlen(MATCAP)])
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s no name; " SHEEN_MATCAP_NAMES " or a picture",
+                             options->mesh);
     if (is_matcap(options))
         return SHEEN_OK;
     if (is_ramp(options)) {
         struct sheen_options with;
         return read_ramp(&with, options, problem);
     }
-    int error = sheen_turntable_choose(choice, options, problem);
+    error = sheen_turntable_choose(choice, options, problem);
     if (error)
         return error;
     if (options->band > choice->height)

@@ -2,13 +2,14 @@
  * cmd_man.c - `sheen man`: the page of the manual, in roff, from the tables that make --help.
  */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "commands.h"
 #include "roff.h"
 
 static void put_option(const struct sheen_option *option)
 {
-    char text[256];
+    char *text = sheen_option_text(option);
 
     fputs(".TP\n", stdout);
     if (option->letter)
@@ -16,8 +17,8 @@ static void put_option(const struct sheen_option *option)
     sheen_roff_line("\\fB\\-\\-", option->name, "\\fR");
     if (option->argument)
         sheen_roff_line(" \\fI", option->argument, "\\fR");
-    sheen_option_text(option, text, sizeof text);
-    sheen_roff_line("\n", text, "\n");
+    sheen_roff_line("\n", text ? text : "", "\n");
+    free(text);
 }
 
 static void put_command(const struct sheen_command *command)

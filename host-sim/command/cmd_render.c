@@ -41,7 +41,8 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     if (options->frames > 1 && !is_gif(options->out) && !sheen_frame_name_varies(options->out))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %d frames need one %%d or %%0Nd in the name, or a .gif",
                              options->out, options->frames);
-    return sheen_builtin_check(options->mesh, problem);
+    error = sheen_textures_out_check(options, problem);
+    return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
 /* A frame into the animation, or to a file of its own. */

@@ -227,6 +227,8 @@ int sheen_option_set(struct sheen_options *options, const struct sheen_option *o
                    : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': not one of %s, nor gamma:G, G in %g..%g",
                                    option->name, text, option->argument, SHEEN_LEAST_GAMMA, SHEEN_MOST_GAMMA);
     case SHEEN_OPTION_TEXT:
+        if (!*text)
+            return refuse(option, text, "no name", problem);
         *(const char **)field = text;
         return SHEEN_OK;
     }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "matcaps.h"
+#include "shadings.h"
 
 #define AT(field) offsetof(struct sheen_options, field)
 #define ANY 1e300 /* an angle may be any finite number */
@@ -247,8 +248,11 @@ static int set_defaults(struct sheen_options *options, unsigned command, struct 
 }
 
 /* What the range of one value cannot say. */
-static int check_values(const struct sheen_options *options, struct sheen_problem *problem)
+static int check_values(const struct sheen_options *options, unsigned command, struct sheen_problem *problem)
 {
+    /* view comes to a matcap by a key */
+    if (options->matcap_given && options->shade < SHEEN_MATCAP && command != SHEEN_VIEW)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--matcap: it is shown by --shade matcap or matcap-vertex");
     if (options->palette == 1)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--palette '1': not 0, nor 2..256");
     if (!options->morph && (options->morph_target > 0 || options->morph_weight > 0))
@@ -267,7 +271,7 @@ static int take_operand(struct sheen_options *options, const struct sheen_comman
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s takes no '%s'", command->name, argv[optind]);
     if (!(command->bit & SHEEN_TAKES_MESH))
         return 1;
-    if (optind == argc)
+    if (optind == argc || !*argv[optind])
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no mesh given");
     if (optind + 1 < argc)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "one mesh at a time, not also '%s'", argv[optind + 1]);
@@ -299,8 +303,9 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
         const struct sheen_option *option = find_option(answer, command->bit);
         error = sheen_option_set(options, option, optarg, problem);
         options->shade_given |= option->offset == AT(shade);
+        options->matcap_given |= option->offset == AT(matcap);
     }
     if (!error)
-        error = check_values(options, problem);
+        error = check_values(options, command->bit, problem);
     return error ? error : take_operand(options, command, argc, argv, problem);
 }

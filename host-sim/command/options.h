@@ -101,6 +101,7 @@ struct sheen_options {
     int texture_log2;        /* of texels a side, 0..9 */
     int palette;             /* 0, or 2..256 values */
     const char *matcap;      /* a name of sheen_matcap_named, or a picture's path */
+    int matcap_given;        /* 1: on the command line */
     const char *texture_out; /* NULL: not given */
     double alpha_cutoff;     /* below 0: not given */
     const char *morph;       /* another frame of the mesh; NULL: none */
@@ -171,8 +172,8 @@ void sheen_options_help(const struct sheen_command *command);
 /* A part of the help, on standard output: lines wrapped, but for those that begin with a space. */
 void sheen_options_paragraph(const char *text);
 
-/* What the help and the man page say of an option: its text and default. */
-void sheen_option_text(const struct sheen_option *option, char *text, size_t size);
+/* What the help and the man page say of an option: its text and default; free() it. NULL without memory. */
+char *sheen_option_text(const struct sheen_option *option);
 
 /* "0.2.0", say, and what both say of the command as a whole. */
 extern const char sheen_version[], sheen_text_what[], sheen_text_help[], sheen_text_mesh[], sheen_text_exit[];

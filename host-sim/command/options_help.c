@@ -2,6 +2,7 @@
  * options_help.c - what --help and --version say, laid out for a terminal of 80 columns.
  */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "options.h"
@@ -55,25 +56,28 @@ void sheen_options_paragraph(const char *text)
     }
 }
 
-void sheen_option_text(const struct sheen_option *option, char *text, size_t size)
+char *sheen_option_text(const struct sheen_option *option)
 {
-    if (option->value)
-        snprintf(text, size, "%s [%s]", option->help, option->value);
-    else
-        snprintf(text, size, "%s", option->help);
+    char *text = NULL;
+    int length =
+        option->value ? asprintf(&text, "%s [%s]", option->help, option->value) : asprintf(&text, "%s", option->help);
+
+    return length < 0 ? NULL : text;
 }
 
 static void print_option(const struct sheen_option *option)
 {
-    char left[64], text[256], letter[4] = {'-', option->letter, ',', '\0'};
-    int length = snprintf(left, sizeof left, "%3s --%s%s%s", option->letter ? letter : "", option->name,
-                          option->argument ? " " : "", option->argument ? option->argument : "");
+    const char letter[4] = {'-', option->letter, ',', '\0'};
+    char *text = sheen_option_text(option);
+    int length = printf("%3s --%s%s%s", option->letter ? letter : "", option->name, option->argument ? " " : "",
+                        option->argument ? option->argument : "");
 
-    printf("%-*s", INDENT, left);
     if (length >= INDENT) /* too long to stand beside its text */
         printf("\n%*s", INDENT, "");
-    sheen_option_text(option, text, sizeof text);
-    print_line(text, INDENT, INDENT);
+    else
+        printf("%*s", INDENT - length, "");
+    print_line(text ? text : "", INDENT, INDENT);
+    free(text);
 }
 
 void sheen_options_version(void)

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "frame_name.h"
 #include "png_file.h"
@@ -25,6 +26,16 @@ static int write_one(const char *path, const struct sheen_texels *texels, struct
     int error = sheen_png_write_rgba(path, rgba, width, height, problem);
     free(rgba);
     return error;
+}
+
+int sheen_textures_out_check(const struct sheen_options *options, struct sheen_problem *problem)
+{
+    const char *ending = options->texture_out ? sheen_ending(options->texture_out) : "";
+
+    if (*ending && strcasecmp(ending, ".png") != 0)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no textures in %s are written, only .png",
+                             options->texture_out, ending);
+    return SHEEN_OK;
 }
 
 int sheen_textures_out(const struct sheen_options *options, const struct sheen_texels *texels, size_t count,

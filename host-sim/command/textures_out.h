@@ -7,6 +7,9 @@
 #include "options.h"
 #include "texels.h"
 
+/* 0, or SHEEN_ERR_ARGUMENT and *problem: the name that the options have for them is that of no PNG. */
+int sheen_textures_out_check(const struct sheen_options *options, struct sheen_problem *problem);
+
 /*
  * Writes them where the options ask for it, transparent texels with alpha 0. 0, or a negative code and *problem: there
  * is none, or the name does not differ from one to the next.
