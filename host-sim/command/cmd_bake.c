@@ -205,10 +205,6 @@ static int quantise(struct baking *baking)
         baking->pictures[baking->count] = baking->host.part[i].picture;
         struct sheen_group *group = &baking->groups[baking->count++];
         *group = baking->host.group[baking->host.part[i].group];
-        if (baking->host.has_colors) { /* those of the vertices come with them */
-            memcpy(group->color, group->own, sizeof group->color);
-            group->has_color = group->has_own;
-        }
         if (!group->has_color)
             memcpy(group->color, baking->options->color.color, sizeof group->color);
     }

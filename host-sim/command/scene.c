@@ -99,15 +99,12 @@ static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *
     const struct sheen_ramp *ramp = sheen_ramp_of(&scene->ramp, scene->options);
     for (size_t i = 0; i < host->part_count; i++) {
         const struct sheen_group *group = &host->group[host->part[i].group];
-        const int use_group = paint->from_file && (host->has_colors ? group->has_own : group->has_color);
+        const int use_group = paint->from_file && group->has_color;
         error = sheen_quantise(&scene->meshes[scene->count], host, (uint32_t)i);
         if (error)
             return error;
         struct sheen_material *material = &scene->materials[scene->count];
-        set_material(material, &scene->shine, scene->options,
-                     !use_group         ? paint->color
-                     : host->has_colors ? group->own
-                                        : group->color);
+        set_material(material, &scene->shine, scene->options, use_group ? group->color : paint->color);
         material->ramp = ramp;
         scene->morphs[scene->count] = (struct sheen_morph){&scene->meshes[scene->count].second, &sheen_morpher, 0};
         if (host->part[i].picture)

@@ -120,11 +120,6 @@ void sheen_polygons_finish(struct sheen_polygons *polygons)
         if (!is_finite3(polygons->normals[c]))
             memset(polygons->normals[c], 0, sizeof polygons->normals[c]);
     }
-    for (size_t g = 0; polygons->group && g < polygons->group_count; g++) {
-        struct sheen_group *group = &polygons->group[g];
-        memcpy(group->own, group->color, sizeof group->own);
-        group->has_own = group->has_color;
-    }
 }
 
 static int is_float3(const double v[3])

@@ -35,8 +35,6 @@ struct sheen_group {
     char name[64];    /* the material's, cut; "" where it has none */
     uint8_t color[3]; /* base colour, sRGB, 255 = 1.0 */
     uint8_t has_color;
-    uint8_t own[3]; /* the material's, without that of corners */
-    uint8_t has_own;
     uint32_t picture; /* of its texture: 1 and its number; 0: none */
 };
 
