@@ -221,9 +221,9 @@ struct sheen_points;
 extern const struct sheen_points sheen_points;
 
 /*
- * A light at infinity, or for flat and gouraud, textured or not, that are colored a point light. Of one at P, d from a point p
- * that it lights, L is (P - p) / d (d = 0: N), and both of its parts are multiplied by max(0, 1 - d^2 / radius^2)^2; p
- * is the corner, flat the mean of the polygon's vertices, whose triangles MUST follow each other.
+ * A light at infinity, or for flat and gouraud, textured or not, that are colored a point light. Of one at P, d from a
+ * point p that it lights, L is (P - p) / d (d = 0: N), and both of its parts are multiplied by max(0, 1 - d^2 /
+ * radius^2)^2; p is the corner, flat the mean of the polygon's vertices, whose triangles MUST follow each other.
  */
 struct sheen_light {
     sheen_q30_t to[3];                 /* points to it, any length but zero, in the world; with_eye: in eye space */
@@ -271,7 +271,7 @@ extern const struct sheen_shader sheen_textured, sheen_textured_flat;
 
 /*
  * The same with the colours of the mesh, the lights and the ambient light, as sheen_gouraud_colored and
- * sheen_flat_colored: the texel multiplies what these bring over the triangle, the highlight left out; point lights too.
+ * sheen_flat_colored: the texel multiplies what these bring over the triangle, but for the highlight; point lights too.
  */
 extern const struct sheen_shader sheen_textured_colored, sheen_textured_flat_colored;
 

@@ -12,9 +12,6 @@
 
 SETUP_FITS(struct matcap_setup);
 
-const struct sheen_light sheen_eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye = 1},
-                                              {.to = {0, 1 << 30, 0}, .with_eye = 1}};
-
 #define MATCAP_LEAN 32768   /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
 #define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px and more what a quadric is off by is that of many pixels */
 
@@ -255,7 +252,7 @@ static void matcap_setup(struct setup *s, struct surface_corners *c, const struc
 const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .light = matcap_light,
                                           .setup = matcap_setup,
-                                          .axes = sheen_eye_axes,
+                                          .axes = eye_axes,
                                           .needs_normals = 1,
                                           .corners = OF_MESH(normals),
                                           .reads_normals = 1,
@@ -264,7 +261,7 @@ const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
 const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .light = matcap_light,
                                                  .setup = matcap_vertex_setup,
-                                                 .axes = sheen_eye_axes,
+                                                 .axes = eye_axes,
                                                  .needs_normals = 1,
                                                  .corners = OF_MESH(normals),
                                                  .needs_texture = 1};

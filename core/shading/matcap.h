@@ -21,7 +21,8 @@ struct matcap_setup {
 #define LARGEST_BLOCK 32 /* px */
 
 /* What L.N of two lights would be x and y of the normal before the eye for. */
-extern const struct sheen_light sheen_eye_axes[2];
+static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye = 1},
+                                               {.to = {0, 1 << 30, 0}, .with_eye = 1}};
 
 /* (1 + x) / 2 of the picture's 2^size texels, Q16.16, within its edges; x: Q0.15. */
 static inline int32_t texel_at_cosine(int32_t x, unsigned size, int32_t edge)

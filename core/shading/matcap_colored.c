@@ -90,13 +90,13 @@ static void matcap_vertex_colored_setup(struct setup *s, struct surface_corners 
 const struct sheen_shader sheen_matcap_colored = {.begin = matcap_colored_begin,
                                                   .carry = sheen_carry_shares,
                                                   .setup = matcap_colored_setup,
-                                                  .axes = sheen_eye_axes,
+                                                  .axes = eye_axes,
                                                   .needs_normals = 1,
                                                   .needs_texture = 1};
 
 const struct sheen_shader sheen_matcap_vertex_colored = {.begin = matcap_colored_begin,
                                                          .carry = sheen_carry_shares,
                                                          .setup = matcap_vertex_colored_setup,
-                                                         .axes = sheen_eye_axes,
+                                                         .axes = eye_axes,
                                                          .needs_normals = 1,
                                                          .needs_texture = 1};

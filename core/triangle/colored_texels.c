@@ -1,10 +1,8 @@
 /*
  * colored_texels.c - rows of texels with colours, by blocks: exact at their ends and middles, linear in between.
  */
-#include <string.h>
-
-#include "../math/inverse.h"
 #include "colored_texels.h"
+#include "../math/inverse.h"
 
 /* Range: differences below 2^31 and shares that sum to 1.0. */
 void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
@@ -18,23 +16,35 @@ void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
     }
 }
 
+/*
+ * What steps are off by along a part, and quotients, must not take a channel below 0; 24 of 2^24 levels, times 31 or 63
+ * at the most, are nothing.
+ */
+#define CHANNEL_BIAS 24
+
+/* With the draw's fraction; the light over the levels of a whole texel, 31 or 63. color: NULL: white. */
+static APART uint32_t color_corner(struct texel_corners *c, uint32_t k, const struct glow *glow, const uint8_t *color)
+{
+    static const uint32_t one_level[3] = {0x08421085u, 0x04104105u, 0x08421085u}; /* 2^32 / 31, 63 */
+
+    for (int i = 0; i < 3; i++) {
+        const uint32_t base = color != NULL ? by_colour(glow->base[i], color[i]) : glow->base[i];
+        c->channel[i].f[k] = (int32_t)(mul_high(base, one_level[i]) + CHANNEL_BIAS);
+        c->channel[3 + i].f[k] = (int32_t)(glow->highlight[i] + CHANNEL_BIAS);
+    }
+    return glow->highlight[0] | glow->highlight[1] | glow->highlight[2];
+}
+
 void sheen_color_corners(struct texel_corners *c, const struct shares_setup *s, const struct glow glow[3])
 {
     const struct draw *d = s->s.draw;
     const uint32_t triangle = shared_triangle_of(&s->s, s->of);
-    uint32_t some = 0;
+    const uint8_t *colors = d->mesh->colors;
+    uint32_t some = d->colour.clamp;
 
-    for (uint32_t k = 0; k < 3; k++) {
-        const uint8_t *color = d->mesh->colors;
-        if (color != NULL)
-            color += 3 * mesh_index(d->mesh, 3 * triangle + k);
-        for (int i = 0; i < 3; i++) {
-            const uint32_t base = glow[k].base[i];
-            c->channel[i].f[k] = (int32_t)(color != NULL ? by_colour(base, color[i]) : base);
-            c->channel[3 + i].f[k] = (int32_t)glow[k].highlight[i];
-            some |= glow[k].highlight[i];
-        }
-    }
+    for (uint32_t k = 0; k < 3; k++)
+        some |=
+            color_corner(c, k, &glow[k], colors != NULL ? colors + 3 * mesh_index(d->mesh, 3 * triangle + k) : NULL);
     c->channels = some != 0 ? 6 : 3;
     for (unsigned i = 0; i < c->channels; i++)
         sheen_mix_corners(&c->channel[i], s);
@@ -95,31 +105,32 @@ static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t
     c->texel_of(r->s->s.draw->tint.texture, n, value);
 }
 
-#define LONGEST_PART 16 /* px */
+#define LONGEST_PART 32 /* px; half of it by normals, which may turn to both sides: a part's middle does not tell */
 
 /* (to - from) / count, count 1..LONGEST_PART. */
 static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
 {
-    static const uint16_t part[LONGEST_PART + 1] = {
-        0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192,
-        7282, 6554, 5958,  5461,  5041,  4681,  4369,  4096}; /* 2^16 / count */
+    static const uint16_t part[LONGEST_PART + 1] = {0,    0,    32768, 21845, 16384, 13107, 10923, 9362, 8192,
+                                                    7282, 6554, 5958,  5461,  5041,  4681,  4369,  4096, 3855,
+                                                    3641, 3449, 3277,  3121,  2979,  2849,  2731,  2621, 2521,
+                                                    2427, 2341, 2260,  2185,  2114,  2048}; /* 2^16 / count */
     const int32_t difference = (int32_t)(to - from);
 
     return (uint32_t)(count == 1 ? difference : mul_16_32(part[count], difference));
 }
 
 /*
- * 1 where in a block's middle linear is off by more than 1/8 texel or 1/8 of a 64th of 1.0: in its halves it is off by a
+ * 1 where in a part's middle linear is off by more than 1/8 texel or 1/8 of a 64th of 1.0: in its halves it is off by a
  * quarter of that.
  */
 static int bends(const struct texel_rows *r, const uint32_t from[], const uint32_t middle[], const uint32_t end[],
                  int32_t half, int32_t count)
 {
-    const uint32_t most[2] = {1u << 13, 1u << (r->s->s.draw->colour.unit - 3)};
+    const uint32_t eighth = 1u << (r->s->s.draw->colour.unit - 3);
 
     for (unsigned i = 0; i < r->run.values; i++) {
         const uint32_t linear = from[i] + (uint32_t)half * part_step(from[i], end[i], count);
-        if (magnitude32((int32_t)(middle[i] - linear)) > most[i > 1])
+        if (magnitude32((int32_t)(middle[i] - linear)) > (i < 2 ? 1u << 13 : i < 5 ? eighth >> 6 : eighth))
             return 1;
     }
     return 0;
@@ -134,28 +145,33 @@ static void put_part(struct texel_rows *r, const uint32_t from[], const uint32_t
     for (unsigned i = 0; i < run->values; i++)
         step[i] = part_step(from[i], end[i], count);
     run->count = count;
-    sheen_colored_run(*run, from, step);
+    run->from = from;
+    run->step = step;
+    sheen_colored_run(run);
     run->offset += (uint32_t)count;
     run->x += count;
     run->z += (uint32_t)count * run->dz;
 }
 
-/* The row's last block ends in its last pixel: beyond, weights may be none. */
+/* The row's last part ends in its last pixel: beyond, weights may be none. */
 static APART void colored_row(struct texel_rows *r, int32_t left)
 {
-    uint32_t from[TEXEL_VALUES], middle[TEXEL_VALUES], end[TEXEL_VALUES];
-    const int32_t y = r->run.y;
+    uint32_t value[3][TEXEL_VALUES], *from = value[0], *middle = value[1], *end = value[2];
+    const int32_t y = r->run.y, longest = r->c->texel_of != NULL ? LONGEST_PART / 2 : LONGEST_PART;
 
     texel_values_at(r, r->run.x, y, from);
     while (left > 1) {
         const int32_t x = r->run.x;
-        int32_t to = min32(left - 1, LONGEST_PART), half;
+        int32_t to = min32(left - 1, longest), half;
+        uint32_t *spare = from;
         texel_values_at(r, x + to, y, end);
         for (half = to / 2; half > 0; half = to / 2) {
             texel_values_at(r, x + half, y, middle);
             if (!bends(r, from, middle, end, half, to))
                 break;
-            memcpy(end, middle, sizeof end);
+            uint32_t *beyond = end;
+            end = middle;
+            middle = beyond;
             to = half;
         }
         if (half > 0) {
@@ -164,7 +180,8 @@ static APART void colored_row(struct texel_rows *r, int32_t left)
         } else {
             put_part(r, from, end, to);
         }
-        memcpy(from, end, sizeof from);
+        from = end;
+        end = spare;
         left -= to;
     }
     put_part(r, from, from, 1);
@@ -172,7 +189,12 @@ static APART void colored_row(struct texel_rows *r, int32_t left)
 
 void sheen_colored_texels(const struct tile *t, const struct setup *s, const struct texel_corners *c)
 {
+    const struct sheen_texture *texture = s->draw->tint.texture;
+    const int repeats = c->texel_of != NULL || (texture->clamp_u | texture->clamp_v) == 0;
     struct texel_rows r = {(const struct shares_setup *)s, c, {.t = t, .d = s->draw, .values = 2 + c->channels}};
+
+    r.run.plain = !t->format->grey && s->draw->fog == NULL && s->draw->colour.fraction == LOOP_FRACTION &&
+                  (texture->bits & 15) == 0 && !texture->keyed && !texture->bilinear && repeats;
 
     r.run.dz = s->depth.dx;
     for (unsigned row = 0; row < t->rows; row++) {

@@ -10,8 +10,8 @@
 
 /* What a draw's texels come from is d->tint.texture. Of a triangle's corners, in the mesh's order: */
 struct texel_corners {
-    struct at_corners channel[6]; /* what texels are multiplied by, then the highlight; with the draw's fraction */
-    unsigned channels;            /* 3: there is no highlight */
+    struct at_corners channel[6]; /* what a level of a texel is multiplied by, then the highlight; see color_corner */
+    unsigned channels;            /* 3: there is no highlight, and nothing to clamp */
     struct at_corners place[3]; /* U and V, as sheen_texels_of has them; or unit normals before the eye, Q0.15, for: */
     void (*texel_of)(const struct sheen_texture *t, const uint32_t normal[3], uint32_t at[]); /* parts: Q1.30 */
 };
@@ -31,10 +31,12 @@ struct colored_run {
     const struct draw *d;
     uint32_t offset; /* of its first pixel in the tile */
     int32_t x, y, count;
-    unsigned values; /* 5: there is no highlight */
+    unsigned values; /* 5: there is no highlight, and nothing to clamp */
+    unsigned plain;  /* 1: see plain_colored */
     uint32_t z, dz;
+    const uint32_t *from, *step; /* values */
 };
 
-void sheen_colored_run(struct colored_run r, const uint32_t from[TEXEL_VALUES], const uint32_t step[TEXEL_VALUES]);
+void sheen_colored_run(const struct colored_run *r);
 
 #endif

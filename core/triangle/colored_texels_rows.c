@@ -4,28 +4,15 @@
 #include "colored_texels.h"
 #include "fog.h"
 
-/* A pixel's texels are `nearest` or about (u, v): their share of 1.0, UQ0.15. */
-SPECIALISED void texel_shares(const struct sheen_texture *t, uint32_t u, uint32_t v, uint32_t nearest,
-                              uint32_t share[3])
+/* texel: spread, in levels / 2^down. Range: a light times a whole texel is below 2^31. */
+SPECIALISED void put_colored(const struct colored_run *r, uint32_t at, int32_t x, uint32_t z, uint32_t texel,
+                             unsigned down, const uint32_t value[TEXEL_VALUES])
 {
-    const uint32_t sum = t->bilinear ? any_mixed(t, u + TO_MIDDLE, v + TO_MIDDLE, nearest) : spread(nearest) << 5;
+    uint32_t c[3] = {(value[2] >> down) * (texel >> 11 & 1023u), (value[3] >> down) * (texel >> 21),
+                     (value[4] >> down) * (texel & 1023u)};
 
-    share[0] = (sum >> 11 & 1023u) * 1057 >> 5; /* 31 * 32 is 32767 */
-    share[1] = (sum >> 21) * 33288 >> 11;       /* 63 * 32 */
-    share[2] = (sum & 1023u) * 1057 >> 5;
-}
-
-/* Range: channels below 2^31 keep 16 bits, so that products stay there too. */
-SPECIALISED void put_colored(const struct colored_run *r, uint32_t at, int32_t x, uint32_t z, const uint32_t share[3],
-                             const uint32_t channel[6])
-{
-    uint32_t c[3];
-
-    for (int k = 0; k < 3; k++) {
-        c[k] = (not_negative(channel[k]) >> 15) * share[k];
-        if (r->values > 5)
-            c[k] += not_negative(channel[3 + k]);
-    }
+    for (int k = 0; k < 3 && r->values > 5; k++)
+        c[k] += value[5 + k];
     if (r->d->fog != NULL)
         put_fogged_terms(r->t, r->d, at, z, c[0], c[1], c[2], threshold_row(r->t, r->t->dither, r->y)[(uint32_t)x & 7u],
                          r->t->format->grey);
@@ -33,24 +20,95 @@ SPECIALISED void put_colored(const struct colored_run *r, uint32_t at, int32_t x
         put_general(r->t, &r->d->colour, rounding_of(r->t, &r->d->colour, r->y), at, x, c[0], c[1], c[2]);
 }
 
-void sheen_colored_run(struct colored_run r, const uint32_t from[TEXEL_VALUES], const uint32_t step[TEXEL_VALUES])
+static APART void any_colored_run(const struct colored_run *r)
 {
-    const struct sheen_texture *t = r.d->tint.texture;
-    uint32_t value[TEXEL_VALUES];
+    const struct sheen_texture *t = r->d->tint.texture;
+    uint32_t value[TEXEL_VALUES], z = r->z, offset = r->offset;
+    int32_t x = r->x;
 
-    for (unsigned i = 0; i < r.values; i++)
-        value[i] = from[i];
-    for (; r.count > 0; r.count--, r.x++, r.offset++, r.z += r.dz) {
-        if (r.z >> 16 > r.t->depth[r.offset]) {
+    for (unsigned i = 0; i < r->values; i++)
+        value[i] = r->from[i];
+    for (int32_t left = r->count; left > 0; left--, x++, offset++, z += r->dz) {
+        if (z >> 16 > r->t->depth[offset]) {
             const uint32_t nearest = texel_value(t, asr32((int32_t)value[0], 16), asr32((int32_t)value[1], 16));
-            uint32_t share[3];
             if (!(t->keyed && nearest == t->key)) {
-                (void)nearer(r.t, r.t->depth + r.offset, r.z);
-                texel_shares(t, value[0], value[1], nearest, share);
-                put_colored(&r, r.offset, r.x, r.z, share, value + 2);
+                (void)nearer(r->t, r->t->depth + offset, z);
+                if (t->bilinear)
+                    put_colored(r, offset, x, z, any_mixed(t, value[0] + TO_MIDDLE, value[1] + TO_MIDDLE, nearest), 5,
+                                value);
+                else
+                    put_colored(r, offset, x, z, spread(nearest), 0, value);
             }
         }
-        for (unsigned i = 0; i < r.values; i++)
-            value[i] += step[i];
+        for (unsigned i = 0; i < r->values; i++)
+            value[i] += r->step[i];
     }
 }
+
+#if FAST_LOOPS
+
+/* Texels of 565 that repeat, nearest and without key, on 565 of LOOP_FRACTION, no fog. Matt: no channel exceeds 1.0. */
+SPECIALISED void plain_colored(const struct colored_run *r, unsigned glossy)
+{
+    const struct sheen_texture *t = r->d->tint.texture;
+    const struct rounding rounding = rounding_of(r->t, &r->d->colour, r->y);
+    const unsigned width = t->width_log2, swap = r->t->format->swap;
+    const uint32_t columns = (1u << width) - 1, rows = ((1u << t->height_log2) - 1) << width;
+    const uint32_t *from = r->from, *by = r->step, *top = r->d->colour.top;
+    const uint16_t *texels = t->texels;
+    const intptr_t to_pixel = r->t->to_pixel;
+    uint16_t *depth = r->t->depth + r->offset;
+    const uint16_t *end = depth + r->count;
+    uint32_t z = r->z, u = from[0], v = from[1], red = from[2], green = from[3], blue = from[4];
+    uint32_t gloss[3] = {0, 0, 0}, x = (uint32_t)r->x;
+
+    for (int k = 0; k < 3 && glossy; k++)
+        gloss[k] = from[5 + k];
+    for (; depth != end; depth++, x++) {
+        if (nearer(r->t, depth, z)) {
+            const uint32_t texel = texels[(v >> (16 - width) & rows) | (u >> 16 & columns)];
+            const uint32_t up = (uint32_t)rounding.threshold[x & 7u] << (LOOP_FRACTION - 7);
+            uint32_t c[3] = {(texel >> 11) * red, (texel >> 5 & 63u) * green, (texel & 31u) * blue};
+            for (int k = 0; k < 3 && glossy; k++)
+                c[k] = clamped(c[k] + gloss[k], top[k]);
+            *pixel_at(depth, to_pixel) = fast_pixel(c[0] + up, c[1] + up, c[2] + up, LOOP_FRACTION, swap);
+        }
+        z += r->dz;
+        u += by[0];
+        v += by[1];
+        red += by[2];
+        green += by[3];
+        blue += by[4];
+        for (int k = 0; k < 3 && glossy; k++)
+            gloss[k] += by[5 + k];
+    }
+}
+
+static APART void matt_colored_run(const struct colored_run *r)
+{
+    plain_colored(r, 0);
+}
+
+static APART void glossy_colored_run(const struct colored_run *r)
+{
+    plain_colored(r, 1);
+}
+
+void sheen_colored_run(const struct colored_run *r)
+{
+    if (!r->plain)
+        any_colored_run(r);
+    else if (r->values > 5)
+        glossy_colored_run(r);
+    else
+        matt_colored_run(r);
+}
+
+#else
+
+void sheen_colored_run(const struct colored_run *r)
+{
+    any_colored_run(r);
+}
+
+#endif
