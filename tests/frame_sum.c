@@ -26,10 +26,13 @@ enum {
     MATCAP,  /* of the pixel or of vertices, by mesh and view */
     COLORED, /* flat or Gouraud, likewise */
     TEXTURED_FLAT,
-    SHADINGS
+    SHADINGS, /* of every loop; beyond: */
+    TEXTURED_COLORED = SHADINGS,
+    MATCAP_COLORED,
+    ALL_SHADINGS
 };
-static const char *const shading_name[SHADINGS] = {"flat",    "gouraud", "phong",   "slerp",
-                                                   "texture", "matcap",  "colored", "texflat"};
+static const char *const shading_name[ALL_SHADINGS] = {"flat",   "gouraud", "phong",   "slerp",  "texture",
+                                                       "matcap", "colored", "texflat", "texcol", "matcol"};
 
 /* What a draw has besides, all shadings alike. */
 enum beside {
@@ -300,6 +303,10 @@ static int run_bands(struct sheen_frame *frame, const struct way *way)
 
 static const struct sheen_shader *shader_of(const struct scene *s)
 {
+    if (s->shading == TEXTURED_COLORED)
+        return (s->mesh + s->view) % 2 ? &sheen_textured_flat_colored : &sheen_textured_colored;
+    if (s->shading == MATCAP_COLORED)
+        return (s->mesh + s->view) % 2 ? &sheen_matcap_vertex_colored : &sheen_matcap_colored;
     if (s->shading == COLORED)
         return (s->mesh + s->view) % 2 ? &sheen_flat_colored : &sheen_gouraud_colored;
     if (s->shading == MATCAP)
@@ -316,7 +323,7 @@ static void light_texels(struct sheen_material *material, const struct scene *s)
         return;
     for (int k = 0; k < 3; k++)
         material->base[k] = material->highlight[k] = 255;
-    if (s->mesh == SUM_BOX && s->shading != TEXTURED_FLAT) {
+    if (s->mesh == SUM_BOX && s->shading != TEXTURED_FLAT && s->shading != TEXTURED_COLORED) {
         material->ambient = SHEEN_Q16(1);
         material->diffuse = material->specular = 0;
     }
@@ -403,9 +410,9 @@ static int print_sums(const struct scene *s)
     const struct sheen_morph morph = {&second, &sheen_morpher, s->weight};
     struct sheen_texture texture;
     struct sheen_object draw = {.mesh = &own, .shader = shader_of(s), .edges = sheen_edges_of(s->edging)};
-    const int textured = s->shading == TEXTURED || s->shading == TEXTURED_FLAT || s->shading == MATCAP;
+    const int textured = s->shading == TEXTURED || s->shading == MATCAP || s->shading >= TEXTURED_FLAT;
 
-    if (s->shading == COLORED)
+    if (s->shading == COLORED || s->shading >= TEXTURED_COLORED)
         paint_vertices(&own);
     if (textured)
         hang_texture(&own, &texture, s);
@@ -609,10 +616,33 @@ static int own_lights_besides(void)
     return status;
 }
 
+/* Each view plain, under fog, stippled, bilinear, orthographic, by a ramp, with other lights in turns. */
+static int colored_texels(void)
+{
+    static const int lights[3] = {LIGHTS_WHITE, LIGHTS_COLORED, LIGHTS_AT};
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 2 * VIEWS * 6 && status == SHEEN_OK; i++) {
+        const int turn = i / (2 * VIEWS);
+        struct scene s = varied(TEXTURED_COLORED + i % 2, i / 2 % VIEWS);
+        s.mesh = (s.mesh + turn) % SUM_MESHES;
+        s.format = turn % 2 == 0 ? SHEEN_RGB565_BE : (s.format + turn) % 5;
+        s.beside = turn % BESIDES;
+        s.mixed = turn == 3;
+        s.orthographic = turn == 4;
+        s.weight = turn == 2 ? 20000 : 0;
+        s.ramp = turn == 5 && s.shading == TEXTURED_COLORED ? RAMP_HALF : RAMP_NONE;
+        s.lights = s.shading == TEXTURED_COLORED ? lights[turn % 3] : LIGHTS_WHITE;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
 int main(void)
 {
-    static int (*const part[])(void) = {shadings,    besides,         morphs, with_edges,   own_lights,
-                                        flat_texels, bilinear_texels, ramps,  orthographic, own_lights_besides};
+    static int (*const part[])(void) = {shadings,      besides,         morphs, with_edges,   own_lights,
+                                        flat_texels,   bilinear_texels, ramps,  orthographic, own_lights_besides,
+                                        colored_texels};
 
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (part[i]() < 0)
