@@ -139,10 +139,7 @@ void accuracy_ortho(struct ref_scene *scene)
 
 static enum sheen_pixel format_of(int levels)
 {
-    return levels == 0   ? SHEEN_RGB565_BE
-           : levels == 2 ? SHEEN_GREY2
-           : levels < 17 ? SHEEN_GREY16
-                         : SHEEN_GREY256;
+    return levels == 0 ? SHEEN_RGB565_BE : levels == 2 ? SHEEN_GREY2 : levels < 17 ? SHEEN_GREY16 : SHEEN_GREY256;
 }
 
 static int shoot(struct accuracy_shot *shot, const struct ref_scene *scene, const struct ref_picture *picture,
