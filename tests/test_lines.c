@@ -242,7 +242,8 @@ static bool is_fogged(const struct line_case *c, int at, double m)
     static const double line[3] = LINE_IN_FOG;
     if (at < 0)
         return false;
-    const int want = ref_fogged_value(&c->scene, line, ref_fog_share(&c->scene, ref_nearness(&c->scene, m)), 0, 0), value = c->fogged[at];
+    const int want = ref_fogged_value(&c->scene, line, ref_fog_share(&c->scene, ref_nearness(&c->scene, m)), 0, 0),
+              value = c->fogged[at];
 
     return abs((value >> 11) - (want >> 11)) <= 1 && abs((value >> 5 & 63) - (want >> 5 & 63)) <= 1 &&
            abs((value & 31) - (want & 31)) <= 1;

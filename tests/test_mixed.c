@@ -5,11 +5,12 @@
  *   test_mixed MIXES [FIRST]
  *
  * A mix's number says its shading, format, filter and whether it lies in fog, so that all of these meet; poses, lights,
- * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), vertex
- * colours, coloured and point lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps,
- * a step more in fog (bilinear: within what its texels allow), and draws nothing that is left out. Shares of equal
- * pixels, bilinear where these are calm (REF_CALM), are judged by shading, format and fog over all mixes: of one, an
- * area of one colour that lies on a rounding edge decides.
+ * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), vertex colours, coloured and point
+ * lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps, a
+ * step more in fog and on 256 greys (bilinear: within what its texels allow), and draws nothing that is left out.
+ * Shares of equal pixels, bilinear where these are calm (REF_CALM), are judged by shading, format, filter and fog over
+ * all mixes: of one, an area of one colour that lies on a rounding edge decides. So is the share that was compared, by
+ * shading.
  */
 #include <math.h>
 #include <stdio.h>
@@ -285,6 +286,23 @@ static int judge_row(const struct row *row, int shown, int format, int in_fog, i
     return 1;
 }
 
+/* Enough has to be compared to tell something. */
+static int judge_compared(int shown)
+{
+    long covered = 0, compared = 0;
+
+    for (int i = 0; i < FORMATS * 4; i++) {
+        const struct row *row = &rows[shown][i / 4][i / 2 % 2][i % 2];
+        covered += row->covered;
+        compared += row->compared;
+    }
+    printf("%-15s %5.1f %% of covered pixels compared\n", shown_name[shown], 100 * share(compared, covered));
+    if (share(compared, covered) >= ACCURACY_COMPARED)
+        return 0;
+    printf("  FAILED too little was compared\n");
+    return 1;
+}
+
 int main(int argc, char **argv)
 {
     static struct random_meshes meshes;
@@ -301,6 +319,8 @@ int main(int argc, char **argv)
     for (int i = 0; i < SHOWN * FORMATS * 4; i++)
         failed += judge_row(&rows[i / 4 / FORMATS][i / 4 % FORMATS][i / 2 % 2][i % 2], i / 4 / FORMATS, i / 4 % FORMATS,
                             i / 2 % 2, i % 2);
+    for (int shown = 0; shown < SHOWN; shown++)
+        failed += judge_compared(shown);
     random_meshes_free(&meshes);
     printf("%d outside their limits, of %u mixes\n", failed, count);
     return failed != 0;
