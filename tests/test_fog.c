@@ -11,12 +11,58 @@
 #include "accuracy_line.h"
 #include "textured_scene.h"
 
-static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp", "textured", "matcap", "matcap-vertex"};
+/* The first four are enum ref_shading's. */
+enum shown {
+    TEXTURED = REF_SLERP + 1,
+    TEXTURED_FLAT,
+    BILINEAR,
+    TEXTURED_POINTS,
+    MATCAP,
+    MATCAP_VERTEX,
+    MATCAP_BILINEAR,
+    FLAT_COLORED,
+    GOURAUD_COLORED,
+    FLAT_POINTS, /* lights, coloured ones */
+    GOURAUD_POINTS,
+    SHOWN
+};
+static const char *const shading_name[SHOWN] = {"flat",
+                                                "gouraud",
+                                                "phong",
+                                                "slerp",
+                                                "textured",
+                                                "textured flat",
+                                                "bilinear",
+                                                "textured points",
+                                                "matcap",
+                                                "matcap-vertex",
+                                                "matcap bilinear",
+                                                "flat colored",
+                                                "gouraud colored",
+                                                "flat points",
+                                                "gouraud points"};
 static const char *prefix;
 
-#define TEXTURED 4
-#define MATCAP 5
-#define MATCAP_VERTEX 6
+static bool has_uv(int shown)
+{
+    return shown >= TEXTURED && shown <= TEXTURED_POINTS;
+}
+
+static bool is_matcap(int shown)
+{
+    return shown >= MATCAP && shown <= MATCAP_BILINEAR;
+}
+
+/* One whose bias and pattern are another's. */
+static bool is_variant(int shown)
+{
+    return (shown > TEXTURED && shown < MATCAP) || shown > MATCAP_VERTEX;
+}
+
+static bool is_flat(int shown)
+{
+    return shown == REF_FLAT || shown == TEXTURED_FLAT || shown == FLAT_COLORED || shown == FLAT_POINTS;
+}
 
 /* Of a scene without perspective that fog might be measured by: what lies between its planes. */
 struct range {
@@ -37,12 +83,14 @@ static void set_fog(struct ref_scene *scene, const struct range *range)
     memcpy(scene->fog_color, range->color, sizeof scene->fog_color);
 }
 
-/* Equal 95 %; within one step what the shading has to be, worst a step more. */
+/* Equal 95 %; within one step what the shading has to be, worst a step more; bilinear within what its texels allow. */
 static bool kept(const struct ref_score *s, int shading, bool fog)
 {
     const struct accuracy_limit *limit = &accuracy_limits[shading >= TEXTURED ? REF_GOURAUD : shading];
     const double compared = (double)s->compared;
 
+    if (shading == BILINEAR || shading == MATCAP_BILINEAR)
+        return (double)s->calm_equal >= 0.88 * (double)s->calm && s->beyond == 0 && s->dropped_drawn == 0;
     return s->equal >= (fog ? fmin(limit->equal, 0.95) : limit->equal) * compared &&
            s->within_one >= limit->within_one * compared && s->worst <= limit->worst + fog && s->dropped_drawn == 0;
 }
@@ -64,7 +112,9 @@ static int judge_picture(struct fog_line *line, const struct ref_scene *scene, c
         return 1;
     int status = accuracy_shoot(&shot, scene, &picture, mesh, 0);
     int failed = status < 0 || !kept(s, shading, scene->fog);
-    const double equal = s->compared > 0 ? (double)s->equal / (double)s->compared : 1;
+    const bool calm = shading == BILINEAR || shading == MATCAP_BILINEAR;
+    const double of = (double)(calm ? s->calm : s->compared),
+                 equal = of > 0 ? (double)(calm ? s->calm_equal : s->equal) / of : 1;
     line->equal = fmin(line->equal, equal);
     line->covered += s->covered;
     line->compared += s->compared;
@@ -86,21 +136,47 @@ static int judge_picture(struct fog_line *line, const struct ref_scene *scene, c
     return failed;
 }
 
-static int view_of(struct ref_scene *scene, struct accuracy_mesh *mesh, int shading, int i)
+static enum ref_shading shading_of(int shown)
 {
-    if (shading == TEXTURED) {
+    return is_flat(shown)       ? REF_FLAT
+           : shown <= REF_SLERP ? (enum ref_shading)shown
+           : is_matcap(shown)   ? REF_PHONG
+                                : REF_GOURAUD;
+}
+
+/* Vertices' colours, and point lights with colours. */
+static void set_colors(struct ref_scene *scene, int shown, int i)
+{
+    scene->colored = shown == FLAT_COLORED || shown == GOURAUD_COLORED || i % 2;
+    if (shown < FLAT_POINTS)
+        return;
+    accuracy_more_lights(scene);
+    accuracy_tints(scene);
+    accuracy_points(scene);
+    scene->diffuse = 1.6;
+}
+
+static int view_of(struct ref_scene *scene, struct accuracy_mesh *mesh, int shown, int i)
+{
+    static const enum textured_light light[] = {TEXTURED_SCENE_GOURAUD, TEXTURED_SCENE_FLAT, TEXTURED_SCENE_GLOSSY,
+                                                TEXTURED_SCENE_POINTS};
+    const bool coarse = is_flat(shown) || (i % 3 == 0 && shown <= REF_SLERP);
+
+    if (has_uv(shown)) {
         if (textured_mesh_make(mesh, i % 3) != 0)
             return -1;
-        textured_view(scene, &mesh->reference, i % TEXTURED_VIEWS, TEXTURED_SCENE_GOURAUD);
+        textured_view(scene, &mesh->reference, i % TEXTURED_VIEWS, light[shown - TEXTURED]);
         return 0;
     }
-    if (accuracy_mesh_make(mesh, i % ACCURACY_SHAPES, shading == REF_FLAT || (i % 3 == 0 && shading < MATCAP)) != 0)
+    if (accuracy_mesh_make(mesh, i % ACCURACY_SHAPES, coarse) != 0)
         return -1;
     accuracy_view(scene, &mesh->reference, i / 2 % ACCURACY_VIEWS);
-    scene->shading = shading >= MATCAP ? REF_PHONG : (enum ref_shading)shading;
-    if (shading >= MATCAP)
-        scene->texels = shading == MATCAP ? REF_TEXELS_NORMAL : REF_TEXELS_CORNER_NORMALS;
-    if (i % 7 == 6)
+    scene->shading = shading_of(shown);
+    if (is_matcap(shown))
+        scene->texels = shown == MATCAP_VERTEX ? REF_TEXELS_CORNER_NORMALS : REF_TEXELS_NORMAL;
+    if (shown >= FLAT_COLORED)
+        set_colors(scene, shown, i);
+    else if (i % 7 == 6)
         accuracy_more_lights(scene);
     return 0;
 }
@@ -124,12 +200,13 @@ static struct ref_texture texture_of(int shading, int i)
 
     texture.keyed = i % 3 == 2;
     texture.key = texture.texels[0];
-    if (shading >= MATCAP)
+    if (is_matcap(shading))
         texture = (struct ref_texture){.width = 1 << sphere[i % 4]->width_log2,
                                        .height = 1 << sphere[i % 4]->height_log2,
                                        .texels = sphere[i % 4]->texels,
                                        .clamp = {true, true}};
     texture.bits = 16;
+    texture.bilinear = shading == BILINEAR || shading == MATCAP_BILINEAR;
     return texture;
 }
 
@@ -138,17 +215,17 @@ static int judge(int shading, enum kind kind)
     struct fog_line line = {.equal = 1};
     int failed = 0;
 
-    for (int i = 0; i < (shading == TEXTURED ? 10 : 16); i++) {
+    for (int i = 0; i < (has_uv(shading) ? 10 : 16); i++) {
         struct ref_texture texture = texture_of(shading, i);
         struct accuracy_mesh mesh;
         struct ref_scene scene;
         if (view_of(&scene, &mesh, shading, i) != 0)
             return 1;
-        scene.texture = shading >= TEXTURED ? &texture : NULL;
+        scene.texture = has_uv(shading) || is_matcap(shading) ? &texture : NULL;
         if (i % 5 == 3)
             accuracy_ortho(&scene);
         scene.affine = i % 5 == 4;
-        scene.dither = i % 2;
+        scene.dither = i % 2 || shading == MATCAP_BILINEAR; /* a lid is of one colour: on a rounding edge by luck */
         if (kind != LEFT_OUT)
             set_fog(&scene, &ranges[i % 4]);
         if (kind == BIASED)
@@ -160,9 +237,13 @@ static int judge(int shading, enum kind kind)
         failed += judge_picture(&line, &scene, mesh.mesh, shading);
         accuracy_mesh_free(&mesh);
     }
-    printf("%-13s %-8s %2d pictures %5.1f %% compared %6.2f %% equal, worst %d, %ld of %ld left out are drawn\n",
+    printf("%-15s %-8s %2d pictures %5.1f %% compared %6.2f %% equal, worst %d, %ld of %ld left out are drawn\n",
            shading_name[shading], kind_name[kind], line.pictures, 100 * (double)line.compared / (double)line.covered,
            100 * line.equal, line.worst, line.dropped_drawn, line.dropped);
+    if ((double)line.compared < ACCURACY_COMPARED * (double)line.covered) {
+        printf("  FAILED too little was compared\n");
+        failed++;
+    }
     return failed;
 }
 
@@ -212,9 +293,10 @@ int main(int argc, char **argv)
     int failed = 0;
 
     prefix = argc > 1 ? argv[1] : NULL;
-    for (int shading = 0; shading <= MATCAP_VERTEX; shading++)
+    for (int shading = 0; shading < SHOWN; shading++)
         for (int kind = 0; kind < KINDS; kind++)
-            failed += judge(shading, (enum kind)kind);
+            if (kind == FOG || kind == BOTH || !is_variant(shading))
+                failed += judge(shading, (enum kind)kind);
     for (int fault = 0; fault < FAULTS; fault++)
         failed += judge_fault((enum fault)fault);
     printf("%d pictures outside their limits\n", failed);
