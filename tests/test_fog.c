@@ -247,6 +247,44 @@ static int judge(int shading, enum kind kind)
     return failed;
 }
 
+/* What lies beyond the fog's end is of the background, where that has the fog's colour: in every format, dithered too. */
+static int judge_full(int shown)
+{
+    static struct accuracy_shot shot;
+    static const int levels[] = {0, 2, 16, 256};
+    static const double color[3] = {77 / 255.0, 123 / 255.0, 201 / 255.0};
+    long drawn = 0, seams = 0;
+
+    for (int i = 0; i < 8; i++) {
+        struct ref_texture texture = texture_of(shown, i);
+        struct accuracy_mesh mesh;
+        struct ref_scene scene;
+        struct ref_picture picture;
+        if (view_of(&scene, &mesh, shown, i) != 0)
+            return 1;
+        scene.texture = has_uv(shown) || is_matcap(shown) ? &texture : NULL;
+        scene.levels = levels[i % 4];
+        scene.dither = i < 4;
+        scene.fog = true;
+        scene.fog_from = 0.5 * scene.near;
+        scene.fog_to = scene.near;
+        memcpy(scene.fog_color, color, sizeof color);
+        memcpy(scene.background, color, sizeof color);
+        if (ref_render(&picture, &scene) != 0)
+            return 1;
+        const int status = accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0);
+        seams += status < 0;
+        drawn += shot.stats.frame.drawn;
+        for (int at = 0; at < scene.width * scene.height; at++)
+            seams += shot.values[at] != ref_value(&scene, color, 0, 0, true);
+        ref_picture_free(&picture);
+        accuracy_mesh_free(&mesh);
+    }
+    printf("%-15s full fog: %ld triangles, %ld pixels show%s\n", shading_name[shown], drawn, seams,
+           seams > 0 || drawn == 0 ? "  FAILED" : "");
+    return seams > 0 || drawn == 0;
+}
+
 enum fault {
     IN_M,
     PHASE,
@@ -297,6 +335,8 @@ int main(int argc, char **argv)
         for (int kind = 0; kind < KINDS; kind++)
             if (kind == FOG || kind == BOTH || !is_variant(shading))
                 failed += judge(shading, (enum kind)kind);
+    for (int shown = 0; shown < SHOWN; shown++)
+        failed += judge_full(shown);
     for (int fault = 0; fault < FAULTS; fault++)
         failed += judge_fault((enum fault)fault);
     printf("%d pictures outside their limits\n", failed);
