@@ -352,7 +352,9 @@ struct sheen_object {
     uint8_t phase;                         /* of the pattern, 0..7 */
     /*
      * Steps of 16-bit depth added to what is tested and left, -4096..4095, larger is nearer: what lies in another's
-     * plane (a decal, an outline) shows. At each corner the sum is held to the depths from z_far to z_near.
+     * plane (a decal, an outline) shows. At each corner, those of cuts too, the sum is held to the depths from z_far to
+     * z_near, 257 and 65277 (struct sheen_canvas): a triangle of which one is held lies tilted in depth, and what is
+     * held at z_far is not drawn. Where depth and bias stay between these all over an object it is moved as it is.
      */
     int16_t depth_bias;
     const struct sheen_morph *morph; /* borrowed likewise; NULL: the mesh as it is */

@@ -186,10 +186,11 @@ enum kind {
     BIASED, /* in depth, which moves it in the fog */
     LEFT_OUT,
     BOTH,
+    HELD, /* biased beyond the planes, where corners are held */
     KINDS
 };
 
-static const char *const kind_name[KINDS] = {"fog", "biased", "left out", "both"};
+static const char *const kind_name[KINDS] = {"fog", "biased", "left out", "both", "held"};
 
 /* Texels with a key, or one of the core's spheres. */
 static struct ref_texture texture_of(int shading, int i)
@@ -210,6 +211,16 @@ static struct ref_texture texture_of(int shading, int i)
     return texture;
 }
 
+/* Planes that are as near to a mesh of radius 1 as cuts nothing of what faces the eye, and the largest bias to one. */
+static void hold(struct ref_scene *scene, bool to_near)
+{
+    scene->bias = to_near ? 4095 : -4096;
+    if (to_near)
+        scene->near = scene->distance - 1;
+    else
+        scene->far = scene->distance + 0.1;
+}
+
 static int judge(int shading, enum kind kind)
 {
     struct fog_line line = {.equal = 1};
@@ -219,6 +230,8 @@ static int judge(int shading, enum kind kind)
         struct ref_texture texture = texture_of(shading, i);
         struct accuracy_mesh mesh;
         struct ref_scene scene;
+        if (kind == HELD && i > 8 && i < 15) /* reach beyond the far plane: balls do not */
+            continue;
         if (view_of(&scene, &mesh, shading, i) != 0)
             return 1;
         scene.texture = has_uv(shading) || is_matcap(shading) ? &texture : NULL;
@@ -226,11 +239,13 @@ static int judge(int shading, enum kind kind)
             accuracy_ortho(&scene);
         scene.affine = i % 5 == 4;
         scene.dither = i % 2 || shading == MATCAP_BILINEAR; /* a lid is of one colour: on a rounding edge by luck */
+        if (kind == HELD)
+            hold(&scene, i < 8);
         if (kind != LEFT_OUT)
             set_fog(&scene, &ranges[i % 4]);
         if (kind == BIASED)
             scene.bias = i % 2 ? 900 - 20 * i : 30 * i - 900;
-        if (kind >= LEFT_OUT) {
+        if (kind == LEFT_OUT || kind == BOTH) {
             scene.left_out = 4 + 13 * i % 56;
             scene.phase = i % 8;
         }
@@ -289,10 +304,24 @@ enum fault {
     IN_M,
     PHASE,
     UNBIASED,
+    HELD_LATE,
     FAULTS
 };
 
-static const char *const fault_name[FAULTS] = {"fog linear in m", "another phase", "fog without the bias"};
+static const char *const fault_name[FAULTS] = {"fog linear in m", "another phase", "fog without the bias",
+                                               "a bias held at the pixel"};
+
+/* The picture as it would be if not the corners were held to the planes. */
+static void hold_pixels(struct ref_picture *picture, const struct ref_scene *scene)
+{
+    for (int i = 0; i < picture->width * picture->height; i++) {
+        struct ref_pixel *pixel = &picture->pixels[i];
+        const double z = ref_nearness(scene, pixel->m) + (double)scene->bias / REF_STEPS;
+        if (pixel->covered)
+            pixel->value = ref_fogged_value(scene, pixel->color, ref_fog_share(scene, fmin(fmax(z, 0), 1)),
+                                            i % picture->width, i / picture->width);
+    }
+}
 
 /* The test of the test: a picture that the reference has otherwise has to be refused. */
 static int judge_fault(enum fault fault)
@@ -305,11 +334,15 @@ static int judge_fault(enum fault fault)
 
     if (view_of(&scene, &mesh, REF_GOURAUD, 0) != 0)
         return 1;
-    set_fog(&scene, &ranges[0]);
+    if (fault == HELD_LATE)
+        hold(&scene, true);
+    set_fog(&scene, &ranges[fault == HELD_LATE]); /* that one begins before the near plane */
     scene.left_out = fault == PHASE ? 32 : 0;
     scene.fog_in_m = fault == IN_M;
     if (ref_render(&picture, &scene) == 0) {
-        scene.bias = fault == UNBIASED ? 900 : 0;
+        scene.bias = fault == UNBIASED ? 900 : scene.bias;
+        if (fault == HELD_LATE)
+            hold_pixels(&picture, &scene);
         if (accuracy_shoot(&shot, &scene, &picture, mesh.mesh, 0) == SHEEN_OK) {
             if (fault == PHASE) {
                 scene.phase = 1;
@@ -333,7 +366,8 @@ int main(int argc, char **argv)
     prefix = argc > 1 ? argv[1] : NULL;
     for (int shading = 0; shading < SHOWN; shading++)
         for (int kind = 0; kind < KINDS; kind++)
-            if (kind == FOG || kind == BOTH || !is_variant(shading))
+            if (kind == HELD ? shading == REF_GOURAUD || shading == MATCAP
+                             : kind == FOG || kind == BOTH || !is_variant(shading))
                 failed += judge(shading, (enum kind)kind);
     for (int shown = 0; shown < SHOWN; shown++)
         failed += judge_full(shown);
