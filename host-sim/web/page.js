@@ -11,7 +11,7 @@ const SLIDERS = { // name: least, most, step, unit
     fov: [5, 120, 1, '°'], opacity: [0, 1, .01, ''], 'morph-weight': [0, 1, .01, ''],
 };
 const MORE = ['phase', 'fog', 'fog-color', 'ambient-color', 'point-light', 'vertex-colors', 'dither', 'ramp', 'edges', 'line-color', 'perspective',
-    'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'matcap'];
+    'cull', 'normals', 'weights', 'crease', 'up', 'reduce', 'band', 'buffers', 'texture', 'filter', 'wrap', 'texture-size', 'palette', 'alpha-cutoff', 'matcap'];
 const PRESETS = { // color, ambient, diffuse, specular, shininess
     'as it comes': ['', '', '', '', ''],
     gold: ['d8a048', .18, .62, .9, 48], clay: ['c8694a', .25, .85, .05, 8], porcelain: ['f2efe8', .28, .72, .5, 96],
@@ -65,7 +65,7 @@ const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palett
 function optionWords(keep) {
     const words = [];
     for (const [name, value] of Object.entries(settings)) {
-        if (keep(name))
+        if (keep(name) && (name !== 'matcap' || setting('shade').startsWith('matcap')))
             words.push(...(choices[name] === null ? [`--${name}`] : [`--${name}`, value]));
     }
     if (keep('light') && (settings['point-light'] || lights.length !== 1 || textOf(lights[0]) !== defaults.light))
@@ -455,11 +455,11 @@ function showSlider(name) {
 
 function chooser(name) {
     const words = choices[name];
-    const isWords = words && words.includes('|'), isText = ['START,END', 'COLOR'].includes(words);
+    const isWords = words && words.includes('|'), isText = words && /,|COLOR/.test(words); // of several numbers
     const input = isWords ? make('select', {}, make('option', { value: '' }, defaults[name] ?? 'as it comes'),
         ...words.split('|').filter(word => word !== defaults[name] && word !== 'FILE').map(word => make('option', {}, word)))
         : make('input', isText ? { type: 'text', placeholder: words } :
-            { type: 'number', placeholder: defaults[name] ?? '–', min: 0 });
+            { type: 'number', placeholder: defaults[name] ?? '–', min: 0, step: 'any' });
     Object.assign(input, { id: name, title: helps[name] });
     input.onchange = () => set(name, input.value);
     return make('label', { className: 'choose' }, make('span', {}, name), input);

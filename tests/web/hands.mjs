@@ -94,6 +94,17 @@ await page.type('#band', '8');
 await page.keyboard.press('Enter');
 check('bands of 8 rows', (await checkLine(page, 'bands of 8 rows')).includes('--band 8') &&
     await page.evaluate('sheen.x.web_bands() * 8 >= sheen.x.web_height()'));
+for (const [name, text] of [['point-light', '0,.5,1.5,3,gold'], ['alpha-cutoff', '0.35'], ['fog', '1.5,4'], ['ambient-color', 'skyblue']]) {
+    await page.type(`#${name}`, text);
+    await page.keyboard.press('Enter');
+    const words = await checkLine(page, `${name} typed`);
+    check(`${name} typed: ${words}`, words.includes(`--${name} ${text}`));
+}
+await page.select('#matcap', 'jade');
+check('a matcap that is not shown', !(await checkLine(page, 'no matcap')).includes('--matcap'));
+await clickText(page, '#shade button', 'matcap');
+check('a matcap', (await checkLine(page, 'a matcap')).includes('--matcap jade'));
+await clickText(page, '#shade button', 'flat');
 const ids = await page.$$eval('[id]', list => list.map(element => element.id));
 check(`ids given twice: ${ids.filter((id, i) => ids.indexOf(id) !== i)}`, new Set(ids).size === ids.length);
 await (await page.$('#ortho')).click();
