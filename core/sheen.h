@@ -263,6 +263,12 @@ extern const struct sheen_shader sheen_flat, sheen_gouraud, sheen_phong, sheen_s
 extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
 
 /*
+ * The same with light at the pixel, as phong's and slerp's: the vertices' colours, linear in space between (affine: on
+ * the screen), multiply what is not the highlight there. No point lights.
+ */
+extern const struct sheen_shader sheen_phong_colored, sheen_slerp_colored;
+
+/*
  * With the material's texture, for meshes with uvs: base times the texel takes the place of base; the highlight is as
  * without. sheen_textured is lit at the vertices as gouraud is, sheen_textured_flat a polygon, as flat is. Ambient 1,
  * diffuse 0, specular 0 and a white base show the texels as they are, and cost no light.

@@ -256,7 +256,8 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
         scene.affine = i / 3 % 2;
         scene.width = i / 6 ? 240 : 320;
         vary(&scene, variant, i);
-        failed += judge(&line, lines, &scene, mesh->mesh, view, variant <= ORTHO || variant == COLORS);
+        failed += judge(&line, lines, &scene, mesh->mesh, view,
+                        variant <= ORTHO || (variant == COLORS && shading <= REF_GOURAUD));
     }
     snprintf(what, sizeof what, "%d %s", view, variant_name[variant]);
     accuracy_line_print(&line, mesh->name, what, shading_name[shading]);
@@ -308,9 +309,10 @@ static int judge_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading
         failed += judge_line(&lines, mesh, 1, shading, CUT);
     if (shading != REF_FLAT && mesh->reference.triangle_count <= COARSE)
         failed += judge_line(&lines, mesh, 1, shading, STRONG);
+    if (mesh->reference.color)
+        failed += judge_line(&lines, mesh, 1, shading, COLORS) + judge_line(&lines, mesh, 2, shading, TINTS);
     if (shading <= REF_GOURAUD && mesh->reference.color)
-        failed += judge_line(&lines, mesh, 1, shading, COLORS) + judge_line(&lines, mesh, 2, shading, TINTS) +
-                  judge_line(&lines, mesh, 0, shading, POINTS);
+        failed += judge_line(&lines, mesh, 0, shading, POINTS);
     print_ways(&lines, mesh, shading);
     return failed;
 }

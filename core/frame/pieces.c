@@ -103,7 +103,8 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
         for (int k = 0; k < 3; k++)
-            piece_corner(fan[k], a, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
+            piece_corner(fan[k], a, d->as.shader->unit_normals && d->as.shader->carry == NULL, &piece->corner[k],
+                         piece->normal[k]);
     }
 }
 

@@ -33,7 +33,7 @@ struct sheen_shader {
     const struct sheen_light *axes;    /* two lights in place of the object's; NULL: those */
     uint8_t needs_normals;             /* 1: the mesh has to have vertex normals */
     uint8_t reads_normals;             /* 1: set-ups read those of front faces too, not what vertices keep alone */
-    uint8_t unit_normals;              /* 1: corners of pieces need unit normals */
+    uint8_t unit_normals;              /* 1: corners of pieces need unit normals, and are linear in space always */
     uint8_t needs_texture;             /* 1: the material has to have a texture; there is no ramp then */
     uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
     uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */

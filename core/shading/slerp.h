@@ -7,19 +7,31 @@
 #include "../math/arc.h"
 #include "shading.h"
 
-/* Corners from the top down; edges 02, 01 and 12 of them. */
-struct slerp_setup {
-    struct setup s;       /* detail: SLERP_EVEN, SLERP_LONG_RIGHT */
-    int16_t x[3], y[3];   /* as in struct vertex */
-    int16_t normal[3][3]; /* as seen, 1.0 = 32767 */
-    uint16_t weight[3];   /* UQ0.16, proportional to 1/m, not 0 */
-    uint32_t inverse[3];  /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
+/* A corner without its normal. */
+struct slerp_place {
+    int16_t x, y;    /* as in struct vertex */
+    uint16_t weight; /* UQ0.16, proportional to 1/m, not 0 */
 };
 
-#define SLERP_EVEN 1u       /* no perspective: all weights are equal */
-#define SLERP_LONG_RIGHT 2u /* edge 02 bounds the right */
+/* Corners from the top down; edges 02, 01 and 12 of them. */
+struct slerp_corners {
+    struct slerp_place place[3];
+    int16_t normal[3][3]; /* as seen, 1.0 = 32767 */
+    uint32_t inverse[3];  /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
+    uint8_t even;         /* no perspective: all weights are equal */
+    uint8_t long_right;   /* edge 02 bounds the right */
+};
+
+struct slerp_setup {
+    struct setup s;
+    struct slerp_corners at;
+};
 
 extern const uint8_t sheen_slerp_end[3][2]; /* an edge's corners */
+
+/* Of weighed corners. From places and normals of clockwise ones. */
+void sheen_slerp_places(struct slerp_place place[3], const struct surface_corners *c);
+void sheen_slerp_corners(struct slerp_corners *to, const struct slerp_place place[3], int16_t normal[3][3]);
 
 /* Where a row crosses an edge. */
 struct crossing {
@@ -29,7 +41,7 @@ struct crossing {
 };
 
 /* centre: of the row, 1/64 px from the viewport's centre. */
-void sheen_slerp_cross(const struct slerp_setup *s, unsigned edge, int32_t centre, struct crossing *at);
+void sheen_slerp_cross(const struct slerp_corners *at, unsigned edge, int32_t centre, struct crossing *crossing);
 
 /* t of the way from 1/m = a to b on the screen, UQ0.15, is so much in space; *weight: what is there. */
 static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weight)

@@ -62,6 +62,21 @@ SPECIALISED int32_t unit_dot_at(const struct pixel_normal *p, const int32_t v[3]
     return min32(max32(x, -(1 << 29)), 1 << 29);
 }
 
+/* Q2.29 to Q0.15 */
+SPECIALISED int32_t rounded_cosine(int32_t ln)
+{
+    return asr32(ln + (1 << 13), 14);
+}
+
+/* Of light i, at L.N = ln > 0 and V.N = facing, Q2.29: UQ1.15. */
+SPECIALISED uint32_t pixel_highlight(const struct draw *d, unsigned i, int32_t ln, int32_t facing)
+{
+    const int32_t product = mul_16_32(asr32(ln, 14), facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
+
+    return highlight_at(d->power, (int32_t)((uint32_t)d->light.lv1[i] - 4u * (uint32_t)product),
+                        (uint32_t)rounded_cosine(ln));
+}
+
 /* Sum over the lights, each with its weight. */
 SPLIT void light_pixel(const struct draw *d, const struct pixel_normal *p, struct lit *lit, int by_ramp)
 {
@@ -70,16 +85,14 @@ SPLIT void light_pixel(const struct draw *d, const struct pixel_normal *p, struc
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0 */
 
     for (unsigned i = 0; i < l->count; i++) {
-        int32_t ln = unit_dot_at(p, l->to[i]), high = asr32(ln, 14), rounded = asr32(ln + (1 << 13), 14); /* Q0.15 */
+        const int32_t ln = unit_dot_at(p, l->to[i]), rounded = rounded_cosine(ln);
         if (by_ramp)
             diffuse += l->diffuse_weight[i] * response_at(l->ramp, rounded);
         if (ln <= 0)
             continue;
         if (!by_ramp)
             diffuse += l->diffuse_weight[i] * (uint32_t)rounded;
-        int32_t product = mul_16_32(high, facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
-        int32_t u = (int32_t)((uint32_t)l->lv1[i] - 4u * (uint32_t)product);
-        specular += l->specular_weight[i] * highlight_at(d->power, u, (uint32_t)rounded);
+        specular += l->specular_weight[i] * pixel_highlight(d, i, ln, facing);
     }
     lit->diffuse = (diffuse + HALF) >> 15;
     lit->specular = (specular + HALF) >> 15;

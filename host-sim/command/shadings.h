@@ -22,7 +22,8 @@ enum sheen_shading {
 static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shading)
 {
     static const struct sheen_shader *const shader[SHEEN_ALL_SHADINGS] = {
-        &sheen_flat_colored, &sheen_gouraud_colored, NULL, NULL, &sheen_matcap_colored, &sheen_matcap_vertex_colored};
+        &sheen_flat_colored,  &sheen_gouraud_colored, &sheen_phong_colored,
+        &sheen_slerp_colored, &sheen_matcap_colored,  &sheen_matcap_vertex_colored};
 
     return shader[shading];
 }

@@ -31,7 +31,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(morph_(cut|corners)|position_of|normal_of|points_middle|sheen_shared_normals)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
-                (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
+                (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_plain_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)texel_values_at", r"texel_of_unit$"),
                 (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",

@@ -1,0 +1,93 @@
+/*
+ * slerp_colored.c - slerp with colours of vertices and lights: normals go along arcs, colours are linear in space.
+ */
+#include "../triangle/reflection.h"
+#include "../triangle/tinted.h"
+#include "slerp_row.h"
+
+/* As struct shares_setup, and where the corners are. */
+struct slerp_colored_setup {
+    struct setup s;
+    union shared_triangle of;
+    struct shares shares;
+    struct slerp_place place[3]; /* clockwise */
+};
+SETUP_FITS(struct slerp_colored_setup);
+
+struct tinted_arc_row {
+    struct arc_row of;
+    struct tinted_triangle triangle;
+    struct tinted_run run;
+};
+
+static void draw_tinted(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
+                        const struct place *b)
+{
+    struct tinted_arc_row *row = (struct tinted_arc_row *)r;
+    int32_t share[3];
+
+    sheen_slerp_normals(r, p, a, b, row->run.n, row->run.dn);
+    sheen_tinted_row(&row->run, &row->triangle, r->s, p->x, r->y, share);
+    sheen_tinted_run(t, r->s->draw, p->x, p->x1, r->y, &row->run);
+}
+
+static const struct arc_way tinted_arcs = {sheen_slerp_normal_parts, sheen_slerp_normal_place, draw_tinted};
+
+static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const struct span *span)
+{
+    arc_row(t, r, span, tinted_arcs);
+}
+
+/* A mesh's corners are counterclockwise where it is seen from the front. */
+static void clockwise_normals(const struct slerp_colored_setup *s, int16_t normal[3][3])
+{
+    int16_t own[3][3];
+
+    sheen_shared_normals(&s->s, s->of, own);
+    for (int k = 0; k < 3; k++) {
+        const int16_t *from = own[(s->s.detail & SHARES_BACK) != 0 ? k : (3 - k) % 3];
+        int32_t unit[3] = {from[0], from[1], from[2]};
+        const int piece = (s->s.detail & SHARES_PIECE) != 0 && sheen_normalize(unit, unit) == SHEEN_OK;
+        for (int i = 0; i < 3; i++)
+            normal[k][i] = piece ? (int16_t)min32(round15(unit[i]), 32767) : from[i];
+    }
+}
+
+static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
+{
+    const struct slerp_colored_setup *s = (const struct slerp_colored_setup *)setup;
+    struct slerp_corners at;
+    struct tinted_arc_row row;
+    int16_t normal[3][3];
+
+    clockwise_normals(s, normal);
+    sheen_slerp_corners(&at, s->place, normal);
+    row.of.s = setup;
+    row.of.at = &at;
+    sheen_tinted_begin(&row.run, &row.triangle, setup, s->of, &s->shares);
+    arc_rows(t, &row.of, draw_tinted_row);
+}
+
+/* Between normals that nearly agree arcs differ from what is linear by less than a level shows. */
+static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
+{
+    struct slerp_colored_setup *s = (struct slerp_colored_setup *)setup;
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* what these have as normals are shares */
+    uint32_t h[3];
+
+    sheen_setup_tinted(setup, c, g);
+    if (g == NULL || setup->draw->light.count == 0 || (!piece && sheen_normals_apart(c, h) <= CLOSE_ARCS))
+        return;
+    sheen_slerp_places(s->place, c);
+    setup->way = SHEEN_WAY_SLERP_NORMALS;
+    setup->rows = tinted_slerp_rows;
+}
+
+const struct sheen_shader sheen_slerp_colored = {.begin = sheen_glow_begin,
+                                                 .carry = sheen_carry_shares,
+                                                 .setup = slerp_colored_setup,
+                                                 .needs_normals = 1,
+                                                 .corners = OF_MESH(normals),
+                                                 .reads_normals = 1,
+                                                 .unit_normals = 1,
+                                                 .at_pixels = 1};
