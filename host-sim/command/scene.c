@@ -65,6 +65,11 @@ int sheen_scene_is_colored(const struct sheen_scene *scene)
     return scene->has_colors || (scene->options->shade < SHEEN_MATCAP && lights_are_colored(scene->options));
 }
 
+int sheen_scene_corners_alone(const struct sheen_scene *scene)
+{
+    return scene->texel_count > 0 || has_points(scene->options);
+}
+
 static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
                          const struct sheen_options *options, const uint8_t color[3])
 {
@@ -157,21 +162,14 @@ static int check_shading(struct sheen_scene *scene, struct sheen_problem *proble
     const struct sheen_options *options = scene->options;
     const int is_lit = options->shade_given && options->shade > SHEEN_GOURAUD && options->shade < SHEEN_MATCAP;
 
-    scene->is_usage = is_lit && (scene->texel_count || sheen_scene_is_colored(scene));
+    scene->is_usage = is_lit && sheen_scene_corners_alone(scene);
     if (!scene->is_usage)
         return SHEEN_OK;
     if (scene->texel_count)
         return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
                              "--shade: %s shows a texture, which is lit flat or gouraud; --texture off shows none",
                              options->mesh);
-    if (scene->has_colors)
-        return sheen_problem(
-            problem, SHEEN_ERR_UNSUPPORTED,
-            "--shade: %s has colours of vertices, shown flat or gouraud; --vertex-colors off leaves them out",
-            options->mesh);
-    if (has_points(options))
-        return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: point lights are for flat and gouraud");
-    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: light with colours is for flat and gouraud");
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: point lights are for flat and gouraud");
 }
 
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
@@ -387,9 +385,7 @@ enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene)
 {
     enum sheen_shading asked = (enum sheen_shading)scene->options->shade;
 
-    return (scene->texel_count || sheen_scene_is_colored(scene)) && asked > SHEEN_GOURAUD && asked < SHEEN_MATCAP
-               ? SHEEN_GOURAUD
-               : asked;
+    return sheen_scene_corners_alone(scene) && asked > SHEEN_GOURAUD && asked < SHEEN_MATCAP ? SHEEN_GOURAUD : asked;
 }
 
 enum sheen_edging sheen_scene_edging(const struct sheen_scene *scene)

@@ -52,7 +52,10 @@ int sheen_scene_texels(struct sheen_texels **texels, const struct sheen_host_mes
 /* 1 where there are colours of vertices, lights or ambient light that the shading asked for shows. */
 int sheen_scene_is_colored(const struct sheen_scene *scene);
 
-/* How it is shaded: as the options say, or where a texture or colours are shown by default gouraud. */
+/* 1 where it can be lit flat or gouraud alone: it shows a texture, or there are point lights. */
+int sheen_scene_corners_alone(const struct sheen_scene *scene);
+
+/* How it is shaded: as the options say, or where these do not and it is lit so alone, gouraud. */
 enum sheen_shading sheen_scene_shading(const struct sheen_scene *scene);
 
 /*

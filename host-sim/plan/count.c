@@ -11,6 +11,7 @@
 #include "taps.h"
 #include "triangle/quadric.h"
 #include "triangle/quotient.h"
+#include "triangle/tinted.h"
 
 #define LONG 2048 /* 1/64 px: where a processor that does not divide leaves the table of reciprocals (edge.c) */
 
@@ -134,6 +135,7 @@ static const struct rows_kind {
     {sheen_phong_cell_rows, cells_kind, 0},
     {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},
     {sheen_phong_lights_rows, lights_kind, 0},
+    {sheen_tinted_rows, NULL, SHEEN_PLAN_TINTED_SETUP},
     {sheen_slerp_rows, slerp_kind, 0},
 };
 
@@ -148,7 +150,7 @@ static unsigned kind_of(const struct tile *t, const struct setup *s)
         return t->dither                  ? SHEEN_PLAN_FOGGED_DITHERED_SETUP
                : s->way == SHEEN_WAY_FLAT ? SHEEN_PLAN_FOGGED_CONSTANT_SETUP
                                           : SHEEN_PLAN_FOGGED_SETUP;
-    return SHEEN_PLAN_SLERP_SETUP;
+    return s->way == SHEEN_WAY_SLERP_NORMALS ? SHEEN_PLAN_TINTED_SETUP : SHEEN_PLAN_SLERP_SETUP;
 }
 
 /* ---- texels ---- */
@@ -253,11 +255,13 @@ void sheen_plan_setup(const struct surface_corners *corners, const struct gradie
 static void count_shaded(const struct tile *t, const struct setup *s, unsigned kind, uint32_t shaded)
 {
     const uint32_t lights = shaded * s->draw->light.count;
-    const int by_normal = kind == SHEEN_PLAN_LIGHTS_SETUP || kind == SHEEN_PLAN_SLERP_NORMALS_SETUP;
-    const int general = kind == SHEEN_PLAN_CURVED_GENERAL_SETUP || kind == SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP ||
-                        kind == SHEEN_PLAN_CELLS_GENERAL_SETUP || kind == SHEEN_PLAN_SLERP_GENERAL_SETUP ||
-                        kind == SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP ||
-                        ((by_normal || kind == SHEEN_PLAN_NEEDLE_SETUP) && !s->draw->loop.usable);
+    const int by_normal =
+        kind == SHEEN_PLAN_LIGHTS_SETUP || kind == SHEEN_PLAN_SLERP_NORMALS_SETUP || kind == SHEEN_PLAN_TINTED_SETUP;
+    const int general =
+        kind == SHEEN_PLAN_CURVED_GENERAL_SETUP || kind == SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP ||
+        kind == SHEEN_PLAN_CELLS_GENERAL_SETUP || kind == SHEEN_PLAN_SLERP_GENERAL_SETUP ||
+        kind == SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP ||
+        ((by_normal || kind == SHEEN_PLAN_NEEDLE_SETUP) && kind != SHEEN_PLAN_TINTED_SETUP && !s->draw->loop.usable);
     const int own_fog = kind >= SHEEN_PLAN_FOGGED_SETUP && kind <= SHEEN_PLAN_FOGGED_ARCS_SETUP;
 
     SHEEN_TAP(PIXEL_LIGHT, by_normal ? lights : 0);

@@ -140,6 +140,7 @@ enum sheen_plan_stage {
     K(ROOT)          /* one light, a root a pixel */                                                                   \
     K(LIGHTS)        /* several */                                                                                     \
     K(NEEDLE)        /* one light and the way of several: what the others do not take */                               \
+    K(TINTED)        /* normals and colours of the pixels: Phong, and slerp by NORMAL_PART too */                      \
     K(SLERP)         /* great arcs; and what is not in count.c's table */                                              \
     K(SLERP_DITHERED)                                                                                                  \
     K(SLERP_GENERAL) /* greys, and what is clamped */                                                                  \

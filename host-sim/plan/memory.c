@@ -71,6 +71,8 @@ static unsigned room_of(const struct sheen_shader *shader)
         &sheen_textured_colored,
         &sheen_matcap_colored,
         &sheen_matcap_vertex_colored,
+        &sheen_phong_colored,
+        &sheen_slerp_colored,
     };
     unsigned room = 0;
 

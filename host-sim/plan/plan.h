@@ -26,7 +26,7 @@ struct sheen_plan_times {
 
 struct sheen_plan {
     const struct sheen_options *options;
-    enum sheen_shading shade; /* where a texture or colours are shown gouraud, or flat */
+    enum sheen_shading shade; /* where a texture is shown or lights are points gouraud, or flat */
     char look[128];           /* what else is shown, in words, each after a comma */
     int is_usage;             /* 1: the command line is what is wrong, not the mesh */
     struct sheen_sim_choice choice;

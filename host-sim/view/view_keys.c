@@ -82,12 +82,12 @@ static int look_key(struct sheen_viewer *viewer, int key)
     }
 }
 
-/* Textures and colours are lit flat or gouraud alone; after the last shading the first. */
+/* What is lit flat or gouraud alone goes on to what is not lit; after the last shading the first. */
 static int next_shading(const struct sheen_scene *scene)
 {
     const int shading = (int)sheen_scene_shading(scene);
 
-    if ((scene->texel_count || sheen_scene_is_colored(scene)) && shading == SHEEN_GOURAUD)
+    if (sheen_scene_corners_alone(scene) && shading == SHEEN_GOURAUD)
         return SHEEN_MATCAP;
     return (shading + 1) % SHEEN_ALL_SHADINGS;
 }

@@ -102,9 +102,9 @@ static void measure_all(const struct frame *frame)
 /* And what as many free channels take without colours. */
 static void measure_colored(const struct bench_scene *scene)
 {
-    static const char *const name[] = {"flat_colored", "gouraud_colored"};
+    static const char *const name[] = {"flat_colored", "gouraud_colored", "phong_colored", "slerp_colored"};
 
-    for (int shading = SHEEN_FLAT; shading <= SHEEN_GOURAUD; shading++) {
+    for (int shading = SHEEN_FLAT; shading <= SHEEN_SLERP; shading++) {
         const struct frame frame = {scene, name[shading], (uint8_t)shading, BENCH_COLORED};
         if (measure(&frame, 16, PLAIN) < 0)
             guest_leave(1);

@@ -79,6 +79,8 @@ static const struct named shaders[] = {NAMED(sheen_flat),
                                        NAMED(sheen_textured_flat_colored),
                                        NAMED(sheen_matcap_colored),
                                        NAMED(sheen_matcap_vertex_colored),
+                                       NAMED(sheen_phong_colored),
+                                       NAMED(sheen_slerp_colored),
                                        NAMED(sheen_matcap),
                                        NAMED(sheen_matcap_vertex),
                                        {NULL, NULL}};
