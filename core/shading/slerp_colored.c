@@ -39,9 +39,9 @@ static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const
 }
 
 /* A mesh's corners are counterclockwise where it is seen from the front. */
-static void clockwise_normals(const struct slerp_colored_setup *s, int16_t normal[3][3])
+static APART void tinted_corners(const struct slerp_colored_setup *s, struct slerp_corners *at)
 {
-    int16_t own[3][3];
+    int16_t own[3][3], normal[3][3];
 
     sheen_shared_normals(&s->s, s->of, own);
     for (int k = 0; k < 3; k++) {
@@ -51,6 +51,7 @@ static void clockwise_normals(const struct slerp_colored_setup *s, int16_t norma
         for (int i = 0; i < 3; i++)
             normal[k][i] = piece ? (int16_t)min32(round15(unit[i]), 32767) : from[i];
     }
+    sheen_slerp_corners(at, s->place, normal);
 }
 
 static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
@@ -58,10 +59,8 @@ static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
     const struct slerp_colored_setup *s = (const struct slerp_colored_setup *)setup;
     struct slerp_corners at;
     struct tinted_arc_row row;
-    int16_t normal[3][3];
 
-    clockwise_normals(s, normal);
-    sheen_slerp_corners(&at, s->place, normal);
+    tinted_corners(s, &at);
     row.of.s = setup;
     row.of.at = &at;
     sheen_tinted_begin(&row.run, &row.triangle, setup, s->of, &s->shares);
