@@ -51,7 +51,7 @@ static APART int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_
     return (int32_t)round_shift64((int64_t)share[0] * a + (int64_t)share[1] * b + (int64_t)share[2] * c, 30);
 }
 
-/* A corner as pieces store it; unit: slerp goes from unit vector to unit vector. */
+/* A corner as pieces store it; unit: of the shader. */
 static void piece_corner(const struct clip_corner *from, const struct attributes *a, int unit, struct vertex *v,
                          int16_t out[3])
 {
@@ -64,7 +64,7 @@ static void piece_corner(const struct clip_corner *from, const struct attributes
     int32_t n[3];
     for (int i = 0; i < 3; i++)
         n[i] = out[i] = (int16_t)shared(from->share, normal[0][i], normal[1][i], normal[2][i]);
-    if (unit && sheen_normalize(n, n) == SHEEN_OK)
+    if (unit == UNIT_IN_SPACE && sheen_normalize(n, n) == SHEEN_OK)
         for (int i = 0; i < 3; i++)
             out[i] = (int16_t)min32(asr32(n[i] + (1 << 14), 15), 32767);
     for (int i = 0; i < 2; i++)
@@ -103,8 +103,7 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
         for (int k = 0; k < 3; k++)
-            piece_corner(fan[k], a, d->as.shader->unit_normals && d->as.shader->carry == NULL, &piece->corner[k],
-                         piece->normal[k]);
+            piece_corner(fan[k], a, d->as.shader->unit_normals, &piece->corner[k], piece->normal[k]);
     }
 }
 

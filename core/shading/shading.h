@@ -13,6 +13,13 @@
 /* An array of a mesh, of int16_t. */
 #define OF_MESH(array) (offsetof(struct sheen_mesh, array))
 
+/* What corners of pieces are given in place of normals. */
+enum piece_normals {
+    LINEAR_NORMALS, /* as cuts are: in space, or where that is how a triangle is shaded on the screen */
+    UNIT_IN_SPACE,  /* linear in space, brought to length 1: slerp goes from unit vector to unit vector */
+    LINEAR_IN_SPACE
+};
+
 /*
  * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing. material: the object's, as its ramp has
  *   it; view: world to eye.
@@ -33,7 +40,7 @@ struct sheen_shader {
     const struct sheen_light *axes;    /* two lights in place of the object's; NULL: those */
     uint8_t needs_normals;             /* 1: the mesh has to have vertex normals */
     uint8_t reads_normals;             /* 1: set-ups read those of front faces too, not what vertices keep alone */
-    uint8_t unit_normals;              /* 1: corners of pieces need unit normals, and are linear in space always */
+    uint8_t unit_normals;              /* enum piece_normals */
     uint8_t needs_texture;             /* 1: the material has to have a texture; there is no ramp then */
     uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
     uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */

@@ -80,10 +80,11 @@ static void arcs_setup(struct slerp_setup *s, struct surface_corners *c)
 
     sheen_weigh(c);
     sheen_slerp_places(place, c);
-    for (int k = 0; k < 9; k++) {
-        const int32_t part = max32(c->at.normal[k / 3][k % 3], -32767);
-        normal[k / 3][k % 3] = (int16_t)(c->back ? -part : part);
-    }
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < 3; i++) {
+            const int32_t part = max32(c->at.normal[k][i], -32767);
+            normal[k][i] = (int16_t)(c->back ? -part : part);
+        }
     sheen_slerp_corners(&s->at, place, normal);
 }
 
@@ -115,5 +116,5 @@ const struct sheen_shader sheen_slerp = {.light = sheen_keep_cosines,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),
                                          .reads_normals = 1,
-                                         .unit_normals = 1,
+                                         .unit_normals = UNIT_IN_SPACE,
                                          .at_pixels = 1};

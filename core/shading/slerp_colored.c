@@ -45,7 +45,7 @@ static APART void tinted_corners(const struct slerp_colored_setup *s, struct sle
 
     sheen_shared_normals(&s->s, s->of, own);
     for (int k = 0; k < 3; k++) {
-        const int16_t *from = own[(s->s.detail & SHARES_BACK) != 0 ? k : (3 - k) % 3];
+        const int16_t *from = own[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
         int32_t unit[3] = {from[0], from[1], from[2]};
         const int piece = (s->s.detail & SHARES_PIECE) != 0 && sheen_normalize(unit, unit) == SHEEN_OK;
         for (int i = 0; i < 3; i++)
@@ -88,5 +88,5 @@ const struct sheen_shader sheen_slerp_colored = {.begin = sheen_glow_begin,
                                                  .needs_normals = 1,
                                                  .corners = OF_MESH(normals),
                                                  .reads_normals = 1,
-                                                 .unit_normals = 1,
+                                                 .unit_normals = LINEAR_IN_SPACE,
                                                  .at_pixels = 1};
