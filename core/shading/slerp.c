@@ -13,33 +13,24 @@ SETUP_FITS(struct slerp_setup);
 
 const uint8_t sheen_slerp_end[3][2] = {{0, 2}, {0, 1}, {1, 2}};
 
-void sheen_slerp_cross(const struct slerp_corners *at, unsigned edge, int32_t centre, struct crossing *crossing)
+void sheen_slerp_cross(const struct slerp_corners *s, unsigned edge, int32_t centre, struct crossing *at)
 {
-    const struct slerp_place *a = &at->place[sheen_slerp_end[edge][0]], *b = &at->place[sheen_slerp_end[edge][1]];
-    const int32_t across = b->x - a->x;                                         /* below 2^16 */
-    const uint32_t t = (uint32_t)(centre - a->y) * at->inverse[edge];           /* UQ.31, at most 1.0 and 2^-16 of it */
+    const unsigned a = sheen_slerp_end[edge][0], b = sheen_slerp_end[edge][1];
+    const int32_t across = s->x[b] - s->x[a];                                   /* below 2^16 */
+    const uint32_t t = (uint32_t)(centre - s->y[a]) * s->inverse[edge];         /* UQ.31, at most 1.0 and 2^-16 of it */
     const int32_t high = (int32_t)(t >> 16), low = (int32_t)(t >> 1 & 0x7fffu); /* 65408 * 2^15 < 2^31 */
 
-    crossing->x = a->x * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
-    crossing->t = min32((int32_t)((t + (1u << 15)) >> 16), 32768);
-    crossing->weight = a->weight;
-    if (!at->even)
-        crossing->t = in_space(crossing->t, a->weight, b->weight, &crossing->weight);
+    at->x = s->x[a] * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
+    at->t = min32((int32_t)((t + (1u << 15)) >> 16), 32768);
+    at->weight = s->weight[a];
+    if (!s->even)
+        at->t = in_space(at->t, s->weight[a], s->weight[b], &at->weight);
 }
 
 /* ---- set-up ---- */
 
-void sheen_slerp_places(struct slerp_place place[3], const struct surface_corners *c)
-{
-    for (int k = 0; k < 3; k++) {
-        place[k].x = c->at.v[k]->x;
-        place[k].y = c->at.v[k]->y;
-        place[k].weight = (uint16_t)(c->flat_weight ? 0xffff : max32((int32_t)(c->weight[k] >> 16), 1));
-    }
-}
-
 /* order: the corners from the top down, corners of a row as they come. Returns 1 where they turn the other way then. */
-static int from_the_top(unsigned order[3], const struct slerp_place place[3])
+static int from_the_top(unsigned order[3], const struct surface_corners *c)
 {
     int turned = 0;
 
@@ -47,7 +38,7 @@ static int from_the_top(unsigned order[3], const struct slerp_place place[3])
         order[i] = i;
     for (unsigned i = 0; i < 3; i++) {
         const unsigned upper = order[i % 2], lower = order[i % 2 + 1];
-        if (place[lower].y < place[upper].y) {
+        if (c->at.v[lower]->y < c->at.v[upper]->y) {
             order[i % 2] = lower;
             order[i % 2 + 1] = upper;
             turned ^= 1;
@@ -56,36 +47,27 @@ static int from_the_top(unsigned order[3], const struct slerp_place place[3])
     return turned;
 }
 
-void sheen_slerp_corners(struct slerp_corners *to, const struct slerp_place place[3], int16_t normal[3][3])
+void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c)
 {
     unsigned order[3];
 
-    to->long_right = (uint8_t)from_the_top(order, place);
+    s->long_right = (uint8_t)from_the_top(order, c);
+    s->even = 1;
     for (int k = 0; k < 3; k++) {
-        to->place[k] = place[order[k]];
-        for (int i = 0; i < 3; i++)
-            to->normal[k][i] = normal[order[k]][i];
-    }
-    to->even = to->place[0].weight == to->place[1].weight && to->place[0].weight == to->place[2].weight;
-    for (int k = 0; k < 3; k++) {
-        const uint32_t height = (uint32_t)(to->place[sheen_slerp_end[k][1]].y - to->place[sheen_slerp_end[k][0]].y);
-        to->inverse[k] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
-    }
-}
-
-static void arcs_setup(struct slerp_setup *s, struct surface_corners *c)
-{
-    struct slerp_place place[3];
-    int16_t normal[3][3];
-
-    sheen_weigh(c);
-    sheen_slerp_places(place, c);
-    for (int k = 0; k < 3; k++)
+        const struct vertex *v = c->at.v[order[k]];
+        s->x[k] = v->x;
+        s->y[k] = v->y;
+        s->weight[k] = slerp_weight(c, order[k]);
+        s->even &= s->weight[k] == s->weight[0];
         for (int i = 0; i < 3; i++) {
-            const int32_t part = max32(c->at.normal[k][i], -32767);
-            normal[k][i] = (int16_t)(c->back ? -part : part);
+            int32_t part = max32(c->at.normal[order[k]][i], -32767);
+            s->normal[k][i] = (int16_t)(c->back ? -part : part);
         }
-    sheen_slerp_corners(&s->at, place, normal);
+    }
+    for (int k = 0; k < 3; k++) {
+        const uint32_t height = (uint32_t)(s->y[sheen_slerp_end[k][1]] - s->y[sheen_slerp_end[k][0]]);
+        s->inverse[k] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
+    }
 }
 
 static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
@@ -104,7 +86,8 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
         return;
     int one = f.apart <= (d->power.shininess > 16 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
               way_wanted(d, SHEEN_WAY_SLERP);
-    arcs_setup((struct slerp_setup *)setup, c);
+    sheen_weigh(c);
+    sheen_slerp_corners(&((struct slerp_setup *)setup)->at, c);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
     setup->fast = 0;
     setup->rows = sheen_slerp_rows;

@@ -10,7 +10,8 @@ struct slerp_colored_setup {
     struct setup s;
     union shared_triangle of;
     struct shares shares;
-    struct slerp_place place[3]; /* clockwise */
+    int16_t x[3], y[3]; /* clockwise, as in struct slerp_corners */
+    uint16_t weight[3];
 };
 SETUP_FITS(struct slerp_colored_setup);
 
@@ -26,12 +27,12 @@ static void draw_tinted(const struct tile *t, struct arc_row *r, const struct pa
     struct tinted_arc_row *row = (struct tinted_arc_row *)r;
     int32_t share[3];
 
-    sheen_slerp_normals(r, p, a, b, row->run.n, row->run.dn);
+    normals_between(r, p, a, b, row->run.n, row->run.dn);
     sheen_tinted_row(&row->run, &row->triangle, r->s, p->x, r->y, share);
     sheen_tinted_run(t, r->s->draw, p->x, p->x1, r->y, &row->run);
 }
 
-static const struct arc_way tinted_arcs = {sheen_slerp_normal_parts, sheen_slerp_normal_place, draw_tinted};
+static const struct arc_way tinted_arcs = {normal_parts, normal_place, draw_tinted};
 
 static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const struct span *span)
 {
@@ -41,17 +42,24 @@ static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const
 /* A mesh's corners are counterclockwise where it is seen from the front. */
 static APART void tinted_corners(const struct slerp_colored_setup *s, struct slerp_corners *at)
 {
-    int16_t own[3][3], normal[3][3];
+    struct surface_corners c = {.back = 0, .flat_weight = 0};
+    struct vertex v[3];
+    int16_t normal[3][3];
 
-    sheen_shared_normals(&s->s, s->of, own);
+    sheen_shared_normals(&s->s, s->of, normal);
     for (int k = 0; k < 3; k++) {
-        const int16_t *from = own[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
-        int32_t unit[3] = {from[0], from[1], from[2]};
+        int16_t *n = normal[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
+        int32_t unit[3] = {n[0], n[1], n[2]};
         const int piece = (s->s.detail & SHARES_PIECE) != 0 && sheen_normalize(unit, unit) == SHEEN_OK;
-        for (int i = 0; i < 3; i++)
-            normal[k][i] = piece ? (int16_t)min32(round15(unit[i]), 32767) : from[i];
+        for (int i = 0; i < 3 && piece; i++)
+            n[i] = (int16_t)min32(round15(unit[i]), 32767);
+        v[k].x = s->x[k];
+        v[k].y = s->y[k];
+        c.at.v[k] = &v[k];
+        c.at.normal[k] = n;
+        c.weight[k] = (uint32_t)s->weight[k] << 16;
     }
-    sheen_slerp_corners(at, s->place, normal);
+    sheen_slerp_corners(at, &c);
 }
 
 static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
@@ -77,7 +85,11 @@ static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, 
     sheen_setup_tinted(setup, c, g);
     if (g == NULL || setup->draw->light.count == 0 || (!piece && sheen_normals_apart(c, h) <= CLOSE_ARCS))
         return;
-    sheen_slerp_places(s->place, c);
+    for (unsigned k = 0; k < 3; k++) {
+        s->x[k] = c->at.v[k]->x;
+        s->y[k] = c->at.v[k]->y;
+        s->weight[k] = slerp_weight(c, k);
+    }
     setup->way = SHEEN_WAY_SLERP_NORMALS;
     setup->rows = tinted_slerp_rows;
 }

@@ -40,24 +40,13 @@ struct arc_way {
                  const struct place *b);
 };
 
-#define MOST_PARTS 4 /* the logarithm of their number, before perspective adds up to 2 */
-#define LEAST_PART 3 /* px: of less, each pixel for itself */
-
-/* slerp_lit.c: the way under one light. */
-unsigned sheen_slerp_lit_parts(const struct arc_row *r);
-void sheen_slerp_lit_place(const struct arc_row *r, int32_t t, struct place *p);
-void sheen_slerp_draw_lit(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
-                          const struct place *b);
+#define MOST_PARTS 4       /* the logarithm of their number, before perspective adds up to 2 */
+#define LEAST_PART 3       /* px: of less, each pixel for itself */
+#define WIDEST_NORMALS 159 /* sin^2(p/2), UQ0.15, of the widest parts by normals: 8 degrees */
 
 /* slerp_parts.c: the row at centre, 1/64 px from the viewport's, between edge 02 and `other`; their arcs are `arc`. */
 void sheen_slerp_begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
                            int32_t centre);
-
-/* Of ways by normals: parts, place, and normals of any length along a part: at its first column, and steps, Q1.30. */
-unsigned sheen_slerp_normal_parts(const struct arc_row *r);
-void sheen_slerp_normal_place(const struct arc_row *r, int32_t t, struct place *p);
-void sheen_slerp_normals(const struct arc_row *r, const struct part *p, const struct place *a, const struct place *b,
-                         uint32_t n[3], uint32_t dn[3]);
 
 /* v t / 2^15, |v| < 2^22, t < 2^17 */
 static inline int32_t times15(int32_t v, int32_t t)
@@ -78,6 +67,45 @@ static int32_t share_of_row(const struct arc_row *r, int32_t d)
         return d <= 0 ? 0 : 32768;
     return min32((int32_t)((((uint32_t)d << r->up) >> 16) * r->inverse >> 16), 32768);
 }
+
+/* ---- by normals ---- */
+
+static APART void normal_place(const struct arc_row *r, int32_t t, struct place *p)
+{
+    p->weight = r->weight[0];
+    if (!r->at->even)
+        t = in_space(t, r->weight[0], r->weight[1], &p->weight);
+    sheen_arc_at(&r->arc, t, p->part);
+}
+
+/* Times weights the normals are linear on the screen, as they are in space without. */
+SPLIT void normals_between(const struct arc_row *r, const struct part *p, const struct place *a, const struct place *b,
+                           uint32_t n[3], uint32_t dn[3])
+{
+    const unsigned up = clz32(a->weight | b->weight) - 16;
+    const int32_t w0 = (int32_t)(a->weight << up >> 1), w1 = (int32_t)(b->weight << up >> 1), x = p->x - p->first;
+
+    SHEEN_TAP(NORMAL_PART, 1);
+    SHEEN_TAP(SKEWED_PART, !r->at->even);
+    for (int i = 0; i < 3; i++) {
+        const int32_t from = round15(a->part[i]) * w0, more = asr32(round15(b->part[i]) * w1 - from, 8);
+        dn[i] = p->length == 0 ? 0 : (uint32_t)asr32(times8(more, (int32_t)r->inverse), 15 - p->up);
+        n[i] = (uint32_t)from + (uint32_t)times15(more, p->t) * 256u + (uint32_t)x * dn[i];
+    }
+}
+
+static inline unsigned normal_parts(const struct arc_row *r)
+{
+    unsigned parts = r->arc.parts == 2;
+
+    if (r->arc.parts == 0)
+        return 15;
+    while (parts < MOST_PARTS + 2 && r->arc.h > WIDEST_NORMALS << 2 * (parts - (r->arc.parts - 1u)))
+        parts++;
+    return parts;
+}
+
+/* ---- rows ---- */
 
 /* Parts that would have less than LEAST_PART px: each pixel for itself. */
 SPLIT void arc_row(const struct tile *t, struct arc_row *r, const struct span *span, const struct arc_way way)
@@ -137,7 +165,7 @@ SPLIT void arc_rows(const struct tile *t, struct arc_row *r,
     for (unsigned i = 0; i < t->rows; i++) {
         r->y = t->first_row + (int32_t)i;
         const int32_t centre = r->y * SUBPIXEL_ONE + SUBPIXEL_HALF - t->centre_y;
-        const unsigned other = centre < at->place[1].y ? 1 : 2;
+        const unsigned other = centre < at->y[1] ? 1 : 2;
         if (t->spans[i].x0 >= t->spans[i].x1)
             continue;
         if (edge != other)
