@@ -17,7 +17,6 @@ SETUP_FITS(struct slerp_colored_setup);
 
 struct tinted_arc_row {
     struct arc_row of;
-    struct tinted_triangle triangle;
     struct tinted_run run;
 };
 
@@ -28,7 +27,7 @@ static void draw_tinted(const struct tile *t, struct arc_row *r, const struct pa
     int32_t share[3];
 
     normals_between(r, p, a, b, row->run.n, row->run.dn);
-    sheen_tinted_row(&row->run, &row->triangle, r->s, p->x, r->y, share);
+    sheen_tinted_row(&row->run, r->s, p->x, r->y, share);
     sheen_tinted_run(t, r->s->draw, p->x, p->x1, r->y, &row->run);
 }
 
@@ -39,24 +38,23 @@ static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const
     arc_row(t, r, span, tinted_arcs);
 }
 
-/* A mesh's corners are counterclockwise where it is seen from the front. */
+/* at->normal: in the mesh's order, which is counterclockwise where it is seen from the front. */
 static APART void tinted_corners(const struct slerp_colored_setup *s, struct slerp_corners *at)
 {
     struct surface_corners c = {.back = 0, .flat_weight = 0};
     struct vertex v[3];
     int16_t normal[3][3];
 
-    sheen_shared_normals(&s->s, s->of, normal);
     for (int k = 0; k < 3; k++) {
-        int16_t *n = normal[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
-        int32_t unit[3] = {n[0], n[1], n[2]};
+        const int16_t *own = at->normal[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
+        int32_t unit[3] = {own[0], own[1], own[2]};
         const int piece = (s->s.detail & SHARES_PIECE) != 0 && sheen_normalize(unit, unit) == SHEEN_OK;
-        for (int i = 0; i < 3 && piece; i++)
-            n[i] = (int16_t)min32(round15(unit[i]), 32767);
+        for (int i = 0; i < 3; i++)
+            normal[k][i] = piece ? (int16_t)min32(round15(unit[i]), 32767) : own[i];
         v[k].x = s->x[k];
         v[k].y = s->y[k];
         c.at.v[k] = &v[k];
-        c.at.normal[k] = n;
+        c.at.normal[k] = normal[k];
         c.weight[k] = (uint32_t)s->weight[k] << 16;
     }
     sheen_slerp_corners(at, &c);
@@ -68,10 +66,11 @@ static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
     struct slerp_corners at;
     struct tinted_arc_row row;
 
+    sheen_shared_normals(setup, s->of, at.normal);
     tinted_corners(s, &at);
     row.of.s = setup;
     row.of.at = &at;
-    sheen_tinted_begin(&row.run, &row.triangle, setup, s->of, &s->shares);
+    sheen_tinted_begin(&row.run, setup, s->of, &s->shares);
     arc_rows(t, &row.of, draw_tinted_row);
 }
 

@@ -94,7 +94,7 @@ SPLIT void normals_between(const struct arc_row *r, const struct part *p, const 
     }
 }
 
-static inline unsigned normal_parts(const struct arc_row *r)
+SPLIT unsigned normal_parts(const struct arc_row *r)
 {
     unsigned parts = r->arc.parts == 2;
 

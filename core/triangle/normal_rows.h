@@ -69,7 +69,7 @@ SPECIALISED int32_t rounded_cosine(int32_t ln)
 }
 
 /* Of light i, at L.N = ln > 0 and V.N = facing, Q2.29: UQ1.15. */
-SPECIALISED uint32_t pixel_highlight(const struct draw *d, unsigned i, int32_t ln, int32_t facing)
+SPLIT uint32_t pixel_highlight(const struct draw *d, unsigned i, int32_t ln, int32_t facing)
 {
     const int32_t product = mul_16_32(asr32(ln, 14), facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
 

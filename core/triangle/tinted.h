@@ -7,10 +7,10 @@
 #include "glow.h"
 #include "shares.h"
 
-/* A draw's lights, with their colours: of the whole light, UQ1.15, by channel. */
+/* A draw's lights, with their colours. */
 struct tinted_lights {
     uint32_t ambient[3]; /* of channels, with the draw's fraction: what is there without diffuse light */
-    uint16_t diffuse[SHEEN_MAX_LIGHTS][3], specular[SHEEN_MAX_LIGHTS][3];
+    uint16_t color[SHEEN_MAX_LIGHTS][3]; /* UQ1.15 */
 };
 
 /*
@@ -19,25 +19,19 @@ struct tinted_lights {
  */
 struct tinted_run {
     struct tinted_lights lights;
+    const struct shares *planes;
+    int16_t color[3][3]; /* by corner */
     uint32_t z, dz;
     uint32_t n[3], dn[3];     /* Q1.30 */
     uint32_t c[3], dc[3];     /* Q1.30 */
     uint32_t weight, dweight; /* UQ2.30 */
 };
 
-/* A triangle's colours on their way: by corner, and what share these have a pixel more. */
-struct tinted_triangle {
-    const struct shares *planes;
-    int16_t color[3][3];
-    int32_t step[3];
-};
-
-/* What does not change over a triangle: lights, steps of depth, weight and colours. */
-void sheen_tinted_begin(struct tinted_run *run, struct tinted_triangle *triangle, const struct setup *s,
-                        union shared_triangle of, const struct shares *planes);
-/* From a pixel of the triangle on; share: out, of its corners. */
-void sheen_tinted_row(struct tinted_run *run, struct tinted_triangle *triangle, const struct setup *s, int32_t x,
-                      int32_t y, int32_t share[3]);
+/* What does not change over a triangle: lights, corners' colours, steps of depth, weight and colours. */
+void sheen_tinted_begin(struct tinted_run *run, const struct setup *s, union shared_triangle of,
+                        const struct shares *planes);
+/* From a pixel of the triangle on, but for normals; share: out, of its corners. */
+void sheen_tinted_row(struct tinted_run *run, const struct setup *s, int32_t x, int32_t y, int32_t share[3]);
 /* Columns x to before x1. */
 void sheen_tinted_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct tinted_run *run);

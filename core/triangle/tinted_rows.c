@@ -18,13 +18,13 @@ static void add_light(struct tinted_sums *sum, const struct draw *d, const struc
     const int32_t ln = unit_dot_at(p, l->to[i]), rounded = rounded_cosine(ln);
     const uint32_t response = l->ramp != NULL ? response_at(l->ramp, rounded) : (uint32_t)max32(rounded, 0);
 
-    for (int k = 0; k < 3; k++)
-        sum->diffuse[k] += lights->diffuse[i][k] * response;
-    if (ln <= 0)
-        return;
-    const uint32_t highlight = pixel_highlight(d, i, ln, facing);
-    for (int k = 0; highlight != 0 && k < 3; k++)
-        sum->specular[k] += lights->specular[i][k] * highlight;
+    const uint32_t diffuse = (l->diffuse_weight[i] * response + HALF) >> 15;
+    const uint32_t specular = ln > 0 ? (l->specular_weight[i] * pixel_highlight(d, i, ln, facing) + HALF) >> 15 : 0;
+
+    for (int k = 0; k < 3; k++) {
+        sum->diffuse[k] += lights->color[i][k] * diffuse;
+        sum->specular[k] += lights->color[i][k] * specular;
+    }
 }
 
 /* Channels with the draw's fraction. color: UQ1.15. Range: what it multiplies is below 2^31. */
