@@ -20,6 +20,7 @@ sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accur
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_colored accuracy SOURCES test_colored.c LIBRARIES core_picture sheen::core)
+sheen_test(test_gltf_picture accuracy SOURCES test_gltf_picture.c LIBRARIES core_picture sheen_host sheen::core)
 sheen_test(test_fog accuracy SOURCES test_fog.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_morph accuracy SOURCES test_morph.c textured_scene.c accuracy_line.c

@@ -262,7 +262,7 @@ static int judge(int shading, enum kind kind)
     return failed;
 }
 
-/* What lies beyond the fog's end is of the background, where that has the fog's colour: in every format, dithered too. */
+/* What lies beyond the fog has the colour of a background that is the fog's: in every format, dithered too. */
 static int judge_full(int shown)
 {
     static struct accuracy_shot shot;
