@@ -188,6 +188,10 @@ int sheen_ramp_make_gamma(struct sheen_ramp *ramp, sheen_q16_t ambient, sheen_q1
  * blue / 31. Of texel coordinates U = u * width, V = v * height, nearest takes texel (floor U, floor V), bilinear the
  * four around (U - 1/2, V - 1/2) by their shares. A pixel whose nearest texel is transparent is not drawn and leaves
  * depth as it was; to bilinear a transparent neighbour is as that nearest texel.
+ * U is off by at most zu, 1/16 texel (of a mesh that spans more than 1024 of them 1/16384 of these) and what it changes
+ * over 1/16 px; V likewise. Where all texels within that are alike nearest ones are exact. Bilinear colours are off by
+ * at most one step and zu + zv times the largest difference of the texels there; of pixels some 4 % for each step of
+ * the latter are another value.
  */
 struct sheen_texture {
     const void *texels;              /* bits 16: uint16_t, 565; 8: a byte, 4: two of them a byte, the left one in its

@@ -10,13 +10,20 @@
 #define ACCURACY_SHAPES 8
 #define ACCURACY_VIEWS 3
 
-/* The limits that README's accuracy stands on; shares are of the compared pixels. */
+/*
+ * How close the core has to come (README, "Numbers", says how close it comes); shares are of the compared pixels. Texels
+ * and matcaps keep Gouraud's limits where they are nearest. Bilinear ones are off by no more than 1 step and what 1/16
+ * texel and 1/16 px change (struct ref_score's `beyond`), and equal as below where that is little (REF_CALM). In fog a
+ * step more is allowed.
+ */
 struct accuracy_limit {
     double equal, within_one;
     int worst; /* steps of a channel */
 };
 extern const struct accuracy_limit accuracy_limits[4]; /* by enum ref_shading */
 
+#define ACCURACY_BILINEAR 0.88 /* equal, of calm pixels */
+#define ACCURACY_FOGGED 0.95   /* equal, at least, where the limit is not lower */
 #define ACCURACY_COMPARED 0.60 /* of the covered pixels, at least */
 
 struct accuracy_mesh {

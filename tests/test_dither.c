@@ -1,6 +1,6 @@
 /*
- * test_dither.c - the one rounding: every pixel is exactly what the formula (README, "The
- * picture") makes of the core's own unrounded colour, with dither and without.
+ * test_dither.c - the one rounding: every pixel is exactly what the formula (core/pixel/pixel.h)
+ * makes of the core's own unrounded colour, with dither and without.
  */
 #include <math.h>
 #include <setjmp.h>

@@ -1,6 +1,6 @@
 /*
- * test_fog.c - fog, and pixels that are left out, against their definition in double precision (README, "How close the
- * integers come").
+ * test_fog.c - fog, and pixels that are left out, against their definition (core/sheen.h) in double precision, by
+ * accuracy.h's limits.
  *
  *   test_fog [PREFIX]     a line a shading and kind; PREFIX: pictures of what failed
  */
@@ -90,8 +90,8 @@ static bool kept(const struct ref_score *s, int shading, bool fog)
     const double compared = (double)s->compared;
 
     if (shading == BILINEAR || shading == MATCAP_BILINEAR)
-        return (double)s->calm_equal >= 0.88 * (double)s->calm && s->beyond == 0 && s->dropped_drawn == 0;
-    return s->equal >= (fog ? fmin(limit->equal, 0.95) : limit->equal) * compared &&
+        return (double)s->calm_equal >= ACCURACY_BILINEAR * (double)s->calm && s->beyond == 0 && s->dropped_drawn == 0;
+    return s->equal >= (fog ? fmin(limit->equal, ACCURACY_FOGGED) : limit->equal) * compared &&
            s->within_one >= limit->within_one * compared && s->worst <= limit->worst + fog && s->dropped_drawn == 0;
 }
 

@@ -345,7 +345,7 @@ static bool is_kept(struct accuracy_shot *shot, struct ref_scene *scene, const s
         scene->base[k] = host->group[0].has_color ? host->group[0].color[k] / 255.0 : 1;
     if (made && accuracy_shoot(shot, scene, picture, &quantised.mesh, 0) == SHEEN_OK) {
         const struct ref_score *s = &shot->score;
-        kept = imported.bilinear ? (double)s->calm_equal >= 0.88 * (double)s->calm && s->beyond == 0 &&
+        kept = imported.bilinear ? (double)s->calm_equal >= ACCURACY_BILINEAR * (double)s->calm && s->beyond == 0 &&
                                        (double)s->compared >= ACCURACY_COMPARED * (double)s->covered
                                  : accuracy_kept(s, REF_GOURAUD, ACCURACY_COMPARED);
     }

@@ -1,5 +1,5 @@
 /*
- * test_matcap.c - matcaps against their definition in double precision (README, "How close the integers come").
+ * test_matcap.c - matcaps against their definition (core/sheen.h) in double precision, by accuracy.h's limits.
  *
  *   test_matcap [PREFIX]     a line a mesh, matcap and shading; PREFIX: pictures of what failed
  */
@@ -72,7 +72,8 @@ static double part_of(long part, long whole)
 static int score_picture(struct matcap_line *line, const struct accuracy_shot *shot, const struct ref_scene *scene)
 {
     const struct ref_score *s = &shot->score;
-    const double equal = part_of(s->calm_equal, s->calm), least = scene->texture->bilinear ? 0.88 : 0.97;
+    const double equal = part_of(s->calm_equal, s->calm),
+                 least = scene->texture->bilinear ? ACCURACY_BILINEAR : accuracy_limits[REF_GOURAUD].equal;
 
     line->covered += s->covered;
     line->comparable += s->comparable;

@@ -270,17 +270,16 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
 
 static int judge_row(const struct row *row, int shown, int format, int in_fog, int bilinear)
 {
-    const double asked = bilinear                           ? 0.88
-                         : shown == PHONG || shown == SLERP ? 0.96
-                                                            : 0.97,
-                 equal = share(row->equal, row->calm);
+    const enum ref_shading limit = shown <= SLERP ? shading_of[shown] : REF_GOURAUD;
+    const double asked = bilinear ? ACCURACY_BILINEAR : accuracy_limits[limit].equal;
+    const double equal = share(row->equal, row->calm);
 
     if (row->pictures == 0)
         return 0;
     printf("%-15s %3d levels %-3s %-8s %4ld pictures, %5.1f %% compared, %6.2f %% equal, worst %d, %ld of %ld drawn\n",
            shown_name[shown], format_levels[format], in_fog ? "fog" : "", bilinear ? "bilinear" : "", row->pictures,
            100 * share(row->compared, row->covered), 100 * equal, row->worst, row->dropped_drawn, row->dropped);
-    if (equal >= (in_fog ? fmin(asked, 0.95) : asked))
+    if (equal >= (in_fog ? fmin(asked, ACCURACY_FOGGED) : asked))
         return 0;
     printf("  FAILED too few are equal\n");
     return 1;

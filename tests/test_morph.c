@@ -1,6 +1,6 @@
 /*
- * test_morph.c - meshes between two frames, against their definition in double precision (README, "How close the
- * integers come").
+ * test_morph.c - meshes between two frames, against their definition (core/sheen.h) in double precision, by
+ * accuracy.h's limits.
  *
  *   test_morph [PREFIX]     a line a shading; PREFIX: pictures of what failed
  */
