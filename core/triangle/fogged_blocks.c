@@ -129,9 +129,57 @@ static void fogged_run(const struct texel_run *r, const struct texel_at *from)
     }
 }
 
+/* ---- unlit ---- */
+
+#define ALL_FOG (1 << 14)
+
+/* Up to where the share is linear; returns how many pixels, `left` at the most. */
+static int32_t faded_steps(const struct texel_run *r, int32_t left, struct texel_part *p)
+{
+    const struct fog_terms *fog = r->d->fog;
+    const int32_t first = fog_share(fog, p->from->z);
+    int32_t count = min32(left, TEXEL_PART);
+
+    p->fog = (uint32_t)(ALL_FOG - first) * (1u << (LIGHT_BITS - 14)) + (1u << (LIGHT_BITS - 12));
+    p->fog_step = 0;
+    for (; count > 1; count /= 2) {
+        const uint32_t n = (uint32_t)count - 1;
+        const int32_t last = fog_share(fog, p->from->z + n * r->step.z);
+        SHEEN_TAP(FOGGED_TRY, 1);
+        if (last == first)
+            break;
+        if (first == 0 || last == 0 || first == ALL_FOG || last == ALL_FOG)
+            continue; /* it begins or ends there */
+        p->fog_step = (uint32_t)asr32((first - last) * (int32_t)(n == 1 ? 1u << 16 : one_of[n]), 30 - LIGHT_BITS);
+        break;
+    }
+    return count;
+}
+
+static APART void faded_run(const struct texel_run *r, const struct texel_at *from)
+{
+    struct texel_at at;
+    struct texel_part p = {r->depth, 0, from, &r->step, 0, 0};
+
+    for (int32_t left = r->count;;) {
+        SHEEN_TAP(FOGGED_PART, 1);
+        p.count = faded_steps(r, left, &p);
+        sheen_faded_part(r, &p);
+        left -= p.count;
+        if (left <= 0)
+            return;
+        const uint32_t n = (uint32_t)p.count;
+        at = (struct texel_at){p.from->z + n * r->step.z, p.from->u + n * r->step.u, p.from->v + n * r->step.v, 0, 0};
+        p.from = &at;
+        p.depth += n;
+    }
+}
+
 void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from)
 {
-    if (r->pixels == TEXTURED_FOGGED)
+    if (r->pixels == TEXTURED_FOGGED && r->d->texel.unlit && !r->d->texel.texture->bilinear)
+        faded_run(r, from);
+    else if (r->pixels == TEXTURED_FOGGED)
         fogged_run(r, from);
     else
         sheen_fogged_any_texels(r, from);

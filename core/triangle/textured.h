@@ -81,7 +81,7 @@ struct texel_part {
     uint16_t *depth;
     int32_t count;
     const struct texel_at *from, *step;
-    uint32_t fog, fog_step; /* in fog its share, UQ0.24 */
+    uint32_t fog, fog_step; /* in fog its share, UQ0.24; of sheen_faded_part what it leaves, and 2^-12 */
 };
 
 #define TEXEL_PART 32 /* px */
@@ -93,8 +93,9 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
 
 /*
  * Texels under fog. TEXTURED_FOGGED: of a part, light and specular are what the fog leaves of them, together at most
- * 1.0 with its share. Else any.
+ * 1.0 with its share; or nearest ones, unlit. Else any.
  */
+void sheen_faded_part(const struct texel_run *r, const struct texel_part *part);
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part);
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from);
 

@@ -184,6 +184,11 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
 #define SATURATES 0
 #endif
 
+/* The fog's levels, blue 2^16 and red, and green; and with 11 fraction bits, in which the half of the one rounding is. */
+struct faded_fog {
+    uint32_t blue_red, green, blue_red_mist, green_mist;
+};
+
 /* All but the last ones are constant. */
 struct way {
     unsigned packed, lit, glossy, dither, swap;
@@ -195,11 +200,13 @@ struct way {
     uint32_t half;                 /* of rounding, with LIGHT_BITS */
     uint32_t spread;               /* the mask of three channels in 1/32 level */
     const struct sheen_texture *texture;
+    unsigned faded;        /* unlit: in place of the fog's share what it leaves is stepped */
+    struct faded_fog mist; /* of what is faded */
 };
 
 SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
 {
-    struct way way = {packed, lit, glossy, dither, swap, 0, 0, {0, 0, 0}, 0, NULL, 0, 0, NULL};
+    struct way way = {.packed = packed, .lit = lit, .glossy = glossy, .dither = dither, .swap = swap};
 
     return way;
 }
@@ -315,8 +322,58 @@ SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last
     return (way->packed || way->dither) && last - depth > RUN ? depth + RUN : last;
 }
 
+/* 2^16 blue and red. */
+SPECIALISED uint32_t blue_red_of(uint32_t texel)
+{
+    uint32_t blue = texel << 27;
+
+    OPAQUE(blue);
+    return (blue >> 11) + (texel >> 11);
+}
+
+/* On M0+, where a mask takes a register, by shifts. */
+SPECIALISED uint32_t green_of(uint32_t texel)
+{
+    uint32_t green = texel << 21;
+
+#if defined(__ARM_ARCH_6M__)
+    OPAQUE(green);
+#endif
+    return green >> 26;
+}
+
+/* Of channels with 11 fraction bits a 565 value, and above it what is cut. */
+SPECIALISED uint32_t packed_levels(uint32_t blue_red, uint32_t green)
+{
+#if defined(__ARM_ARCH_6M__)
+    return (blue_red >> 11 << 6 | green >> 11) << 5 | blue_red >> 27;
+#else
+    return (blue_red & 0xf800u) | green >> 11 << 5 | blue_red >> 27;
+#endif
+}
+
+/* fog + (texel - fog) * left: two products, and no channel exceeds the larger of both. left: UQ1.11, at most 1.0. */
+SPECIALISED uint32_t faded_texel(const uint16_t *depth, uint32_t texel, uint32_t left, const struct way *way)
+{
+    uint32_t blue_red = (blue_red_of(texel) - way->mist.blue_red) * left + way->mist.blue_red_mist;
+    OPAQUE_BOTH(blue_red, texel); /* one after the other: registers are few */
+    uint32_t green = (green_of(texel) - way->mist.green) * left + way->mist.green_mist;
+
+    if (way->dither) {
+        const uint32_t pair = threshold_pair(way->thresholds, depth);
+        blue_red += pair;
+        green += pair & 0xffffu;
+    }
+    return packed_levels(blue_red, green);
+}
+
 SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct way *way)
 {
+    if (way->faded) {
+        *pixel_at(depth, way->to_pixel) =
+            pixel_order(faded_texel(depth, texel, at->fog >> (LIGHT_BITS - 11), way), way->swap);
+        return;
+    }
     if (way->lit)
         texel = lit_texel(texel, at->light, added_at(at, threshold_at(depth, way), way), way->glossy);
     *pixel_at(depth, way->to_pixel) = pixel_order(texel, way->swap);
@@ -485,6 +542,29 @@ SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, un
     return way;
 }
 
+/* part->fog: what is left of unlit texels, and half of what UQ1.11 of it cuts. */
+SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned packed, unsigned dither,
+                            unsigned swap, unsigned other)
+{
+    const uint32_t half = dither ? 0 : 1u << 10; /* of the one rounding */
+    struct way way = fogged_way(r, packed, 0, dither, swap);
+    const uint32_t blue_red = (way.fog[2] << 16) + way.fog[0], green = way.fog[1];
+
+    way.lit = 0;
+    way.faded = 1;
+    way.other = other;
+    way.mist = (struct faded_fog){blue_red, green, (blue_red << 11) + half * 0x10001u, (green << 11) + half};
+    nearest_part(r, *part, way);
+}
+
+static APART void any_faded_part(const struct texel_run *r, const struct texel_part *part)
+{
+    const struct sheen_texture *texture = r->d->texel.texture;
+
+    faded_part(r, part, r->d->texel.packed, r->t->dither, r->t->format->swap,
+               (texture->bits & 15) != 0 || texture->keyed);
+}
+
 static int is_glossy(const struct texel_part *part)
 {
     return (part->from->specular | part->step->specular) != 0;
@@ -534,6 +614,22 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
     any_fogged_part(r, part);
 }
 #endif
+
+void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
+{
+#if FAST_LOOPS
+    const struct sheen_texture *texture = r->d->texel.texture;
+
+    if (r->t->format->swap && (texture->bits & 15) == 0 && !texture->keyed) {
+        if (!r->d->texel.packed)
+            r->t->dither ? faded_part(r, part, 0, 1, 1, 0) : faded_part(r, part, 0, 0, 1, 0);
+        else
+            r->t->dither ? faded_part(r, part, 1, 1, 1, 0) : faded_part(r, part, 1, 0, 1, 0);
+        return;
+    }
+#endif
+    any_faded_part(r, part);
+}
 
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from)
 {
