@@ -387,8 +387,11 @@ struct sheen_canvas {
 
 struct sheen_fog_mixer;
 
-/* What fogs: all that is drawn; or edges' lines alone, and not the faces. */
-extern const struct sheen_fog_mixer sheen_fog_mixer, sheen_line_fog_mixer;
+/* What fogs. */
+extern const struct sheen_fog_mixer sheen_fog_mixer;
+
+/* What fogs edges' lines alone, and not the faces. */
+extern const struct sheen_fog_mixer sheen_line_fog_mixer;
 
 /*
  * Fog. At a pixel's own depth m it is f = (1/start - 1/m) / (1/start - 1/end), held at 0 and 1 (orthographic: linear in
