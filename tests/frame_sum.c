@@ -29,10 +29,12 @@ enum {
     SHADINGS, /* of every loop; beyond: */
     TEXTURED_COLORED = SHADINGS,
     MATCAP_COLORED,
+    PHONG_COLORED,
+    SLERP_COLORED,
     ALL_SHADINGS
 };
-static const char *const shading_name[ALL_SHADINGS] = {"flat",   "gouraud", "phong",   "slerp",  "texture",
-                                                       "matcap", "colored", "texflat", "texcol", "matcol"};
+static const char *const shading_name[ALL_SHADINGS] = {"flat",    "gouraud", "phong",  "slerp",  "texture", "matcap",
+                                                       "colored", "texflat", "texcol", "matcol", "phocol",  "slecol"};
 
 /* What a draw has besides, all shadings alike. */
 enum beside {
@@ -305,6 +307,8 @@ static const struct sheen_shader *shader_of(const struct scene *s)
 {
     if (s->shading == TEXTURED_COLORED)
         return (s->mesh + s->view) % 2 ? &sheen_textured_flat_colored : &sheen_textured_colored;
+    if (s->shading >= PHONG_COLORED)
+        return s->shading == PHONG_COLORED ? &sheen_phong_colored : &sheen_slerp_colored;
     if (s->shading == MATCAP_COLORED)
         return (s->mesh + s->view) % 2 ? &sheen_matcap_vertex_colored : &sheen_matcap_colored;
     if (s->shading == COLORED)
@@ -410,7 +414,8 @@ static int print_sums(const struct scene *s)
     const struct sheen_morph morph = {&second, &sheen_morpher, s->weight};
     struct sheen_texture texture;
     struct sheen_object draw = {.mesh = &own, .shader = shader_of(s), .edges = sheen_edges_of(s->edging)};
-    const int textured = s->shading == TEXTURED || s->shading == MATCAP || s->shading >= TEXTURED_FLAT;
+    const int textured =
+        s->shading == TEXTURED || s->shading == MATCAP || (s->shading >= TEXTURED_FLAT && s->shading < PHONG_COLORED);
 
     if (s->shading == COLORED || s->shading >= TEXTURED_COLORED)
         paint_vertices(&own);
@@ -638,11 +643,30 @@ static int colored_texels(void)
     return status;
 }
 
+/* By pixels: as own_lights and own_lights_besides, without points. */
+static int colored_pixels(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 2 * VIEWS * SUM_MESHES && status == SHEEN_OK; i++) {
+        struct scene s = varied(PHONG_COLORED + i % 2, i / 2 % VIEWS);
+        s.mesh = i / (2 * VIEWS);
+        s.format = i % 5;
+        s.lights = i % 3 == 0 ? LIGHTS_WHITE : LIGHTS_COLORED;
+        s.beside = i % 4 == 1 ? 1 + i / 4 % (BESIDES - 1) : BESIDE_NOTHING;
+        s.ramp = i % 7 == 3 ? RAMP_HALF : RAMP_NONE;
+        s.orthographic = i % 9 == 4;
+        s.weight = i % 5 == 2 ? 20000 : 0;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
 int main(void)
 {
-    static int (*const part[])(void) = {shadings,      besides,         morphs, with_edges,   own_lights,
-                                        flat_texels,   bilinear_texels, ramps,  orthographic, own_lights_besides,
-                                        colored_texels};
+    static int (*const part[])(void) = {shadings,       besides,         morphs, with_edges,   own_lights,
+                                        flat_texels,    bilinear_texels, ramps,  orthographic, own_lights_besides,
+                                        colored_texels, colored_pixels};
 
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (part[i]() < 0)

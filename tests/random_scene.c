@@ -200,7 +200,7 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
     random_material(&to->scene, to->kind, &state);
     to->way = stage_random(&state) % 2 ? 0 : 1 + first[shading] + stage_random(&state) % ways[shading];
     random_ramp(&to->scene, &state);
-    to->scene.colored = shading <= REF_GOURAUD && stage_random(&state) % 4 == 0;
+    to->scene.colored = stage_random(&state) % 4 == 0;
     if (to->way == 0 && shading <= REF_GOURAUD && stage_random(&state) % 3 == 0)
         random_texture(to, meshes, &state);
     if (stage_random(&state) % 6 == 1)
@@ -209,7 +209,7 @@ void random_scene(struct random_scene *to, const struct random_meshes *meshes, u
         to->scene.left_out = 1 + (int)(stage_random(&state) % 63);
         to->scene.phase = (int)(stage_random(&state) % 8);
     }
-    if (shading <= REF_GOURAUD && stage_random(&state) % 4 == 1)
+    if (stage_random(&state) % 4 == 1)
         random_tints(&to->scene, &state);
 }
 

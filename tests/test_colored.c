@@ -18,16 +18,18 @@ enum fault {
     FAULTS
 };
 
-static const char *const fault_name[FAULTS] = {"red and blue exchanged", "multiplied after interpolation",
-                                               "colours of 5 bits", "none"};
+static const char *const fault_name[FAULTS] = {"red and blue exchanged", "multiplied elsewhere", "colours of 5 bits",
+                                               "none"};
+
+static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 
 #define ICOSAHEDRON 6 /* of accuracy_mesh_make */
 #define BALL 7
 
-static void set_scene(struct ref_scene *scene, const struct accuracy_mesh *mesh)
+static void set_scene(struct ref_scene *scene, const struct accuracy_mesh *mesh, enum ref_shading shading)
 {
     accuracy_view(scene, &mesh->reference, 1);
-    scene->shading = REF_GOURAUD;
+    scene->shading = shading;
     scene->width = scene->height = 240;
     scene->base[0] = scene->base[1] = scene->base[2] = 1;
     scene->colored = true;
@@ -46,7 +48,7 @@ static void spoil(struct ref_mesh *mesh, enum fault fault)
     }
 }
 
-/* Light without colours times colours, at the pixel. */
+/* Light without colours times colours, at the pixel; where that is right, the highlight too. */
 static void colour_late(struct ref_picture *picture, const struct ref_scene *scene)
 {
     struct ref_scene plain = *scene;
@@ -70,14 +72,15 @@ static void colour_late(struct ref_picture *picture, const struct ref_scene *sce
         ref_shade(&plain, p, x + 0.5, y + 0.5, &lit);
         for (int k = 0; k < 3; k++) {
             double color = b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k];
-            pixel->color[k] = lit.diffuse[k] * color + scene->highlight[k] * lit.specular[k];
+            pixel->color[k] = lit.diffuse[k] * color +
+                              scene->highlight[k] * lit.specular[k] * (scene->shading == REF_GOURAUD ? 1 : color);
         }
         pixel->value = ref_value(scene, pixel->color, x, y, false);
     }
 }
 
 /* 1 where the limits do not tell. */
-static int judge_fault(enum fault fault)
+static int judge_fault(enum fault fault, enum ref_shading shading)
 {
     static struct accuracy_shot shot;
     struct accuracy_mesh mesh;
@@ -87,7 +90,7 @@ static int judge_fault(enum fault fault)
 
     if (accuracy_mesh_make(&mesh, ICOSAHEDRON, false) != 0)
         return 1;
-    set_scene(&scene, &mesh);
+    set_scene(&scene, &mesh, shading);
     spoil(&mesh.reference, fault);
     if (ref_render(&picture, &scene) == 0) {
         if (fault == LATE)
@@ -97,8 +100,8 @@ static int judge_fault(enum fault fault)
         ref_picture_free(&picture);
     }
     const int wrong = kept == (fault != NO_FAULT);
-    printf("fault, %s: %ld of %ld equal, worst %d, %s%s\n", fault_name[fault], shot.score.equal, shot.score.compared,
-           shot.score.worst, kept ? "kept" : "refused", wrong ? ": WRONG" : "");
+    printf("%s, fault %s: %ld of %ld equal, worst %d, %s%s\n", shading_name[shading], fault_name[fault],
+           shot.score.equal, shot.score.compared, shot.score.worst, kept ? "kept" : "refused", wrong ? ": WRONG" : "");
     accuracy_mesh_free(&mesh);
     return wrong;
 }
@@ -123,7 +126,7 @@ static int judge_without(void)
 
     if (accuracy_mesh_make(&mesh, BALL, false) != 0)
         return 1;
-    set_scene(&scene, &mesh);
+    set_scene(&scene, &mesh, REF_GOURAUD);
     if (ref_render(&picture, &scene) != 0)
         return 1;
     const uint8_t *colors = mesh.own.mesh.colors;
@@ -183,11 +186,14 @@ int main(void)
 {
     int failed = 0;
 
-    for (int fault = 0; fault < FAULTS; fault++)
-        failed += judge_fault((enum fault)fault);
+    for (int shading = REF_GOURAUD; shading <= REF_SLERP; shading++)
+        for (int fault = 0; fault < FAULTS; fault++)
+            failed += judge_fault((enum fault)fault, (enum ref_shading)shading);
     failed += judge_without();
     failed += judge_one_colour(&sheen_flat_colored);
     failed += judge_one_colour(&sheen_gouraud_colored);
+    failed += judge_one_colour(&sheen_phong_colored);
+    failed += judge_one_colour(&sheen_slerp_colored);
     printf("%d failed\n", failed);
     return failed != 0;
 }
