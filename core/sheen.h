@@ -530,7 +530,7 @@ enum sheen_subject {
     SHEEN_ABOUT_SHADER,
     SHEEN_ABOUT_LIGHTS,
     SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
-    SHEEN_ABOUT_TEXTURE,
+    SHEEN_ABOUT_TEXTURE,      /* none, out of range, no palette, or a matcap's that is bilinear and does not clamp */
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
     SHEEN_ABOUT_FOG,          /* of the view */
     SHEEN_ABOUT_DEPTH_BIAS,

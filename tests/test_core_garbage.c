@@ -127,7 +127,7 @@ static void fill_draw(struct garbage *g)
                                .two_sided = (uint8_t)below(g, 2)};
     g->texture = sheen_matcap_jade;
     g->texture.bilinear = (uint8_t)below(g, 2);
-    g->texture.clamp_u = (uint8_t)below(g, 2);
+    g->texture.clamp_u = (uint8_t)(below(g, 8) != 0);
     g->material.texture = below(g, 16) != 0 ? &g->texture : NULL;
     sheen_pose_orbit(&d->pose, stage_random(&g->state), stage_random(&g->state), stage_random(&g->state), 0);
     d->pose.scale = below(g, 4) == 0 ? positive(g) : 1 << (12 + below(g, 7));

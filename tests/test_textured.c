@@ -301,6 +301,30 @@ static int draw_about(const struct sheen_object *object, const struct sheen_targ
     return about;
 }
 
+/* What is mixed has to clamp both ways. */
+static int judge_matcaps(struct sheen_object *object, struct sheen_material *material,
+                         const struct sheen_target *target)
+{
+    static const struct sheen_shader *const shader[4] = {&sheen_matcap, &sheen_matcap_vertex, &sheen_matcap_colored,
+                                                         &sheen_matcap_vertex_colored};
+    const struct sheen_texture *const good = material->texture;
+    struct sheen_texture texture = *good;
+    int wrong = 0;
+
+    material->texture = &texture;
+    for (unsigned i = 0; i < 4 * 8; i++) {
+        object->shader = shader[i / 8];
+        texture.bilinear = i & 1;
+        texture.clamp_u = i >> 1 & 1;
+        texture.clamp_v = i >> 2 & 1;
+        const enum sheen_subject right =
+            (i & 7) == 1 || (i & 7) == 3 || (i & 7) == 5 ? SHEEN_ABOUT_TEXTURE : SHEEN_ABOUT_NOTHING;
+        wrong += draw_about(object, target) != (int)right;
+    }
+    material->texture = good;
+    return wrong;
+}
+
 static int judge_arguments(void)
 {
     static const uint8_t numbers[1] = {0};
@@ -336,6 +360,8 @@ static int judge_arguments(void)
     mesh.own.mesh.uvs = NULL;
     wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_UVS;
     mesh.own.mesh.uvs = mesh.own.uvs;
+    wrong += judge_matcaps(&object, &material, &target.target);
+    object.shader = &sheen_textured;
     mesh.own.mesh.normals = NULL;
     wrong += draw_about(&object, &target.target) != SHEEN_ABOUT_NORMALS;
     object.shader = &sheen_textured_flat;

@@ -191,12 +191,6 @@ static enum sheen_subject material_problem(const struct sheen_material *m)
     return SHEEN_ABOUT_NOTHING;
 }
 
-static int texture_valid(const struct sheen_texture *t)
-{
-    return t != NULL && t->texels != NULL && t->width_log2 <= 9 && t->height_log2 <= 9 &&
-           (t->bits == 0 || t->bits == 16 || ((t->bits == 8 || t->bits == 4) && t->palette != NULL));
-}
-
 /* What a shader needs and the object has not, SHEEN_ABOUT_NOTHING if nothing is. */
 static enum sheen_subject shader_problem(const struct sheen_object *o)
 {
@@ -208,7 +202,8 @@ static enum sheen_subject shader_problem(const struct sheen_object *o)
         return SHEEN_ABOUT_NORMALS;
     if ((mesh->uvs == NULL || mesh->uv_bits > 15) && o->shader->needs_uvs)
         return SHEEN_ABOUT_UVS;
-    return o->shader->needs_texture && !texture_valid(o->material->texture) ? SHEEN_ABOUT_TEXTURE : SHEEN_ABOUT_NOTHING;
+    return o->shader->takes != NULL && !o->shader->takes(o->material->texture) ? SHEEN_ABOUT_TEXTURE
+                                                                               : SHEEN_ABOUT_NOTHING;
 }
 
 static int object_valid(struct sheen_frame *f, const struct sheen_object *o)

@@ -30,6 +30,12 @@ static void highlight_terms(struct texel_terms *t, const struct sheen_material *
     t->gloss = (uint16_t)(tinted(white ? 255 : m->highlight[0], specular) >> 17);
 }
 
+int sheen_texture_valid(const struct sheen_texture *t)
+{
+    return t != NULL && t->texels != NULL && t->width_log2 <= 9 && t->height_log2 <= 9 &&
+           (t->bits == 0 || t->bits == 16 || ((t->bits == 8 || t->bits == 4) && t->palette != NULL));
+}
+
 /*
  * fraction: 30 less the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31 and b below 2^16.
  * Range: light <= 4 + 4 * 4 = 20, by a ramp 36, highlights 63 * 16 = 1008 levels.

@@ -249,6 +249,11 @@ static void matcap_setup(struct setup *s, struct surface_corners *c, const struc
         matcap_vertex_setup(s, c, g);
 }
 
+int sheen_matcap_takes(const struct sheen_texture *t)
+{
+    return sheen_texture_valid(t) && (!t->bilinear || (t->clamp_u && t->clamp_v));
+}
+
 const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .light = matcap_light,
                                           .setup = matcap_setup,
@@ -256,7 +261,7 @@ const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .needs_normals = 1,
                                           .corners = OF_MESH(normals),
                                           .reads_normals = 1,
-                                          .needs_texture = 1};
+                                          .takes = sheen_matcap_takes};
 
 const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .light = matcap_light,
@@ -264,4 +269,4 @@ const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .axes = eye_axes,
                                                  .needs_normals = 1,
                                                  .corners = OF_MESH(normals),
-                                                 .needs_texture = 1};
+                                                 .takes = sheen_matcap_takes};

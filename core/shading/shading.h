@@ -29,6 +29,7 @@ enum piece_normals {
  *   pieces have in place of normals; NULL: normals.
  * setup: chooses the cheapest way within PICTURE's table and fills in what follows *s; g: NULL
  *   where the triangle is too flat for gradients. Sets way, fast and rows.
+ * takes: 0 where the material's texture, or NULL, is none that the shading can show; NULL: it needs none.
  */
 struct sheen_shader {
     void (*begin)(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
@@ -36,12 +37,12 @@ struct sheen_shader {
     void (*light)(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
     void (*carry)(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
+    int (*takes)(const struct sheen_texture *texture);
     const struct shades_maker *shades; /* NULL: takes no shades */
     const struct sheen_light *axes;    /* two lights in place of the object's; NULL: those */
     uint8_t needs_normals;             /* 1: the mesh has to have vertex normals */
     uint8_t reads_normals;             /* 1: set-ups read those of front faces too, not what vertices keep alone */
     uint8_t unit_normals;              /* enum piece_normals */
-    uint8_t needs_texture;             /* 1: the material has to have a texture; there is no ramp then */
     uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
     uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */
     uint8_t at_pixels;                 /* 1: light is not linear between corners: a ramp is read at pixels */

@@ -87,13 +87,13 @@ const struct sheen_shader sheen_textured = {.begin = textured_begin,
                                             .carry = textured_carry,
                                             .setup = textured_setup,
                                             .needs_normals = 1,
-                                            .needs_texture = 1,
+                                            .takes = sheen_texture_valid,
                                             .needs_uvs = 1,
                                             .corners = OF_MESH(uvs)};
 
 const struct sheen_shader sheen_textured_flat = {.begin = textured_begin,
                                                  .carry = textured_carry,
                                                  .setup = textured_flat_setup,
-                                                 .needs_texture = 1,
+                                                 .takes = sheen_texture_valid,
                                                  .needs_uvs = 1,
                                                  .corners = OF_MESH(uvs)};

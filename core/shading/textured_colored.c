@@ -70,12 +70,12 @@ const struct sheen_shader sheen_textured_colored = {.begin = sheen_glow_begin,
                                                     .setup = textured_colored_setup,
                                                     .lights = LIGHTS_ALL,
                                                     .needs_normals = 1,
-                                                    .needs_texture = 1,
+                                                    .takes = sheen_texture_valid,
                                                     .needs_uvs = 1};
 
 const struct sheen_shader sheen_textured_flat_colored = {.begin = sheen_glow_begin,
                                                          .carry = sheen_carry_shares,
                                                          .setup = textured_flat_colored_setup,
                                                          .lights = LIGHTS_ALL,
-                                                         .needs_texture = 1,
+                                                         .takes = sheen_texture_valid,
                                                          .needs_uvs = 1};
