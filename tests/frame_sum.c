@@ -150,7 +150,7 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     static const uint16_t palette[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0xf81f, 0x07ff,
                                          0x8410, 0xc618, 0x8000, 0x0400, 0x0010, 0x8400, 0xfc00, 0x2945};
     const int view = s->view, larger = (s->mesh == 1 && view == 3) || (s->mesh == 2 && view == 0);
-    const int held = s->shading == MATCAP && (view == 3 || s->mixed);
+    const int sphere = s->shading == MATCAP || s->shading == MATCAP_COLORED, held = sphere && (view == 3 || s->mixed);
     static int16_t uvs[2 * 1400];
     static uint16_t wide[128 * 64];
     static uint8_t byte[128 * 64];
@@ -172,7 +172,7 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     if (texture->bits == 16)
         texture->texels = wide;
     texture->bilinear = view == 3 || s->mixed;
-    texture->keyed = view == 2 || (s->mixed && s->shading != MATCAP);
+    texture->keyed = view == 2 || (s->mixed && !sphere);
     texture->key = 0xf800;
     texture->clamp_u = view == 1 || held;
     texture->clamp_v = view == 4 || held;

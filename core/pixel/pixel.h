@@ -349,6 +349,8 @@ void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct co
                       const struct pixel_format *format, unsigned dither);
 /* What sheen.h says of a texture; t: NULL too. */
 int sheen_texture_valid(const struct sheen_texture *t);
+/* Of a sphere's picture: it has no other side, so to be mixed it has to clamp. */
+int sheen_sphere_valid(const struct sheen_texture *t);
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */

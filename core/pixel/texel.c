@@ -36,6 +36,11 @@ int sheen_texture_valid(const struct sheen_texture *t)
            (t->bits == 0 || t->bits == 16 || ((t->bits == 8 || t->bits == 4) && t->palette != NULL));
 }
 
+int sheen_sphere_valid(const struct sheen_texture *t)
+{
+    return sheen_texture_valid(t) && (!t->bilinear || (t->clamp_u && t->clamp_v));
+}
+
 /*
  * fraction: 30 less the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31 and b below 2^16.
  * Range: light <= 4 + 4 * 4 = 20, by a ramp 36, highlights 63 * 16 = 1008 levels.

@@ -249,11 +249,6 @@ static void matcap_setup(struct setup *s, struct surface_corners *c, const struc
         matcap_vertex_setup(s, c, g);
 }
 
-int sheen_matcap_takes(const struct sheen_texture *t)
-{
-    return sheen_texture_valid(t) && (!t->bilinear || (t->clamp_u && t->clamp_v));
-}
-
 const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .light = matcap_light,
                                           .setup = matcap_setup,
@@ -261,7 +256,7 @@ const struct sheen_shader sheen_matcap = {.begin = matcap_begin,
                                           .needs_normals = 1,
                                           .corners = OF_MESH(normals),
                                           .reads_normals = 1,
-                                          .takes = sheen_matcap_takes};
+                                          .takes = sheen_sphere_valid};
 
 const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .light = matcap_light,
@@ -269,4 +264,4 @@ const struct sheen_shader sheen_matcap_vertex = {.begin = matcap_begin,
                                                  .axes = eye_axes,
                                                  .needs_normals = 1,
                                                  .corners = OF_MESH(normals),
-                                                 .takes = sheen_matcap_takes};
+                                                 .takes = sheen_sphere_valid};

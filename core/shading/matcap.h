@@ -54,8 +54,6 @@ static inline void cosines_of(const uint32_t normal[3], int32_t *x, int32_t *y)
     }
 }
 
-/* A picture of a sphere has no other side: to be mixed it has to clamp. */
-int sheen_matcap_takes(const struct sheen_texture *t);
 void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s);
 void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s);
 

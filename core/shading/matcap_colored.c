@@ -92,11 +92,11 @@ const struct sheen_shader sheen_matcap_colored = {.begin = matcap_colored_begin,
                                                   .setup = matcap_colored_setup,
                                                   .axes = eye_axes,
                                                   .needs_normals = 1,
-                                                  .takes = sheen_matcap_takes};
+                                                  .takes = sheen_sphere_valid};
 
 const struct sheen_shader sheen_matcap_vertex_colored = {.begin = matcap_colored_begin,
                                                          .carry = sheen_carry_shares,
                                                          .setup = matcap_vertex_colored_setup,
                                                          .axes = eye_axes,
                                                          .needs_normals = 1,
-                                                         .takes = sheen_matcap_takes};
+                                                         .takes = sheen_sphere_valid};
