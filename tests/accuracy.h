@@ -11,10 +11,10 @@
 #define ACCURACY_VIEWS 3
 
 /*
- * How close the core has to come (README, "Numbers", says how close it comes); shares are of the compared pixels. Texels
- * and matcaps keep Gouraud's limits where they are nearest. Bilinear ones are off by no more than 1 step and what 1/16
- * texel and 1/16 px change (struct ref_score's `beyond`), and equal as below where that is little (REF_CALM). In fog a
- * step more is allowed.
+ * How close the core has to come; README, "Numbers", has how close it comes. Shares are of the compared pixels. Nearest
+ * texels and matcaps keep Gouraud's limits. Bilinear ones are off by no more than 1 step and what 1/16 texel and 1/16
+ * px change (struct ref_score's `beyond`), and equal as below where that is little (REF_CALM). In fog a step more is
+ * allowed.
  */
 struct accuracy_limit {
     double equal, within_one;
