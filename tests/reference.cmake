@@ -44,7 +44,7 @@ if(NOT SHEEN_SANITIZED)
 endif()
 add_executable(test_mixed test_mixed.c random_scene.c textured_scene.c)
 target_link_libraries(test_mixed PRIVATE core_picture sheen::core)
-sheen_script(mixed accuracy COMMAND $<TARGET_FILE:test_mixed> 640)
+sheen_script(mixed accuracy COMMAND $<TARGET_FILE:test_mixed> 768)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
 # Both forms of edge.c, in place of the library's.

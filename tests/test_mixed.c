@@ -27,6 +27,8 @@ enum shown {
     SLERP,
     FLAT_COLORED,
     GOURAUD_COLORED,
+    PHONG_COLORED,
+    SLERP_COLORED,
     TEXTURED_FLAT,
     TEXTURED,
     MATCAP,
@@ -34,11 +36,13 @@ enum shown {
     SHOWN
 };
 
-static const char *const shown_name[SHOWN] = {"flat",         "gouraud",         "phong",         "slerp",
-                                              "flat colored", "gouraud colored", "textured flat", "textured",
-                                              "matcap",       "matcap-vertex"};
-static const enum ref_shading shading_of[SHOWN] = {REF_FLAT,    REF_GOURAUD, REF_PHONG,   REF_SLERP, REF_FLAT,
-                                                   REF_GOURAUD, REF_FLAT,    REF_GOURAUD, REF_PHONG, REF_PHONG};
+static const struct {
+    const char *name;
+    enum ref_shading shading;
+} shown_as[SHOWN] = {{"flat", REF_FLAT},           {"gouraud", REF_GOURAUD},     {"phong", REF_PHONG},
+                     {"slerp", REF_SLERP},         {"flat colored", REF_FLAT},   {"gouraud colored", REF_GOURAUD},
+                     {"phong colored", REF_PHONG}, {"slerp colored", REF_SLERP}, {"textured flat", REF_FLAT},
+                     {"textured", REF_GOURAUD},    {"matcap", REF_PHONG},        {"matcap-vertex", REF_PHONG}};
 
 #define FORMATS 4
 static const int format_levels[FORMATS] = {0, 2, 16, 256};
@@ -64,7 +68,7 @@ static void take_scene(struct mix *mix, const struct random_meshes *meshes, uint
     uint32_t number = KNOWN_SCENES + stage_random(state) % 1000000;
     struct ref_scene *scene = &mix->random.scene;
 
-    while (number / RANDOM_KNOWN % 4 != (uint32_t)shading_of[mix->shown])
+    while (number / RANDOM_KNOWN % 4 != (uint32_t)shown_as[mix->shown].shading)
         number++;
     random_scene(&mix->random, meshes, number);
     mix->random.way = 0;
@@ -87,9 +91,9 @@ static void choose_mesh(struct mix *mix, const struct random_meshes *meshes, uin
     const uint32_t shape = stage_random(state) % ACCURACY_SHAPES, textured = stage_random(state) % TEXTURED_MESHES;
     const bool has_uv = mix->shown == TEXTURED || mix->shown == TEXTURED_FLAT;
 
-    mix->random.mesh = has_uv                               ? &meshes->textured[textured]
-                       : shading_of[mix->shown] == REF_FLAT ? &meshes->coarse[shape]
-                                                            : &meshes->fine[shape];
+    mix->random.mesh = has_uv                                     ? &meshes->textured[textured]
+                       : shown_as[mix->shown].shading == REF_FLAT ? &meshes->coarse[shape]
+                                                                  : &meshes->fine[shape];
     mix->random.scene.mesh = &mix->random.mesh->reference;
 }
 
@@ -103,7 +107,7 @@ static void choose_colors(struct mix *mix, uint32_t *state)
     for (int i = 0; i < scene->light_count; i++) {
         for (int k = 0; k < 3; k++)
             scene->light_color[i][k] = (1 + stage_random(state) % 255) / 255.0;
-        if (stage_random(state) % 2 == 0)
+        if (scene->shading > REF_GOURAUD || stage_random(state) % 2 == 0)
             continue;
         for (int k = 0; k < 3; k++)
             scene->light[i][k] = stage_uniform(state, -1.5, 1.5);
@@ -195,8 +199,8 @@ static void make_mix(struct mix *mix, const struct random_meshes *meshes, uint32
     mix->format = (int)(number / SHOWN % FORMATS);
     take_scene(mix, meshes, &state);
     choose_mesh(mix, meshes, &state);
-    if (mix->shown == FLAT_COLORED || mix->shown == GOURAUD_COLORED ||
-        (shading_of[mix->shown] <= REF_GOURAUD && mix->shown >= TEXTURED_FLAT && stage_random(&state) % 2))
+    if ((mix->shown >= FLAT_COLORED && mix->shown <= SLERP_COLORED) ||
+        (shown_as[mix->shown].shading <= REF_GOURAUD && mix->shown >= TEXTURED_FLAT && stage_random(&state) % 2))
         choose_colors(mix, &state);
     if (mix->shown == TEXTURED || mix->shown == TEXTURED_FLAT)
         choose_texels(mix, &state);
@@ -225,7 +229,7 @@ static double share(long part, long whole)
 static int most_off(const struct mix *mix)
 {
     const bool in_fog = mix->random.scene.fog, is_fine = format_levels[mix->format] > 64;
-    const enum ref_shading limit = mix->shown <= SLERP ? shading_of[mix->shown] : REF_GOURAUD;
+    const enum ref_shading limit = mix->shown <= SLERP_COLORED ? shown_as[mix->shown].shading : REF_GOURAUD;
 
     return accuracy_limits[limit].worst + in_fog + is_fine;
 }
@@ -243,7 +247,8 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
         return 1;
     const int status = accuracy_shoot(&shot, scene, &picture, mix.random.mesh->mesh, 0);
     ref_picture_free(&picture);
-    if (status == SHEEN_OK && (s->compared < FEWEST || (mix.shown == SLERP && shot.stats.frame.clipped > 0)))
+    if (status == SHEEN_OK &&
+        (s->compared < FEWEST || (shown_as[mix.shown].shading == REF_SLERP && shot.stats.frame.clipped > 0)))
         return 0;
     const bool bilinear = scene->texture && scene->texture->bilinear;
     struct row *row = &rows[mix.shown][mix.format][scene->fog][bilinear];
@@ -261,7 +266,7 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
     printf(
         "  FAILED mix %u: %s, %s, %d levels%s, %ld compared, %ld equal, %ld beyond, worst %d at (%d, %d), %ld drawn, "
         "bias %d, near %.3f\n",
-        number, status < 0 ? sheen_strerror(status) : "drawn", shown_name[mix.shown], format_levels[mix.format],
+        number, status < 0 ? sheen_strerror(status) : "drawn", shown_as[mix.shown].name, format_levels[mix.format],
         bilinear ? ", bilinear" : "", s->compared, s->equal, s->beyond, s->worst, s->worst_x, s->worst_y,
         s->dropped_drawn, scene->bias, scene->near);
     random_scene_print(&mix.random);
@@ -270,14 +275,14 @@ static int judge(const struct random_meshes *meshes, uint32_t number)
 
 static int judge_row(const struct row *row, int shown, int format, int in_fog, int bilinear)
 {
-    const enum ref_shading limit = shown <= SLERP ? shading_of[shown] : REF_GOURAUD;
+    const enum ref_shading limit = shown <= SLERP_COLORED ? shown_as[shown].shading : REF_GOURAUD;
     const double asked = bilinear ? ACCURACY_BILINEAR : accuracy_limits[limit].equal;
     const double equal = share(row->equal, row->calm);
 
     if (row->pictures == 0)
         return 0;
     printf("%-15s %3d levels %-3s %-8s %4ld pictures, %5.1f %% compared, %6.2f %% equal, worst %d, %ld of %ld drawn\n",
-           shown_name[shown], format_levels[format], in_fog ? "fog" : "", bilinear ? "bilinear" : "", row->pictures,
+           shown_as[shown].name, format_levels[format], in_fog ? "fog" : "", bilinear ? "bilinear" : "", row->pictures,
            100 * share(row->compared, row->covered), 100 * equal, row->worst, row->dropped_drawn, row->dropped);
     if (equal >= (in_fog ? fmin(asked, ACCURACY_FOGGED) : asked))
         return 0;
@@ -295,7 +300,7 @@ static int judge_compared(int shown)
         covered += row->covered;
         compared += row->compared;
     }
-    printf("%-15s %5.1f %% of covered pixels compared\n", shown_name[shown], 100 * share(compared, covered));
+    printf("%-15s %5.1f %% of covered pixels compared\n", shown_as[shown].name, 100 * share(compared, covered));
     if (share(compared, covered) >= ACCURACY_COMPARED)
         return 0;
     printf("  FAILED too little was compared\n");
