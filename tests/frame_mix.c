@@ -18,6 +18,8 @@ static const struct {
     {"slerp", &sheen_slerp, false, false, false},
     {"flat colored", &sheen_flat_colored, false, false, true},
     {"gouraud colored", &sheen_gouraud_colored, false, false, true},
+    {"phong colored", &sheen_phong_colored, false, false, false},
+    {"slerp colored", &sheen_slerp_colored, false, false, false},
     {"textured", &sheen_textured, true, false, false},
     {"textured flat", &sheen_textured_flat, true, false, false},
     {"textured colored", &sheen_textured_colored, true, false, true},
@@ -174,7 +176,7 @@ static unsigned random_lights(uint32_t *seed, struct sheen_light lights[SHEEN_MA
         }
         l->to[2] |= 1; /* some direction */
         l->at[2] -= SHEEN_Q24(3);
-        if (points && one_in(seed, 2))
+        if (one_in(seed, 2))
             random_color(seed, l->color);
         if (points && one_in(seed, 3)) {
             l->radius = SHEEN_Q16(stage_uniform(seed, 0.5, 6));
