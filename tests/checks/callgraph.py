@@ -16,7 +16,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(edges_draw|draw_all_lines|draw_lines_of)$", r"(^|:)(draw_lines|draw_smooth|sheen_smooth_finish)$"),
                 (r"(^|:)(draw_lines|fogged_line)$", r"fogged_line_run$"),
                 (r"(^|:)(draw_and_send|sheen_band)$", r"edges_(begin|draw)$"),
-                (r"(^|:)sheen_begin$", r"fog_begin$"),
+                (r"(^|:)sheen_begin(\.part\.\d+)?$", r"fog_begin$"),
                 (r"(^|:)(use_corners|corner_point)$", r"morph_position$"),
                 (r"(^|:)(light_corners|draw_triangle)$", r"_light$|morph_normal$"),
                 (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
