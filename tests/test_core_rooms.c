@@ -288,26 +288,26 @@ static void colored_rooms(void **unused)
 #define SIDE_LOG2 6
 #define SIDE (1 << SIDE_LOG2)
 
-/* Texel coordinates of a pixel, and the light on it. */
-typedef void texels_at(const struct scene *s, const int16_t uv[6], double x, double y, double at[3]);
+/* Texel coordinates of a pixel, and the light on it by channel. */
+typedef void texels_at(const struct scene *s, const int16_t uv[6], double x, double y, double at[5]);
 
-static void at_uvs(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+static void at_uvs(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
 {
     double b[3];
 
     coordinates(s, x, y, b);
     at[0] = SIDE / 4096.0 * (b[0] * uv[0] + b[1] * uv[2] + b[2] * uv[4]);
     at[1] = SIDE / 4096.0 * (b[0] * uv[1] + b[1] * uv[3] + b[2] * uv[5]);
-    at[2] = AMBIENT + DIFFUSE * of_gouraud(s, x, y);
+    at[2] = at[3] = at[4] = AMBIENT + DIFFUSE * of_gouraud(s, x, y);
 }
 
-static void at_uvs_flat(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+static void at_uvs_flat(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
 {
     at_uvs(s, uv, x, y, at);
-    at[2] = AMBIENT + DIFFUSE * of_flat(s, x, y);
+    at[2] = at[3] = at[4] = AMBIENT + DIFFUSE * of_flat(s, x, y);
 }
 
-static void at_normal(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+static void at_normal(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
 {
     double b[3], n[3];
 
@@ -318,10 +318,10 @@ static void at_normal(const struct scene *s, const int16_t uv[6], double x, doub
     const double length = sqrt(dot(n, n));
     at[0] = SIDE * (1 + n[0] / length) / 2;
     at[1] = SIDE * (1 - n[1] / length) / 2;
-    at[2] = 1;
+    at[2] = at[3] = at[4] = 1;
 }
 
-static void at_vertices(const struct scene *s, const int16_t uv[6], double x, double y, double at[3])
+static void at_vertices(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
 {
     double b[3];
 
@@ -332,7 +332,51 @@ static void at_vertices(const struct scene *s, const int16_t uv[6], double x, do
         at[0] += b[k] * SIDE * (1 + s->normal[k][0]) / 2;
         at[1] += b[k] * SIDE * (1 - s->normal[k][1]) / 2;
     }
-    at[2] = 1;
+    at[2] = at[3] = at[4] = 1;
+}
+
+enum lit_by {
+    LIT_WHOLLY,
+    LIT_FLAT,
+    LIT_GOURAUD
+};
+
+/* Light at the corners times their colours. */
+static void by_vertices(const struct scene *s, double x, double y, enum lit_by lit, double at[5])
+{
+    double b[3];
+
+    coordinates(s, x, y, b);
+    at[2] = at[3] = at[4] = 0;
+    for (int k = 0; k < 9; k++) {
+        const double intensity = fmax(0, dot(s->normal[lit == LIT_FLAT ? 0 : k / 3], s->light));
+        const double light = lit == LIT_WHOLLY ? 1 : AMBIENT + DIFFUSE * intensity;
+        at[2 + k % 3] += b[k / 3] * light * vertex_colors[k] / 255;
+    }
+}
+
+static void at_uvs_colored(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
+{
+    at_uvs(s, uv, x, y, at);
+    by_vertices(s, x, y, LIT_GOURAUD, at);
+}
+
+static void at_uvs_flat_colored(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
+{
+    at_uvs(s, uv, x, y, at);
+    by_vertices(s, x, y, LIT_FLAT, at);
+}
+
+static void at_normal_colored(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
+{
+    at_normal(s, uv, x, y, at);
+    by_vertices(s, x, y, LIT_WHOLLY, at);
+}
+
+static void at_vertices_colored(const struct scene *s, const int16_t uv[6], double x, double y, double at[5])
+{
+    at_vertices(s, uv, x, y, at);
+    by_vertices(s, x, y, LIT_WHOLLY, at);
 }
 
 static double channel_of(uint16_t pixel, int k)
@@ -358,7 +402,7 @@ static double mixed_of(const uint16_t *texels, double u, double v, int k)
 }
 
 /* Steps that a pixel is off the best of what its coordinates may be, `within` a texel of where they are. */
-static double texels_off(const struct sheen_texture *texture, uint16_t pixel, const double at[3], double within)
+static double texels_off(const struct sheen_texture *texture, uint16_t pixel, const double at[5], double within)
 {
     double least = 1e9;
 
@@ -368,7 +412,7 @@ static double texels_off(const struct sheen_texture *texture, uint16_t pixel, co
         for (int k = 0; k < 3; k++) {
             const double texel =
                 texture->bilinear ? mixed_of(texture->texels, u, v, k) : channel_of(texel_of(texture->texels, u, v), k);
-            most = fmax(most, fabs(channel_of(pixel, k) - at[2] * texel));
+            most = fmax(most, fabs(channel_of(pixel, k) - at[2 + k] * texel));
         }
         least = fmin(least, most);
     }
@@ -397,7 +441,7 @@ static void check_texels(const struct sheen_shader *shader, texels_at *coordinat
                          double within)
 {
     static uint16_t depth[WIDTH * HEIGHT], pixels[WIDTH * HEIGHT], texels[SIDE * SIDE];
-    const struct sheen_object object = {.light_count = 0};
+    const struct sheen_light lights[1] = {{.intensity = 0}};
     struct sheen_texture texture;
     struct worst worst = {0};
     struct core_raster r;
@@ -409,11 +453,14 @@ static void check_texels(const struct sheen_shader *shader, texels_at *coordinat
     make_texture(&texture, texels, bilinear, shader->axes != NULL);
     memset(r.material.base, 255, sizeof r.material.base);
     r.material.texture = &texture;
+    r.mesh.colors = vertex_colors; /* which plain rooms do not read */
+    sheen_colour_begin(&r.draw.colour, &r.format, &r.material, r.draw.light.diffuse_sum, r.draw.light.specular_sum);
     if (shader->axes != NULL) {
         struct sheen_pose pose;
         sheen_pose_orbit(&pose, 0, 0, 0, 0);
         assert_int_equal(sheen_light_begin(&r.draw.light, shader->axes, 2, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
     }
+    const struct sheen_object object = {.material = &r.material, .lights = lights, .light_count = 1};
     shader->begin(&r.draw, &r.material, &r.format, &object, &object.pose);
     r.mesh.uvs = uv;
     r.mesh.uv_bits = 12;
@@ -423,7 +470,7 @@ static void check_texels(const struct sheen_shader *shader, texels_at *coordinat
         if (!draw_scene(&r, &s, &state, spread, depth, pixels))
             continue;
         for (int at = 0; at < WIDTH * HEIGHT; at++) {
-            double where[3];
+            double where[5];
             coordinates_at(&s, uv, at % WIDTH + 0.5, at / WIDTH + 0.5, where);
             if (depth[at] != 0)
                 worst_note(&worst, texels_off(&texture, pixels[at], where, within), "triangle %d, pixel %d %d", i,
@@ -439,6 +486,8 @@ static void textured_rooms(void **unused)
     for (int bilinear = 0; bilinear < 2; bilinear++) {
         check_texels(&sheen_textured, at_uvs, bilinear, 0.5, 1 / 32.0);
         check_texels(&sheen_textured_flat, at_uvs_flat, bilinear, 0.5, 1 / 32.0);
+        check_texels(&sheen_textured_colored, at_uvs_colored, bilinear, 0.5, 1 / 32.0);
+        check_texels(&sheen_textured_flat_colored, at_uvs_flat_colored, bilinear, 0.5, 1 / 32.0);
     }
 }
 
@@ -449,6 +498,9 @@ static void matcap_rooms(void **unused)
         check_texels(&sheen_matcap, at_normal, bilinear, 0.05, 1 / 24.0);
         check_texels(&sheen_matcap, at_normal, bilinear, 0.5, 1 / 24.0);
         check_texels(&sheen_matcap_vertex, at_vertices, bilinear, 0.5, 1 / 32.0);
+        check_texels(&sheen_matcap_colored, at_normal_colored, bilinear, 0.05, 1 / 24.0);
+        check_texels(&sheen_matcap_colored, at_normal_colored, bilinear, 0.5, 1 / 24.0);
+        check_texels(&sheen_matcap_vertex_colored, at_vertices_colored, bilinear, 0.5, 1 / 32.0);
     }
 }
 

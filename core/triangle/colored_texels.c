@@ -105,7 +105,7 @@ static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t
     c->texel_of(r->s->s.draw->tint.texture, n, value);
 }
 
-#define LONGEST_PART 32 /* px; half of it by normals, which may turn to both sides: a part's middle does not tell */
+#define LONGEST_PART 32 /* px; a quarter by normals, which may turn to both sides: a part's middle does not tell */
 
 /* (to - from) / count, count 1..LONGEST_PART. */
 static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
@@ -120,17 +120,17 @@ static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
 }
 
 /*
- * 1 where in a part's middle linear is off by more than 1/8 texel or 1/8 of a 64th of 1.0: in its halves it is off by a
- * quarter of that.
+ * 1 where in a part's middle linear is off by more than 1/8 texel, by normals 1/32, or 1/8 of a 64th of 1.0: in its
+ * halves it is off by a quarter of that.
  */
 static int bends(const struct texel_rows *r, const uint32_t from[], const uint32_t middle[], const uint32_t end[],
                  int32_t half, int32_t count)
 {
-    const uint32_t eighth = 1u << (r->s->s.draw->colour.unit - 3);
+    const uint32_t eighth = 1u << (r->s->s.draw->colour.unit - 3), texel = r->c->texel_of != NULL ? 1u << 11 : 1u << 13;
 
     for (unsigned i = 0; i < r->run.values; i++) {
         const uint32_t linear = from[i] + (uint32_t)half * part_step(from[i], end[i], count);
-        if (magnitude32((int32_t)(middle[i] - linear)) > (i < 2 ? 1u << 13 : i < 5 ? eighth >> 6 : eighth))
+        if (magnitude32((int32_t)(middle[i] - linear)) > (i < 2 ? texel : i < 5 ? eighth >> 6 : eighth))
             return 1;
     }
     return 0;
@@ -157,7 +157,7 @@ static void put_part(struct texel_rows *r, const uint32_t from[], const uint32_t
 static APART void colored_row(struct texel_rows *r, int32_t left)
 {
     uint32_t value[3][TEXEL_VALUES], *from = value[0], *middle = value[1], *end = value[2];
-    const int32_t y = r->run.y, longest = r->c->texel_of != NULL ? LONGEST_PART / 2 : LONGEST_PART;
+    const int32_t y = r->run.y, longest = r->c->texel_of != NULL ? LONGEST_PART / 4 : LONGEST_PART;
 
     texel_values_at(r, r->run.x, y, from);
     while (left > 1) {
