@@ -136,8 +136,8 @@ static int bends(const struct texel_rows *r, const uint32_t from[], const uint32
     return 0;
 }
 
-/* Pixels up to before the end, `count` farther on. */
-static void put_part(struct texel_rows *r, const uint32_t from[], const uint32_t end[], int32_t count)
+/* Pixels up to before the end, `count` farther on; `from` is used up. */
+static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[], int32_t count)
 {
     struct colored_run *run = &r->run;
     uint32_t step[TEXEL_VALUES];

@@ -34,7 +34,8 @@ struct colored_run {
     unsigned values; /* 5: there is no highlight, and nothing to clamp */
     unsigned plain;  /* 1: see plain_colored */
     uint32_t z, dz;
-    const uint32_t *from, *step; /* values */
+    uint32_t *from; /* values, which may be stepped */
+    const uint32_t *step;
 };
 
 void sheen_colored_run(const struct colored_run *r);

@@ -23,11 +23,9 @@ SPECIALISED void put_colored(const struct colored_run *r, uint32_t at, int32_t x
 static APART void any_colored_run(const struct colored_run *r)
 {
     const struct sheen_texture *t = r->d->tint.texture;
-    uint32_t value[TEXEL_VALUES], z = r->z, offset = r->offset;
+    uint32_t *value = r->from, z = r->z, offset = r->offset;
     int32_t x = r->x;
 
-    for (unsigned i = 0; i < r->values; i++)
-        value[i] = r->from[i];
     for (int32_t left = r->count; left > 0; left--, x++, offset++, z += r->dz) {
         if (z >> 16 > r->t->depth[offset]) {
             const uint32_t nearest = texel_value(t, asr32((int32_t)value[0], 16), asr32((int32_t)value[1], 16));
