@@ -529,7 +529,7 @@ enum sheen_subject {
     SHEEN_ABOUT_RAMP,
     SHEEN_ABOUT_SHADER,
     SHEEN_ABOUT_LIGHTS,
-    SHEEN_ABOUT_UVS, /* none, or uv_bits out of range */
+    SHEEN_ABOUT_UVS,          /* none, or uv_bits out of range */
     SHEEN_ABOUT_TEXTURE,      /* none, out of range, no palette, or a matcap's that is bilinear and does not clamp */
     SHEEN_ABOUT_TRANSPARENCY, /* or phase out of range, or no stipple */
     SHEEN_ABOUT_FOG,          /* of the view */

@@ -184,7 +184,7 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
 #define SATURATES 0
 #endif
 
-/* The fog's levels, blue 2^16 and red, and green; and with 11 fraction bits, in which the half of the one rounding is. */
+/* The fog's levels, blue 2^16 and red, and green; and with 11 fraction bits, the half of the one rounding in them. */
 struct faded_fog {
     uint32_t blue_red, green, blue_red_mist, green_mist;
 };
