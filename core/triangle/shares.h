@@ -68,8 +68,8 @@ static inline void shares_step(const struct shares *p, int32_t step[3])
 static inline void sheen_shared(const int32_t share[3], int16_t number[3][3], uint32_t out[3])
 {
     for (int i = 0; i < 3; i++)
-        out[i] = 2u * (uint32_t)(mul_16_32(number[0][i], share[0]) + mul_16_32(number[1][i], share[1]) +
-                                 mul_16_32(number[2][i], share[2]));
+        out[i] = 2u * ((uint32_t)mul_16_32(number[0][i], share[0]) + (uint32_t)mul_16_32(number[1][i], share[1]) +
+                       (uint32_t)mul_16_32(number[2][i], share[2]));
 }
 
 #endif
