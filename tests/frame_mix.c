@@ -210,6 +210,8 @@ static void random_object(uint32_t *seed, struct mix *mix, unsigned i, const str
     }
     if (one_in(seed, 3))
         o->depth_bias = (int16_t)(one_in(seed, 2) ? (int)below(seed, 8192) - 4096 : (int)below(seed, 60) - 30);
+    if (one_in(seed, 4))
+        o->edges = sheen_edges_of(1 + below(seed, SHEEN_EDGINGS - 1));
     if (one_in(seed, 4)) {
         look->morph = (struct sheen_morph){&mesh->second, &sheen_morpher, (uint16_t)below(seed, 32769)};
         o->morph = &look->morph;
@@ -292,7 +294,9 @@ static void next_frame(uint32_t *seed, struct mix *mix, unsigned f, int align_x,
         random_color(seed, to->view.background);
     if (one_in(seed, 6))
         random_view(seed, to, align_x, align_y);
-    to->invalidated = one_in(seed, 6);
+    to->invalidated = one_in(seed, 6); /* what has edges is sent whole */
+    for (unsigned i = 0; i < to->count; i++)
+        to->invalidated |= to->object[i].edges != NULL;
     to->mark = one_in(seed, 3) ? random_rect(seed, 1, 1) : (struct sheen_rect){0, 0, 0, 0};
 }
 
@@ -318,8 +322,8 @@ void mix_print(const struct mix *mix)
     for (unsigned i = 0; i < mix->count; i++) {
         const struct sheen_object *o = &mix->frame[0].object[i];
         const struct sheen_texture *t = o->material->texture;
-        printf("  %s, %d triangles, %d lights%s%s, transparency %d, bias %d, %s%s", shaders[mix->shader[i]].name,
-               o->mesh->triangles, o->light_count, o->two_sided ? ", two-sided" : "",
+        printf("  %s, %d triangles, %d lights%s%s%s, transparency %d, bias %d, %s%s", shaders[mix->shader[i]].name,
+               o->mesh->triangles, o->light_count, o->two_sided ? ", two-sided" : "", o->edges != NULL ? ", edges" : "",
                o->material->ramp != NULL ? ", a ramp" : "", o->transparency, o->depth_bias,
                o->morph != NULL ? "a morph" : "no morph", t == NULL ? "\n" : "");
         if (t != NULL)

@@ -151,7 +151,10 @@ static void open_frame(struct core_frame *f, struct memory_target *t, const stru
     t->target.align_y = (uint8_t)way->align_y;
     t->delayed = way->delayed;
     stage_config(&config, t, MIX_OBJECTS);
+    config.max_vertices += 3000; /* where the view volume cuts edges */
     config.max_clipped = 1000;
+    config.max_edges = 5000;
+    config.smooth = 1;
     config.band_rows = (uint16_t)way->band_rows;
     config.buffers = (uint8_t)way->buffers;
     config.workers = (uint8_t)way->workers;
