@@ -542,27 +542,15 @@ SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, un
     return way;
 }
 
-/* part->fog: what is left of unlit texels, and half of what UQ1.11 of it cuts. */
-SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned packed, unsigned dither,
-                            unsigned swap, unsigned other)
+/* Of unlit texels: a part's fog is what is left of them, and half of what UQ1.11 of it cuts. */
+SPECIALISED void fade(struct way *way)
 {
-    const uint32_t half = dither ? 0 : 1u << 10; /* of the one rounding */
-    struct way way = fogged_way(r, packed, 0, dither, swap);
-    const uint32_t blue_red = (way.fog[2] << 16) + way.fog[0], green = way.fog[1];
+    const uint32_t half = way->dither ? 0 : 1u << 10; /* of the one rounding */
+    const uint32_t blue_red = (way->fog[2] << 16) + way->fog[0], green = way->fog[1];
 
-    way.lit = 0;
-    way.faded = 1;
-    way.other = other;
-    way.mist = (struct faded_fog){blue_red, green, (blue_red << 11) + half * 0x10001u, (green << 11) + half};
-    nearest_part(r, *part, way);
-}
-
-static APART void any_faded_part(const struct texel_run *r, const struct texel_part *part)
-{
-    const struct sheen_texture *texture = r->d->texel.texture;
-
-    faded_part(r, part, r->d->texel.packed, r->t->dither, r->t->format->swap,
-               (texture->bits & 15) != 0 || texture->keyed);
+    way->lit = 0;
+    way->faded = 1;
+    way->mist = (struct faded_fog){blue_red, green, (blue_red << 11) + half * 0x10001u, (green << 11) + half};
 }
 
 static int is_glossy(const struct texel_part *part)
@@ -570,12 +558,15 @@ static int is_glossy(const struct texel_part *part)
     return (part->from->specular | part->step->specular) != 0;
 }
 
-/* Texels under light and fog that are linear along the part. */
-static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part)
+/* Texels under light and fog that are linear along the part; faded: see fade. */
+static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part, int faded)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
-    struct way way = fogged_way(r, r->d->texel.packed, (unsigned)is_glossy(part), r->t->dither, r->t->format->swap);
+    const unsigned glossy = !faded && is_glossy(part);
+    struct way way = fogged_way(r, r->d->texel.packed, glossy, r->t->dither, r->t->format->swap);
 
+    if (faded)
+        fade(&way);
     way.other = (texture->bits & 15) != 0 || texture->keyed;
     if (texture->bilinear)
         bilinear_part(r, *part, way);
@@ -584,6 +575,14 @@ static APART void any_fogged_part(const struct texel_run *r, const struct texel_
 }
 
 #if FAST_LOOPS
+SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned packed, unsigned dither)
+{
+    struct way way = fogged_way(r, packed, 0, dither, 1);
+
+    fade(&way);
+    nearest_part(r, *part, way);
+}
+
 static APART void glossy_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     if (!r->d->texel.packed)
@@ -598,7 +597,7 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
     const struct sheen_texture *texture = r->d->texel.texture;
 
     if (!r->t->format->swap || (texture->bits & 15) != 0 || texture->keyed || texture->bilinear)
-        any_fogged_part(r, part);
+        any_fogged_part(r, part, 0);
     else if (is_glossy(part))
         glossy_fogged_part(r, part);
     else if (r->t->dither)
@@ -611,7 +610,7 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 #else
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
-    any_fogged_part(r, part);
+    any_fogged_part(r, part, 0);
 }
 #endif
 
@@ -622,13 +621,13 @@ void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
 
     if (r->t->format->swap && (texture->bits & 15) == 0 && !texture->keyed) {
         if (!r->d->texel.packed)
-            r->t->dither ? faded_part(r, part, 0, 1, 1, 0) : faded_part(r, part, 0, 0, 1, 0);
+            r->t->dither ? faded_part(r, part, 0, 1) : faded_part(r, part, 0, 0);
         else
-            r->t->dither ? faded_part(r, part, 1, 1, 1, 0) : faded_part(r, part, 1, 0, 1, 0);
+            r->t->dither ? faded_part(r, part, 1, 1) : faded_part(r, part, 1, 0);
         return;
     }
 #endif
-    any_faded_part(r, part);
+    any_fogged_part(r, part, 1);
 }
 
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from)
