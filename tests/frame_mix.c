@@ -294,9 +294,7 @@ static void next_frame(uint32_t *seed, struct mix *mix, unsigned f, int align_x,
         random_color(seed, to->view.background);
     if (one_in(seed, 6))
         random_view(seed, to, align_x, align_y);
-    to->invalidated = one_in(seed, 6); /* what has edges is sent whole */
-    for (unsigned i = 0; i < to->count; i++)
-        to->invalidated |= to->object[i].edges != NULL;
+    to->invalidated = one_in(seed, 6);
     to->mark = one_in(seed, 3) ? random_rect(seed, 1, 1) : (struct sheen_rect){0, 0, 0, 0};
 }
 
