@@ -591,12 +591,15 @@ static int ramps(void)
     return status;
 }
 
+/* Every shading, then all edges. */
 static int orthographic(void)
 {
     int status = SHEEN_OK;
 
-    for (int i = 0; i < SHADINGS * VIEWS && status == SHEEN_OK; i++) {
-        struct scene s = varied(i % SHADINGS, i / SHADINGS);
+    for (int i = 0; i < (SHADINGS + SHEEN_EDGINGS - 1) * VIEWS && status == SHEEN_OK; i++) {
+        const int edging = i / VIEWS - (SHADINGS - 1);
+        struct scene s = varied(edging > 0 ? edging % SHEEN_SHADINGS : i / VIEWS, i % VIEWS);
+        s.edging = (unsigned)(edging > 0 ? edging : 0);
         s.orthographic = 1;
         status = print_sums(&s);
     }
