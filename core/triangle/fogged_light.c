@@ -54,15 +54,24 @@ static uint32_t bend_of(const struct fogged_colour c[3])
     return most;
 }
 
-/*
- * Whether light begins or ends between three ends where f is L.N, or comes and goes: it is dark at some, or rises at
- * the first and falls at the last.
- */
-static int is_edge_of_light(const int32_t f[3], const struct shaded_run *from, const struct shaded_run *to)
-{
-    const int dark = (f[0] <= 0) + (f[1] <= 0) + (f[2] <= 0);
+#define FADES (1 << 27)        /* L.N, Q1.30, below which the highlight fades: 1/8 */
+#define NEARLY_FADES (3 << 26) /* what sinks between two ends, where it may, does so by less than 1/16 */
 
-    return dark == 3 ? (int32_t)from->df > 0 && (int32_t)to->df < 0 : dark > 0;
+/*
+ * Whether light begins or ends between three ends where f is L.N, or comes and goes, or goes and comes back; or a
+ * highlight begins to fade: it then has a bend that three ends may not show.
+ */
+static int is_edge_of_light(const int32_t f[3], const struct shaded_run *from, const struct shaded_run *to,
+                            enum second second)
+{
+    const int32_t lowest = min32(f[0], min32(f[1], f[2])), highest = max32(f[0], max32(f[1], f[2]));
+    const int rises = (int32_t)from->df > 0 && (int32_t)to->df < 0;
+    const int sinks = (int32_t)from->df < 0 && (int32_t)to->df > 0;
+
+    if (highest <= 0)
+        return rises;
+    return lowest <= 0 || (sinks && lowest < NEARLY_FADES) ||
+           (second == SECOND_POWER && lowest < FADES && highest > FADES);
 }
 
 static int32_t longest_of(const struct shaded_run *run, enum second second)
@@ -97,7 +106,7 @@ static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shade
             }
             first = 1;
             bend = n > 0 ? bend_of(c) : 0;
-            if (n <= 1 || (bend <= MOST_BENT && !is_edge_of_light(f, at, &end)))
+            if (n <= 1 || (bend <= MOST_BENT && !is_edge_of_light(f, at, &end, second)))
                 break;
         }
         if (n == 0) {
