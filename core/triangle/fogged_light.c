@@ -64,14 +64,13 @@ static uint32_t bend_of(const struct fogged_colour c[3])
 static int is_edge_of_light(const int32_t f[3], const struct shaded_run *from, const struct shaded_run *to,
                             enum second second)
 {
-    const int32_t lowest = min32(f[0], min32(f[1], f[2])), highest = max32(f[0], max32(f[1], f[2]));
+    const int32_t least = min32(f[0], min32(f[1], f[2])), most = max32(f[0], max32(f[1], f[2]));
     const int rises = (int32_t)from->df > 0 && (int32_t)to->df < 0;
     const int sinks = (int32_t)from->df < 0 && (int32_t)to->df > 0;
 
-    if (highest <= 0)
+    if (most <= 0)
         return rises;
-    return lowest <= 0 || (sinks && lowest < NEARLY_FADES) ||
-           (second == SECOND_POWER && lowest < FADES && highest > FADES);
+    return least <= 0 || (sinks && least < NEARLY_FADES) || (second == SECOND_POWER && least < FADES && most > FADES);
 }
 
 static int32_t longest_of(const struct shaded_run *run, enum second second)
