@@ -23,7 +23,8 @@ class Build:
     def __init__(self, sources, cpu, folder, optimisation="-O2"):
         os.makedirs(folder, exist_ok=True)
         self.flags = [*FLAGS, optimisation, "-mcpu=" + cpu, "-I", os.path.join(ROOT, "core")]
-        self.objects = {s: os.path.join(folder, os.path.basename(s)[:-2] + ".o") for s in sources}
+        # frame/edges.c and mesh/edges.c are two objects
+        self.objects = {s: os.path.join(folder, "_".join(s.split(os.sep)[-2:])[:-2] + ".o") for s in sources}
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(self._compile, self.objects.items()))
 
@@ -46,6 +47,15 @@ class Build:
             elif re.match(r"\.(data|bss|tdata|tbss)", name):
                 state += int(size)
         return code, constants, state
+
+    def linked(self, names):
+        """Bytes of code that these names keep in a program; functions of libgcc are not in it."""
+        program = os.path.join(os.path.dirname(next(iter(self.objects.values()))), "linked.elf")
+        wanted = [f"-Wl,--undefined={name}" for name in names]
+        subprocess.run([TOOL + "gcc", *self.flags, "-nostdlib", "-Wl,--gc-sections,--entry=0,--no-warn-rwx-segments,"
+                        "--unresolved-symbols=ignore-all", *wanted, *self.objects.values(), "-o", program], check=True)
+        return sum(int(line.split()[1]) for line in tool("size", "-A", program).splitlines()
+                   if line.startswith(".text"))
 
     def symbols(self, source):
         """[(name, letter of nm)]; common variables, which no section of an object holds, are C."""
