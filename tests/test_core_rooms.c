@@ -205,9 +205,18 @@ static void check_room(const struct sheen_shader *shader, intensity_at *intensit
 static const uint8_t vertex_colors[9] = {255, 128, 0, 40, 200, 255, 90, 30, 160};
 static const uint8_t light_color[3] = {255, 180, 100}, ambient_color[3] = {120, 160, 255}, white[3] = {255, 255, 255};
 
-/* What a colored room's corners have of white light's intensity, linear between them: off by, as steps_off. */
-static double colored_off(const struct scene *s, uint16_t pixel, double x, double y, int is_flat, const uint8_t *light,
-                          const uint8_t *ambient)
+/*
+ * What a colored room is off by, as steps_off. intensity NULL: corners have their light, of one normal where is_flat,
+ * and what it makes of their colours is linear between them; else colours are, and each pixel has its light.
+ */
+struct colored_room {
+    const struct sheen_shader *shader;
+    intensity_at *intensity;
+    int is_flat;
+};
+
+static double colored_off(const struct scene *s, uint16_t pixel, double x, double y, const struct colored_room *room,
+                          const uint8_t *light, const uint8_t *ambient)
 {
     static const double base[3] = {200 / 255.0, 160 / 255.0, 90 / 255.0}, top[3] = {31, 63, 31};
     const double level[3] = {pixel >> 11, pixel >> 5 & 63, pixel & 31};
@@ -217,7 +226,8 @@ static double colored_off(const struct scene *s, uint16_t pixel, double x, doubl
     for (int i = 0; i < 3; i++) {
         double channel = 0;
         for (int k = 0; k < 3; k++) {
-            double intensity = fmax(0, dot(s->normal[is_flat ? 0 : k], s->light));
+            double intensity = room->intensity != NULL ? room->intensity(s, x, y)
+                                                       : fmax(0, dot(s->normal[room->is_flat ? 0 : k], s->light));
             channel += b[k] * vertex_colors[3 * k + i] / 255 *
                        (AMBIENT * ambient[i] / 255 + DIFFUSE * intensity * light[i] / 255);
         }
@@ -243,7 +253,7 @@ static int draw_scene(struct core_raster *r, struct scene *s, uint32_t *state, d
     return 1;
 }
 
-static void check_colored(const struct sheen_shader *shader, int tinted)
+static void check_colored(const struct colored_room *room, int tinted)
 {
     static uint16_t depth[WIDTH * HEIGHT], pixels[WIDTH * HEIGHT];
     const uint8_t *light = tinted ? light_color : white, *ambient = tinted ? ambient_color : white;
@@ -253,22 +263,21 @@ static void check_colored(const struct sheen_shader *shader, int tinted)
     struct scene s;
     uint32_t state = 5;
 
-    begin(&r, &s, shader);
+    begin(&r, &s, room->shader);
     r.mesh.colors = vertex_colors;
     if (tinted) {
         memcpy(lights[0].color, light_color, sizeof light_color);
         memcpy(r.material.ambient_color, ambient_color, sizeof ambient_color);
     }
     const struct sheen_object object = {.material = &r.material, .lights = lights, .light_count = 1};
-    shader->begin(&r.draw, &r.material, &r.format, &object, &object.pose);
+    room->shader->begin(&r.draw, &r.material, &r.format, &object, &object.pose);
     for (int i = 0; i < TRIANGLES; i++) {
         if (!draw_scene(&r, &s, &state, 0.5, depth, pixels))
             continue;
         for (int at = 0; at < WIDTH * HEIGHT; at++)
             if (depth[at] != 0)
                 worst_note(&worst,
-                           colored_off(&s, pixels[at], at % WIDTH + 0.5, at / WIDTH + 0.5,
-                                       shader == &sheen_flat_colored, light, ambient),
+                           colored_off(&s, pixels[at], at % WIDTH + 0.5, at / WIDTH + 0.5, room, light, ambient),
                            "triangle %d, pixel %d %d", i, at % WIDTH, at / WIDTH);
     }
     worst_assert(&worst, 0.1, "steps of 565 beside the rounding");
@@ -276,11 +285,15 @@ static void check_colored(const struct sheen_shader *shader, int tinted)
 
 static void colored_rooms(void **unused)
 {
+    static const struct colored_room rooms[] = {{&sheen_flat_colored, NULL, 1},
+                                                {&sheen_gouraud_colored, NULL, 0},
+                                                {&sheen_phong_colored, of_phong, 0},
+                                                {&sheen_slerp_colored, of_slerp, 0}};
+
     (void)unused;
-    for (int tinted = 0; tinted < 2; tinted++) {
-        check_colored(&sheen_flat_colored, tinted);
-        check_colored(&sheen_gouraud_colored, tinted);
-    }
+    for (size_t i = 0; i < sizeof rooms / sizeof *rooms; i++)
+        for (int tinted = 0; tinted < 2; tinted++)
+            check_colored(&rooms[i], tinted);
 }
 
 /* ---- texels ---- */
