@@ -5,33 +5,31 @@
  */
 #include "drivers/driver.h"
 
-static int set_brightness(struct sheen_panel *panel)
+static void set_brightness(struct sheen_panel *panel)
 {
     const struct sheen_panel_record *record = panel->record;
     const uint8_t *on = record->driver->brightness_on;
     uint8_t value = (uint8_t)(panel->brightness >> record->brightness_shift);
-    int error = SHEEN_OK;
 
     if (on[0])
-        error = sheen_panel_command(panel, on[0], &on[1], 1);
-    return error < 0 ? error : sheen_panel_command(panel, record->brightness_command, &value, 1);
+        record->driver->command(panel, on[0], &on[1], 1);
+    record->driver->command(panel, record->brightness_command, &value, 1);
 }
 
 /* After the driver's initialisation; the bus is held. */
-static int settings(struct sheen_panel *panel)
+static void settings(struct sheen_panel *panel)
 {
     static const uint8_t vertical_only = 0; /* a pulse a refresh, none a line */
-    int error = SHEEN_OK;
+    const struct sheen_panel_driver *driver = panel->record->driver;
 
     if (panel->tearing)
-        error = sheen_panel_command(panel, panel->record->driver->tearing_command, &vertical_only, 1);
-    return error == SHEEN_OK && panel->dimmed ? set_brightness(panel) : error;
+        driver->command(panel, driver->tearing_command, &vertical_only, 1);
+    if (panel->dimmed)
+        set_brightness(panel);
 }
 
 int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
 {
-    int error;
-
     if (!panel->record->brightness_command)
         return SHEEN_ERR_UNSUPPORTED;
     if (level > 255)
@@ -41,8 +39,9 @@ int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
     panel->settings = settings;
     if (!panel->ready)
         return SHEEN_OK; /* the next initialisation says it */
-    error = sheen_panel_take(panel);
-    return error < 0 ? error : sheen_panel_give(panel, set_brightness(panel));
+    sheen_panel_take(panel);
+    set_brightness(panel);
+    return sheen_panel_give(panel);
 }
 
 int sheen_panel_tearing(struct sheen_panel *panel)
@@ -55,9 +54,10 @@ int sheen_panel_tearing(struct sheen_panel *panel)
     return SHEEN_OK;
 }
 
-static int await_pulse(struct sheen_panel *panel)
+static void await_pulse(struct sheen_panel *panel)
 {
-    return panel->bus->tearing(panel->bus->ctx);
+    if (panel->error == SHEEN_OK)
+        panel->error = panel->bus->tearing(panel->bus->ctx);
 }
 
 int sheen_panel_sync(struct sheen_panel *panel)

@@ -90,19 +90,19 @@ struct sheen_panel_record {
 
 /* Run-time state of a panel. Private: touched by hal/ only. */
 struct sheen_panel {
-    const struct sheen_panel_record *record;    /* borrowed */
-    const struct sheen_bus *bus;                /* borrowed */
-    int (*settings)(struct sheen_panel *panel); /* what an initialisation adds; NULL: nothing */
-    int (*due)(struct sheen_panel *panel);      /* before the next push, once; NULL: nothing */
-    uint16_t window[4];                         /* x0, x1, y0, y1 last sent, in the controller's own units */
-    uint8_t orientation;                        /* 0..7 */
-    uint8_t ready;                              /* initialised, and no error since */
-    uint8_t tearing;                            /* init switches the TE output on */
-    uint8_t dimmed, brightness;                 /* 1: a brightness was asked for, this one */
-    uint8_t flying;                             /* a call of the bus may still be under way */
-    uint8_t held;                               /* the bus is acquired */
-    uint8_t window_known;                       /* bits 0, 1: the x, y half of window is what the controller holds */
-    uint8_t pack[SHEEN_PANEL_PACK_BYTES];       /* bytes that the packer turned; in flight until wait */
+    const struct sheen_panel_record *record;     /* borrowed */
+    const struct sheen_bus *bus;                 /* borrowed */
+    void (*settings)(struct sheen_panel *panel); /* what an initialisation adds; NULL: nothing */
+    void (*due)(struct sheen_panel *panel);      /* before the next push, once; NULL: nothing */
+    int error;                                   /* the first of what is being said; nothing more is sent after it */
+    uint32_t window[2];                   /* of x, y: first << 16 | last as sent, in the controller's own units */
+    uint8_t orientation;                  /* 0..7 */
+    uint8_t ready;                        /* initialised, and no error since */
+    uint8_t tearing;                      /* init switches the TE output on */
+    uint8_t dimmed, brightness;           /* 1: a brightness was asked for, this one */
+    uint8_t flying;                       /* a call of the bus may still be under way */
+    uint8_t held;                         /* the bus is acquired */
+    uint8_t pack[SHEEN_PANEL_PACK_BYTES]; /* bytes that the packer turned; in flight until wait */
 };
 
 /*

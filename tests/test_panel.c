@@ -197,12 +197,14 @@ static void bad_records(void **state)
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 239;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), 0);
+    record.driver = &sheen_driver_grey;
     record.pixel = SHEEN_GREY16; /* half a byte a row */
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 238;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT); /* the gap is odd */
     record.gap_x = 2;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), 0);
+    record.driver = &sheen_driver_ssd1306;
     record.pixel = SHEEN_GREY2;
     record.glass_w = 232;
     record.glass_h = 312;

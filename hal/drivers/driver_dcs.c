@@ -44,96 +44,90 @@ static uint8_t dcs_scan_of(const struct sheen_panel *panel)
     return scan;
 }
 
-static int dcs_orient(struct sheen_panel *panel)
+static void dcs_orient(struct sheen_panel *panel)
 {
     uint8_t madctl = (uint8_t)(dcs_scan_of(panel) | (panel->record->bgr ? MADCTL_BGR : 0));
 
-    return sheen_panel_command(panel, MADCTL, &madctl, 1);
+    sheen_panel_command(panel, MADCTL, &madctl, 1);
 }
 
-static int dcs_init(struct sheen_panel *panel)
+static void dcs_init(struct sheen_panel *panel)
 {
-    int error = sheen_panel_reset(panel);
-
-    if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel);
-    if (error == SHEEN_OK)
-        error = dcs_orient(panel);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, panel->record->inverted ? INVON : INVOFF, NULL, 0);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, NORON, NULL, 0);
-    return error < 0 ? error : sheen_panel_command(panel, DISPON, NULL, 0);
+    sheen_panel_reset(panel);
+    sheen_panel_steps(panel);
+    dcs_orient(panel);
+    sheen_panel_command(panel, panel->record->inverted ? INVON : INVOFF, NULL, 0);
+    sheen_panel_command(panel, NORON, NULL, 0);
+    sheen_panel_command(panel, DISPON, NULL, 0);
 }
 
-/* An axis (0 x, 1 y) of the window, first..last in the picture's own coordinates. */
-static int set_axis(struct sheen_panel *panel, unsigned axis, unsigned offset, int first, int last)
+/*
+ * RAM pixels before the glass on an axis: gap where the axis counts upwards,
+ * the rest beyond the glass where it counts downwards.
+ */
+static unsigned offset_of(unsigned ram, unsigned glass, unsigned gap, int downwards)
 {
-    unsigned start = (unsigned)first + offset, end = (unsigned)last + offset;
-    uint8_t data[4] = {(uint8_t)(start >> 8), (uint8_t)start, (uint8_t)(end >> 8), (uint8_t)end};
-
-    if (!sheen_panel_window_moves(panel, axis, start, end))
-        return SHEEN_OK;
-    return sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
+    return downwards ? ram - glass - gap : gap;
 }
 
-/* 5 or 6 bits to the upper 6 of a byte: the low bits repeat the high ones, so that white stays white. */
-static uint8_t *expand(uint8_t *to, const uint8_t *pixel)
-{
-    unsigned v = (unsigned)pixel[0] << 8 | pixel[1], r = v >> 11, g = v >> 5 & 63, b = v & 31;
-
-    *to++ = (uint8_t)(r << 3 | r >> 2);
-    *to++ = (uint8_t)(g << 2 | g >> 4);
-    *to++ = (uint8_t)(b << 3 | b >> 2);
-    return to;
-}
-
-/* Pixels as 3 bytes each, a pack buffer at a time; the last one flies. */
-static int send_18(struct sheen_panel *panel, const uint8_t *pixels, size_t count)
-{
-    uint8_t command = RAMWR;
-    int error = SHEEN_OK;
-
-    while (count && error == SHEEN_OK) {
-        size_t part = count < sizeof panel->pack / 3 ? count : sizeof panel->pack / 3;
-        uint8_t *end = panel->pack;
-
-        error = sheen_panel_landed(panel);
-        for (size_t i = 0; i < part; i++, pixels += 2)
-            end = expand(end, pixels);
-        if (error == SHEEN_OK)
-            error = sheen_panel_launch(panel, &command, 1, panel->pack, 3 * part);
-        command = RAMWRC;
-        count -= part;
-    }
-    return error;
-}
-
-static int dcs_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+/* An axis (0 x, 1 y) of the window, first..end - 1 in the picture's own coordinates. */
+static void set_axis(struct sheen_panel *panel, unsigned axis, int first, int end)
 {
     const struct sheen_panel_record *record = panel->record;
     uint8_t scan = dcs_scan_of(panel);
-    uint16_t columns = sheen_panel_offset(record->ram_w, record->glass_w, record->gap_x, scan & SHEEN_SCAN_MX);
-    uint16_t rows = sheen_panel_offset(record->ram_h, record->glass_h, record->gap_y, scan & SHEEN_SCAN_MY);
-    const uint8_t write = RAMWR;
-    int swap = scan & SHEEN_SCAN_MV;
-    size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0);
-    int error = set_axis(panel, 0, swap ? rows : columns, rect.x0, rect.x1 - 1);
+    unsigned offset = axis == !(scan & SHEEN_SCAN_MV) /* along the RAM's columns of pixels */
+                          ? offset_of(record->ram_h, record->glass_h, record->gap_y, scan & SHEEN_SCAN_MY)
+                          : offset_of(record->ram_w, record->glass_w, record->gap_x, scan & SHEEN_SCAN_MX);
+    uint32_t window = ((unsigned)first + offset) << 16 | ((unsigned)end + offset - 1);
+    uint8_t data[4] = {(uint8_t)(window >> 24), (uint8_t)(window >> 16), (uint8_t)(window >> 8), (uint8_t)window};
 
-    if (error == SHEEN_OK)
-        error = set_axis(panel, 1, swap ? columns : rows, rect.y0, rect.y1 - 1);
-    if (error < 0)
-        return error;
-    return record->bits_18 ? send_18(panel, pixels, count) : sheen_panel_launch(panel, &write, 1, pixels, 2 * count);
+    if (sheen_panel_window_moves(panel, axis, window))
+        sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
+}
+
+/* 5 or 6 bits to the upper 6 of a byte: the low bits repeat the high ones, so that white stays white. */
+static void expand(uint8_t *to, const uint8_t *pixel)
+{
+    unsigned g = (pixel[0] & 7u) << 3 | pixel[1] >> 5, b = pixel[1] & 31u;
+
+    to[0] = (uint8_t)((pixel[0] & 0xF8) | pixel[0] >> 5);
+    to[1] = (uint8_t)(g << 2 | g >> 4);
+    to[2] = (uint8_t)(b << 3 | b >> 2);
+}
+
+/* Pixels as 3 bytes each, a pack buffer at a time; the last one flies. */
+static void send_18(struct sheen_panel *panel, const uint8_t *pixels, const uint8_t *end)
+{
+    for (uint8_t command = RAMWR; pixels != end; command = RAMWRC) {
+        unsigned used = 0;
+
+        sheen_panel_landed(panel);
+        for (; pixels != end && used < sizeof panel->pack / 3 * 3; pixels += 2, used += 3)
+            expand(&panel->pack[used], pixels);
+        sheen_panel_launch(panel, &command, 1, panel->pack, used);
+    }
+}
+
+static void dcs_push(struct sheen_panel *panel, const struct sheen_rect *rect, const uint8_t *pixels)
+{
+    const uint8_t write = RAMWR;
+    size_t bytes = (size_t)(rect->x1 - rect->x0) * (size_t)(rect->y1 - rect->y0) * 2;
+
+    set_axis(panel, 0, rect->x0, rect->x1);
+    set_axis(panel, 1, rect->y0, rect->y1);
+    if (panel->record->bits_18)
+        send_18(panel, pixels, pixels + bytes);
+    else
+        sheen_panel_launch(panel, &write, 1, pixels, bytes);
 }
 
 const struct sheen_panel_driver sheen_driver_dcs = {.init = dcs_init,
                                                     .orient = dcs_orient,
                                                     .push = dcs_push,
+                                                    .command = sheen_panel_command,
                                                     .reset_command = SWRESET,
                                                     .off = {DISPOFF, SLPIN},
                                                     .off_count = 2,
                                                     .tearing_command = TEON,
                                                     .brightness_on = {WRCTRLD, WRCTRLD_ON},
-                                                    .align_x = 1,
-                                                    .align_y = 1};
+                                                    .align = 1};

@@ -25,26 +25,25 @@
 #define DISPLAY_OFF 0xAE
 #define DISPLAY_ON 0xAF
 
-static int grey_init(struct sheen_panel *panel)
+static void grey_init(struct sheen_panel *panel)
 {
-    int low = panel->record->driver->low_parameters;
-    int error = sheen_panel_reset(panel);
+    const struct sheen_panel_driver *driver = panel->record->driver;
+    int low = driver->write_command == 0; /* parameters leave with D/C low */
 
-    if (error == SHEEN_OK && low)
-        error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
-    if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel);
-    if (error == SHEEN_OK)
-        error = sheen_panel_command(panel, SET_REMAP, panel->record->scan, low ? 1 : 2);
-    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
+    sheen_panel_reset(panel);
+    if (low)
+        sheen_panel_resynchronise(panel, DISPLAY_OFF);
+    sheen_panel_steps(panel);
+    driver->command(panel, SET_REMAP, panel->record->scan, low ? 1 : 2);
+    driver->command(panel, DISPLAY_ON, NULL, 0);
 }
 
 /* Pixels in the controller's order; they may fly on. */
-static int launch(struct sheen_panel *panel, const uint8_t *bytes, size_t count)
+static void launch(struct sheen_panel *panel, const uint8_t *bytes, size_t count)
 {
     const uint8_t *write = &panel->record->driver->write_command;
 
-    return sheen_panel_launch(panel, write, *write != 0, bytes, count);
+    sheen_panel_launch(panel, write, *write != 0, bytes, count);
 }
 
 /* The nibble of pixel `index` of the rectangle. */
@@ -56,7 +55,7 @@ static unsigned nibble(const uint8_t *pixels, int32_t index)
 }
 
 /* Sends the rectangle byte by byte of the glass, a pack buffer at a time; the last one flies. */
-static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels)
+static void send_turned(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels)
 {
     unsigned used = 0;
 
@@ -65,53 +64,45 @@ static int send_turned(struct sheen_panel *panel, const struct sheen_turn *turn,
 
         for (int16_t column = 0; column < turn->w; column += 2, index += 2 * turn->right) {
             if (used == sizeof panel->pack) {
-                int error = launch(panel, panel->pack, used);
-
-                if (error == SHEEN_OK)
-                    error = sheen_panel_landed(panel);
-                if (error < 0)
-                    return error;
+                launch(panel, panel->pack, used);
+                sheen_panel_landed(panel);
                 used = 0;
             }
             panel->pack[used++] = (uint8_t)(nibble(pixels, index) << 4 | nibble(pixels, index + turn->right));
         }
     }
-    return launch(panel, panel->pack, used);
+    launch(panel, panel->pack, used);
 }
 
-static int grey_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static void grey_push(struct sheen_panel *panel, const struct sheen_rect *rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
-    unsigned shift = record->driver->align_x / 2u; /* 1 or 2: a column address is 2 or 4 px */
+    unsigned shift = record->driver->align / 2u; /* 1 or 2: a column address is 2 or 4 px */
     struct sheen_turn turn;
-    int error;
 
     sheen_turn_of(panel, rect, &turn);
     unsigned column = (record->gap_x + (unsigned)turn.x) >> shift, row = record->gap_y + (unsigned)turn.y;
-    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + ((unsigned)turn.w >> shift) - 1);
-    if (error == SHEEN_OK)
-        error = sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
-    if (error < 0)
-        return error;
+    sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + ((unsigned)turn.w >> shift) - 1);
+    sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
     if (panel->orientation == 0) /* as the core packs it */
-        return launch(panel, pixels, (size_t)turn.w * (size_t)turn.h / 2);
-    return send_turned(panel, &turn, pixels);
+        launch(panel, pixels, (size_t)turn.w * (size_t)turn.h / 2);
+    else
+        send_turned(panel, &turn, pixels);
 }
 
 const struct sheen_panel_driver sheen_driver_grey = {.init = grey_init,
                                                      .push = grey_push,
+                                                     .command = sheen_panel_low_command,
                                                      .reset_command = -1,
                                                      .off = {DISPLAY_OFF},
                                                      .off_count = 1,
-                                                     .low_parameters = 1,
-                                                     .align_x = 2,
-                                                     .align_y = 2};
+                                                     .align = 2};
 
 const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = grey_init,
                                                         .push = grey_push,
+                                                        .command = sheen_panel_command,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
                                                         .write_command = WRITE_RAM,
-                                                        .align_x = 4,
-                                                        .align_y = 4};
+                                                        .align = 4};

@@ -21,15 +21,12 @@
 #define DISPLAY_ON 0xAF
 #define PAGE_START 0xB0
 
-static int mono_init(struct sheen_panel *panel)
+static void mono_init(struct sheen_panel *panel)
 {
-    int error = sheen_panel_reset(panel);
-
-    if (error == SHEEN_OK)
-        error = sheen_panel_resynchronise(panel, DISPLAY_OFF);
-    if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel);
-    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
+    sheen_panel_reset(panel);
+    sheen_panel_resynchronise(panel, DISPLAY_OFF);
+    sheen_panel_steps(panel);
+    sheen_panel_low_command(panel, DISPLAY_ON, NULL, 0);
 }
 
 /* The byte of 8 pixels downwards from pixel `index` of the rectangle; a step up is 2^32 - down. */
@@ -43,78 +40,65 @@ static uint8_t column_of_8(const uint8_t *pixels, uint32_t index, uint32_t down)
 }
 
 /* Bytes of one page, a pack buffer at a time; the last one flies. */
-static int send_page(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels, int16_t row)
+static void send_page(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels, int16_t row)
 {
     int32_t index = turn->start + row * turn->down;
     unsigned used = 0;
 
+    sheen_panel_landed(panel);
     for (int16_t column = 0; column < turn->w; column++, index += turn->right) {
         if (used == sizeof panel->pack) {
-            int error = sheen_panel_send(panel, NULL, 0, panel->pack, used);
-
-            if (error < 0)
-                return error;
+            sheen_panel_launch(panel, NULL, 0, panel->pack, used);
+            sheen_panel_landed(panel);
             used = 0;
         }
         panel->pack[used++] = column_of_8(pixels, (uint32_t)index, (uint32_t)turn->down);
     }
-    return sheen_panel_launch(panel, NULL, 0, panel->pack, used);
+    sheen_panel_launch(panel, NULL, 0, panel->pack, used);
 }
 
-static int push_ssd1306(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static void push_ssd1306(struct sheen_panel *panel, const struct sheen_rect *rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
     struct sheen_turn turn;
-    int error;
 
     sheen_turn_of(panel, rect, &turn);
     unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
-    error = sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w - 1);
-    if (error == SHEEN_OK)
-        error = sheen_panel_set_window(panel, 1, SET_PAGE, page, page + (unsigned)turn.h / 8 - 1);
-    for (int16_t row = 0; row < turn.h && error == SHEEN_OK; row = (int16_t)(row + 8)) {
-        error = sheen_panel_landed(panel);
-        if (error == SHEEN_OK)
-            error = send_page(panel, &turn, pixels, row);
-    }
-    return error;
+    sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w - 1);
+    sheen_panel_set_window(panel, 1, SET_PAGE, page, page + (unsigned)turn.h / 8 - 1);
+    for (int16_t row = 0; row < turn.h; row = (int16_t)(row + 8))
+        send_page(panel, &turn, pixels, row);
 }
 
-static int push_sh1106(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static void push_sh1106(struct sheen_panel *panel, const struct sheen_rect *rect, const uint8_t *pixels)
 {
     const struct sheen_panel_record *record = panel->record;
     struct sheen_turn turn;
-    int error = SHEEN_OK;
 
     sheen_turn_of(panel, rect, &turn);
     unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
-    for (int16_t row = 0; row < turn.h && error == SHEEN_OK; row = (int16_t)(row + 8), page++) {
+    for (int16_t row = 0; row < turn.h; row = (int16_t)(row + 8), page++) {
         const uint8_t place[3] = {(uint8_t)(PAGE_START | page), (uint8_t)(COLUMN_LOW | (column & 15)),
                                   (uint8_t)(COLUMN_HIGH | column >> 4)};
 
-        error = sheen_panel_landed(panel);
-        if (error == SHEEN_OK)
-            error = sheen_panel_send(panel, place, sizeof place, NULL, 0);
-        if (error == SHEEN_OK)
-            error = send_page(panel, &turn, pixels, row);
+        sheen_panel_landed(panel);
+        sheen_panel_launch(panel, place, sizeof place, NULL, 0);
+        send_page(panel, &turn, pixels, row);
     }
-    return error;
 }
 
 const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = mono_init,
                                                         .push = push_ssd1306,
+                                                        .command = sheen_panel_low_command,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
-                                                        .low_parameters = 1,
-                                                        .align_x = 8,
-                                                        .align_y = 8};
+                                                        .align = 8};
 
 const struct sheen_panel_driver sheen_driver_sh1106 = {.init = mono_init,
                                                        .push = push_sh1106,
+                                                       .command = sheen_panel_low_command,
                                                        .reset_command = -1,
                                                        .off = {DISPLAY_OFF},
                                                        .off_count = 1,
-                                                       .low_parameters = 1,
-                                                       .align_x = 8,
-                                                       .align_y = 8};
+                                                       .align = 8};

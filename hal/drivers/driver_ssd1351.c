@@ -37,7 +37,7 @@ static uint8_t ssd1351_scan_of(const struct sheen_panel *panel)
     return scan;
 }
 
-static int ssd1351_orient(struct sheen_panel *panel)
+static void ssd1351_orient(struct sheen_panel *panel)
 {
     const struct sheen_panel_record *record = panel->record;
     uint8_t scan = ssd1351_scan_of(panel), remap = (uint8_t)(scan | (record->bgr ? REMAP_CBA : 0));
@@ -46,39 +46,35 @@ static int ssd1351_orient(struct sheen_panel *panel)
      * last, the RAM's row 0 must meet the glass's top: start at glass_h, mod 128.
      */
     uint8_t start_line = (uint8_t)(scan & REMAP_COM ? record->glass_h % record->ram_h : 0);
-    int error = sheen_panel_command(panel, SET_REMAP, &remap, 1);
 
-    return error < 0 ? error : sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
+    sheen_panel_command(panel, SET_REMAP, &remap, 1);
+    sheen_panel_command(panel, SET_START_LINE, &start_line, 1);
 }
 
-static int ssd1351_init(struct sheen_panel *panel)
+static void ssd1351_init(struct sheen_panel *panel)
 {
-    int error = sheen_panel_reset(panel);
-
-    if (error == SHEEN_OK)
-        error = sheen_panel_steps(panel);
-    if (error == SHEEN_OK)
-        error = ssd1351_orient(panel);
-    return error < 0 ? error : sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
+    sheen_panel_reset(panel);
+    sheen_panel_steps(panel);
+    ssd1351_orient(panel);
+    sheen_panel_command(panel, DISPLAY_ON, NULL, 0);
 }
 
-static int ssd1351_push(struct sheen_panel *panel, struct sheen_rect rect, const uint8_t *pixels)
+static void ssd1351_push(struct sheen_panel *panel, const struct sheen_rect *rect, const uint8_t *pixels)
 {
     unsigned x_axis = ssd1351_scan_of(panel) & REMAP_VERTICAL; /* of the window: 0 columns, 1 rows */
-    size_t count = (size_t)(rect.x1 - rect.x0) * (size_t)(rect.y1 - rect.y0) * 2;
+    size_t count = (size_t)(rect->x1 - rect->x0) * (size_t)(rect->y1 - rect->y0) * 2;
     static const uint8_t set[2] = {SET_COLUMN, SET_ROW}, write = WRITE_RAM;
-    int error = sheen_panel_set_window(panel, x_axis, set[x_axis], (unsigned)rect.x0, (unsigned)rect.x1 - 1);
 
-    if (error == SHEEN_OK)
-        error = sheen_panel_set_window(panel, !x_axis, set[!x_axis], (unsigned)rect.y0, (unsigned)rect.y1 - 1);
-    return error < 0 ? error : sheen_panel_launch(panel, &write, 1, pixels, count);
+    sheen_panel_set_window(panel, x_axis, set[x_axis], (unsigned)rect->x0, (unsigned)rect->x1 - 1);
+    sheen_panel_set_window(panel, !x_axis, set[!x_axis], (unsigned)rect->y0, (unsigned)rect->y1 - 1);
+    sheen_panel_launch(panel, &write, 1, pixels, count);
 }
 
 const struct sheen_panel_driver sheen_driver_ssd1351 = {.init = ssd1351_init,
                                                         .orient = ssd1351_orient,
                                                         .push = ssd1351_push,
+                                                        .command = sheen_panel_command,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
-                                                        .align_x = 1,
-                                                        .align_y = 1};
+                                                        .align = 1};

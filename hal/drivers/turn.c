@@ -11,17 +11,17 @@
  * As in orientation 0 or 4, then a quarter turn at a time: what was up is then right,
  * what was right is down, and the bottom left corner comes first.
  */
-void sheen_turn_of(const struct sheen_panel *panel, struct sheen_rect rect, struct sheen_turn *turn)
+void sheen_turn_of(const struct sheen_panel *panel, const struct sheen_rect *rect, struct sheen_turn *turn)
 {
-    int16_t w = (int16_t)(rect.x1 - rect.x0), h = (int16_t)(rect.y1 - rect.y0);
+    int16_t w = (int16_t)(rect->x1 - rect->x0), h = (int16_t)(rect->y1 - rect->y0);
     uint16_t width, height, swap;
-    struct sheen_turn now = {.right = 1, .down = w, .x = rect.x0, .y = rect.y0, .w = w, .h = h};
+    struct sheen_turn now = {.right = 1, .down = w, .x = rect->x0, .y = rect->y0, .w = w, .h = h};
 
     sheen_panel_size(panel->record, panel->orientation, &width, &height);
     if (panel->orientation & 4) { /* mirrored: along the picture's x from the right end */
         now.start = w - 1;
         now.right = -1;
-        now.x = (int16_t)(width - rect.x1);
+        now.x = (int16_t)(width - rect->x1);
     }
     for (unsigned turns = panel->orientation & 3; turns; turns--) {
         *turn = now;
