@@ -140,11 +140,12 @@ static bool comparable(const struct ref_scene *scene, const struct ref_picture *
     for (int dy = -1; dy <= 1; dy++) {
         for (int dx = -1; dx <= 1; dx++) {
             const struct ref_pixel *p = centre + dy * picture->width + dx;
-            if (!p->covered || surface[p->triangle] != surface[centre->triangle] || p->tread < 0 ||
+            if (!p->covered || p->tread < 0 ||
+                (p->triangle != centre->triangle && surface[p->triangle] != surface[centre->triangle]) ||
                 p->tread != centre->tread || is_seam(scene, picture, centre, p, x + 0.5, y + 0.5))
                 return false;
-            low = fmin(low, p->m);
-            high = fmax(high, p->m);
+            low = ref_min(low, p->m);
+            high = ref_max(high, p->m);
         }
     }
     return high <= low * (1 + DEPTH_JUMP);

@@ -18,7 +18,7 @@
 /* An entry of the table, x = i / 128 - 1. */
 static double ramp_entry(const struct ref_scene *scene, int i)
 {
-    double x = 2.0 * i / REF_RAMP_STEPS - 1, lit = fmax(0, x), a = scene->ambient, d = scene->diffuse;
+    double x = 2.0 * i / REF_RAMP_STEPS - 1, lit = ref_max(0, x), a = scene->ambient, d = scene->diffuse;
 
     switch (scene->ramp) {
     case REF_HALF:
@@ -34,8 +34,8 @@ static double ramp_entry(const struct ref_scene *scene, int i)
 
 double ref_ramp(const struct ref_scene *scene, double x)
 {
-    double at = (fmin(fmax(x, -1), 1) + 1) / 2 * REF_RAMP_STEPS;
-    int i = (int)fmin(floor(at), REF_RAMP_STEPS - 1);
+    double at = (ref_min(ref_max(x, -1), 1) + 1) / 2 * REF_RAMP_STEPS;
+    int i = (int)ref_min(floor(at), REF_RAMP_STEPS - 1);
 
     return ramp_entry(scene, i) * (i + 1 - at) + ramp_entry(scene, i + 1) * (at - i);
 }
@@ -53,7 +53,7 @@ static double to_light(const struct ref_scene *scene, int i, const double at[3],
         return 1;
     if (d == 0)
         memcpy(to, normal, sizeof scene->light[i]);
-    double left = fmax(0, 1 - d * d / (radius * radius));
+    double left = ref_max(0, 1 - d * d / (radius * radius));
     return left * left;
 }
 
@@ -68,11 +68,11 @@ void ref_light(const struct ref_scene *scene, const double at[3], const double n
 
         if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
             continue; /* ambient only */
-        double r_v = l_n <= 0 ? 0 : fmax(0, 2 * l_n * normal[2] - to[2]);
+        double r_v = l_n <= 0 ? 0 : ref_max(0, 2 * l_n * normal[2] - to[2]);
         for (int k = 0; k < 3; k++) {
             double color = left * scene->light_color[i][k];
             lit->diffuse[k] += color * scene->diffuse * ref_ramp(scene, l_n);
-            lit->specular[k] += color * scene->specular * pow(r_v, scene->shininess) * fmin(1, 8 * fmax(0, l_n));
+            lit->specular[k] += color * scene->specular * pow(r_v, scene->shininess) * ref_min(1, 8 * ref_max(0, l_n));
         }
     }
 }

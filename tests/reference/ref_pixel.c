@@ -21,11 +21,11 @@ int ref_bayer8(int x, int y)
     return entry;
 }
 
-/* floor(max_level * c + up), clamped; c itself is clamped, then goes to a fog's level by its share. */
+/* max_level * c + up in whole steps, clamped; c itself is clamped, then goes to a fog's level by its share. */
 static int to_level(double c, int max_level, double fog_level, double share, double up)
 {
     double fogged = max_level * clamp01(c) * (1 - share) + fog_level * share;
-    int level = (int)floor(fogged + up);
+    int level = (int)(fogged + up); /* neither is negative */
 
     return level > max_level ? max_level : level;
 }
@@ -73,25 +73,29 @@ static double threshold(const struct ref_scene *scene, int x, int y)
     return ((scene->left_out > 0 ? 16 * (b % 4) + 4 * (b / 4 % 4) + b / 16 : b) + 0.5) / 64;
 }
 
-uint16_t ref_fogged_value(const struct ref_scene *scene, const double color[3], double share, int x, int y)
+static uint16_t value(const struct ref_scene *scene, const double color[3], double share, double up)
 {
     static const int most[3] = {31, 63, 31};
-    double up = threshold(scene, x, y);
+    const bool fog = share > 0;
     int level[3];
 
     if (scene->levels) {
-        double fog = to_level(grey_of(scene->fog_color), scene->levels - 1, 0, 0, 0.5);
-        return (uint16_t)to_level(grey_of(color), scene->levels - 1, fog, share, up);
+        int fogged = fog ? to_level(grey_of(scene->fog_color), scene->levels - 1, 0, 0, 0.5) : 0;
+        return (uint16_t)to_level(grey_of(color), scene->levels - 1, fogged, share, up);
     }
-    for (int k = 0; k < 3; k++)
-        level[k] = to_level(color[k], most[k], to_level(scene->fog_color[k], most[k], 0, 0, 0.5), share, up);
+    for (int k = 0; k < 3; k++) {
+        int fogged = fog ? to_level(scene->fog_color[k], most[k], 0, 0, 0.5) : 0;
+        level[k] = to_level(color[k], most[k], fogged, share, up);
+    }
     return (uint16_t)(level[0] << 11 | level[1] << 5 | level[2]);
+}
+
+uint16_t ref_fogged_value(const struct ref_scene *scene, const double color[3], double share, int x, int y)
+{
+    return value(scene, color, share, threshold(scene, x, y));
 }
 
 uint16_t ref_value(const struct ref_scene *scene, const double color[3], int x, int y, bool background)
 {
-    struct ref_scene plain = *scene;
-
-    plain.dither &= !background;
-    return ref_fogged_value(&plain, color, 0, x, y);
+    return value(scene, color, 0, background ? 0.5 : threshold(scene, x, y));
 }

@@ -8,37 +8,67 @@
 #include "ref_vector.h"
 #include "reference.h"
 
-/*
- * Twice the signed area of (a, b, q) on the screen; y runs down, so > 0 means clockwise as it is seen. Always
- * computed from the same end of an edge, so that both its triangles round alike.
- */
-static double edge(const struct ref_piece *p, int a, int b, double x, double y)
+/* A side of a piece, always from the same end, so that both its triangles round alike. */
+struct side {
+    double x, y, dx, dy;
+    bool turned; /* the piece goes from the other end */
+    bool owned;  /* a top one (horizontal, interior below) or a left one (interior to its right) */
+};
+
+/* Side k goes from corner k to the next one. */
+struct outline {
+    struct side side[3];
+    double area; /* twice; > 0: clockwise as it is seen, as y runs down */
+};
+
+/* Twice the signed area of the side and the point. */
+static double side_at(const struct side *side, double x, double y)
 {
-    if (p->x[b] < p->x[a] || (p->x[b] == p->x[a] && p->y[b] < p->y[a]))
-        return -edge(p, b, a, x, y);
-    return (p->x[b] - p->x[a]) * (y - p->y[a]) - (p->y[b] - p->y[a]) * (x - p->x[a]);
+    double e = side->dx * (y - side->y) - side->dy * (x - side->x);
+
+    return side->turned ? -e : e;
 }
 
-/* Inside, or on a top edge (horizontal, interior below) or a left edge (interior to its right). */
-bool ref_inside(const struct ref_piece *p, double x, double y)
+static void outline_of(struct outline *outline, const struct ref_piece *p)
 {
-    double area = edge(p, 0, 1, p->x[2], p->y[2]);
-
     for (int k = 0; k < 3; k++) {
         int a = k, b = (k + 1) % 3;
-        double e = edge(p, a, b, x, y);
-        double dx = p->x[b] - p->x[a], dy = p->y[b] - p->y[a];
-        if (area < 0) {
-            e = -e;
-            dx = -dx;
-            dy = -dy;
+        bool turned = p->x[b] < p->x[a] || (p->x[b] == p->x[a] && p->y[b] < p->y[a]);
+        if (turned) {
+            a = b;
+            b = k;
         }
-        /* Walked clockwise as seen, a left edge goes up and a top edge to the right. */
-        bool top_left = dy < 0 || (dy == 0 && dx > 0);
-        if (e < 0 || (e == 0 && !top_left))
+        outline->side[k] = (struct side){p->x[a], p->y[a], p->x[b] - p->x[a], p->y[b] - p->y[a], turned, false};
+    }
+    outline->area = side_at(&outline->side[0], p->x[2], p->y[2]);
+    for (int k = 0; k < 3; k++) {
+        struct side *side = &outline->side[k];
+        /* Walked clockwise as seen, a left side goes up and a top one to the right. */
+        bool against = side->turned != (outline->area < 0);
+        double dx = against ? -side->dx : side->dx, dy = against ? -side->dy : side->dy;
+        side->owned = dy < 0 || (dy == 0 && dx > 0);
+    }
+}
+
+/* Inside, or on a side that is owned; then e is what side_at gives. */
+static bool inside(const struct outline *outline, double x, double y, double e[3])
+{
+    for (int k = 0; k < 3; k++) {
+        e[k] = side_at(&outline->side[k], x, y);
+        double inwards = outline->area < 0 ? -e[k] : e[k];
+        if (inwards < 0 || (inwards == 0 && !outline->side[k].owned))
             return false;
     }
     return true;
+}
+
+bool ref_inside(const struct ref_piece *p, double x, double y)
+{
+    struct outline outline;
+    double e[3];
+
+    outline_of(&outline, p);
+    return inside(&outline, x, y, e);
 }
 
 double ref_side_distance(const struct ref_piece *p, int side, double x, double y)
@@ -47,31 +77,30 @@ double ref_side_distance(const struct ref_piece *p, int side, double x, double y
     double dx = p->x[b] - p->x[a], dy = p->y[b] - p->y[a], length = dx * dx + dy * dy;
     double t = length > 0 ? ((x - p->x[a]) * dx + (y - p->y[a]) * dy) / length : 0;
 
-    t = fmin(fmax(t, 0), 1);
+    t = ref_min(ref_max(t, 0), 1);
     return hypot(p->x[a] + t * dx - x, p->y[a] + t * dy - y);
 }
 
-static double screen_linear(const struct ref_piece *p, const double at[3], double x, double y)
+/* Of what the corners have, at the point of e. */
+static double screen_linear(const struct outline *outline, const double e[3], const double at[3])
 {
-    double area = edge(p, 0, 1, p->x[2], p->y[2]);
-
-    return (edge(p, 1, 2, x, y) * at[0] + edge(p, 2, 0, x, y) * at[1] + edge(p, 0, 1, x, y) * at[2]) / area;
+    return (e[1] * at[0] + e[2] * at[1] + e[0] * at[2]) / outline->area;
 }
 
 /* Whole steps, 0 far. */
-static int z16(const struct ref_piece *p, double x, double y)
+static int steps(double z)
 {
-    return (int)floor(REF_STEPS * fmin(fmax(screen_linear(p, p->z, x, y), 0), 1) + 0.5);
+    return (int)(REF_STEPS * ref_min(ref_max(z, 0), 1) + 0.5);
 }
 
 static int first_pixel(double low)
 {
-    return low <= 0 ? 0 : (int)floor(low);
+    return low <= 0 ? 0 : (int)low;
 }
 
 static int end_pixel(double high, int end)
 {
-    return high >= end ? end : high < 0 ? 0 : (int)floor(high) + 1 > end ? end : (int)floor(high) + 1;
+    return high >= end ? end : high < 0 ? 0 : (int)high + 1;
 }
 
 static bool transparent(const struct ref_scene *scene, const struct ref_piece *p, double x, double y)
@@ -84,31 +113,51 @@ static bool transparent(const struct ref_scene *scene, const struct ref_piece *p
     return !ref_texture_color(scene->texture, at, unused);
 }
 
+/* The pixels that a piece may cover. */
+struct box {
+    int x0, y0, x1, y1;
+};
+
+static struct box box_of(const struct ref_picture *picture, const struct ref_piece *p)
+{
+    return (struct box){.x0 = first_pixel(ref_min(p->x[0], ref_min(p->x[1], p->x[2]))),
+                        .y0 = first_pixel(ref_min(p->y[0], ref_min(p->y[1], p->y[2]))),
+                        .x1 = end_pixel(ref_max(p->x[0], ref_max(p->x[1], p->x[2])), picture->width),
+                        .y1 = end_pixel(ref_max(p->y[0], ref_max(p->y[1], p->y[2])), picture->height)};
+}
+
+/* The first pixel of row y, from x on, that is inside; x1 where none is. e is there. */
+static int next_inside(const struct outline *outline, int x, int x1, int y, double e[3])
+{
+    while (x < x1 && !inside(outline, x + 0.5, y + 0.5, e))
+        x++;
+    return x;
+}
+
 static void draw(struct ref_picture *picture, int *nearest, const struct ref_scene *scene, uint32_t index)
 {
     const struct ref_piece *p = &picture->pieces[index];
-    int x0 = first_pixel(fmin(p->x[0], fmin(p->x[1], p->x[2])));
-    int y0 = first_pixel(fmin(p->y[0], fmin(p->y[1], p->y[2])));
-    int x1 = end_pixel(fmax(p->x[0], fmax(p->x[1], p->x[2])), picture->width);
-    int y1 = end_pixel(fmax(p->y[0], fmax(p->y[1], p->y[2])), picture->height);
+    const struct box box = box_of(picture, p);
+    struct outline outline;
+    double e[3];
 
-    for (int y = y0; y < y1; y++) {
-        for (int x = x0; x < x1; x++) {
-            if (!ref_inside(p, x + 0.5, y + 0.5))
-                continue;
-            double depth = screen_linear(p, p->depth, x + 0.5, y + 0.5);
+    outline_of(&outline, p);
+    for (int y = box.y0; y < box.y1; y++) {
+        int x = next_inside(&outline, box.x0, box.x1, y, e);
+        for (; x < box.x1 && inside(&outline, x + 0.5, y + 0.5, e); x++) { /* of a row a piece has one run */
+            double depth = screen_linear(&outline, e, p->depth), z = screen_linear(&outline, e, p->z);
             double m = scene->ortho ? -depth : 1 / depth;
-            int z = z16(p, x + 0.5, y + 0.5), *best = &nearest[y * picture->width + x];
-            if (m >= scene->far || z <= *best || transparent(scene, p, x + 0.5, y + 0.5))
+            int *best = &nearest[y * picture->width + x];
+            if (m >= scene->far || steps(z) <= *best || transparent(scene, p, x + 0.5, y + 0.5))
                 continue;
-            *best = z;
+            *best = steps(z);
             picture->pixels[y * picture->width + x] = (struct ref_pixel){.covered = true,
                                                                          .back = p->back,
                                                                          .triangle = p->triangle,
                                                                          .polygon = p->polygon,
                                                                          .piece = index,
                                                                          .m = m,
-                                                                         .z = screen_linear(p, p->z, x + 0.5, y + 0.5)};
+                                                                         .z = z};
         }
     }
 }
@@ -117,17 +166,23 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
 static void look_through(struct ref_picture *picture, const int *nearest, const struct ref_scene *scene, uint32_t index)
 {
     const struct ref_piece *p = &picture->pieces[index];
+    const struct box box = box_of(picture, p);
+    struct outline outline;
+    double e[3], bound;
 
-    for (int i = 0; i < picture->width * picture->height; i++) {
-        double x = i % picture->width + 0.5, y = i / picture->width + 0.5, bound;
-        if (!ref_inside(p, x, y) || (picture->pixels[i].covered && picture->pixels[i].piece == index))
-            continue;
-        double depth = screen_linear(p, p->depth, x, y);
-        if (z16(p, x, y) <= nearest[i] || (scene->ortho ? -depth : 1 / depth) >= scene->far)
-            continue;
-        picture->pixels[i].dropped = true;
-        if (!ref_settled(scene, picture, p, x, y, &bound))
-            picture->pixels[i].unsettled = true;
+    outline_of(&outline, p);
+    for (int y = box.y0; y < box.y1; y++) {
+        int x = next_inside(&outline, box.x0, box.x1, y, e);
+        for (; x < box.x1 && inside(&outline, x + 0.5, y + 0.5, e); x++) {
+            struct ref_pixel *pixel = &picture->pixels[y * picture->width + x];
+            double depth = screen_linear(&outline, e, p->depth);
+            if ((pixel->covered && pixel->piece == index) ||
+                steps(screen_linear(&outline, e, p->z)) <= nearest[y * picture->width + x] ||
+                (scene->ortho ? -depth : 1 / depth) >= scene->far)
+                continue;
+            pixel->dropped = true;
+            pixel->unsettled |= !ref_settled(scene, picture, p, x + 0.5, y + 0.5, &bound);
+        }
     }
 }
 
@@ -148,9 +203,10 @@ static void color(const struct ref_scene *scene, const struct ref_picture *pictu
         ref_shade(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, &lit);
         pixel->tread = ref_tread(scene, &picture->pieces[pixel->piece], x + 0.5, y + 0.5);
     }
-    pixel->specular = fmax(lit.specular[0], fmax(lit.specular[1], lit.specular[2]));
+    pixel->specular = ref_max(lit.specular[0], ref_max(lit.specular[1], lit.specular[2]));
     for (int k = 0; k < 3; k++)
-        pixel->color[k] = fmin(fmax(base[k] * texel[k] * lit.diffuse[k] + scene->highlight[k] * lit.specular[k], 0), 1);
+        pixel->color[k] =
+            ref_min(ref_max(base[k] * texel[k] * lit.diffuse[k] + scene->highlight[k] * lit.specular[k], 0), 1);
 }
 
 void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)
@@ -178,15 +234,16 @@ int ref_render(struct ref_picture *picture, const struct ref_scene *scene)
         return -1;
     }
     ref_raster(picture, scene);
+    const uint16_t background = ref_value(scene, scene->background, 0, 0, true);
     for (int y = 0; y < scene->height; y++) {
         for (int x = 0; x < scene->width; x++) {
             struct ref_pixel *pixel = &picture->pixels[y * scene->width + x];
-            if (pixel->covered)
-                color(scene, picture, pixel, x, y);
-            else
-                memcpy(pixel->color, scene->background, sizeof pixel->color);
-            pixel->value = pixel->covered ? ref_fogged_value(scene, pixel->color, ref_fog_share(scene, pixel->z), x, y)
-                                          : ref_value(scene, pixel->color, x, y, true);
+            pixel->value = background;
+            memcpy(pixel->color, scene->background, sizeof pixel->color);
+            if (!pixel->covered)
+                continue;
+            color(scene, picture, pixel, x, y);
+            pixel->value = ref_fogged_value(scene, pixel->color, ref_fog_share(scene, pixel->z), x, y);
         }
     }
     return 0;

@@ -1,8 +1,19 @@
-/* ref_vector.h - three doubles, for the reference's stages. */
+/* ref_vector.h - one double, three doubles, for the reference's stages. */
 #ifndef REF_VECTOR_H
 #define REF_VECTOR_H
 
 #include <math.h>
+
+/* fmin and fmax of numbers, without a call. */
+static inline double ref_min(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double ref_max(double a, double b)
+{
+    return a > b ? a : b;
+}
 
 static inline double ref_dot(const double a[3], const double b[3])
 {
