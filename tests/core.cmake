@@ -16,8 +16,7 @@ sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES 
 
 # Every argument in place of every 4099th.
 if(NOT SHEEN_SANITIZED)
-  add_test(NAME test_core_newton_all COMMAND test_core_newton all)
-  sheen_part(test_core_newton_all long)
+  sheen_script(test_core_newton_all long COMMAND $<TARGET_FILE:test_core_newton> all)
 endif()
 
 # The tables are data; the script is their definition.

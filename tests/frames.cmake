@@ -9,15 +9,13 @@ sheen_test(test_frame_threads frames SOURCES test_frame_threads.c
 sheen_test(test_frame_calls frames SOURCES test_frame_calls.c call_player.c call_model.c call_glass.c
   LIBRARIES core_picture sheen::core)
 if(SHEEN_SANITIZED)
-  add_test(NAME test_frame_calls_all COMMAND test_frame_calls all)
-  sheen_part(test_frame_calls_all long)
+  sheen_script(test_frame_calls_all long COMMAND $<TARGET_FILE:test_frame_calls> all)
 endif()
 # Random mixes of what may be drawn, likewise.
 sheen_test(test_frame_mixes frames SOURCES test_frame_mixes.c frame_mix.c
   LIBRARIES core_picture sheen::core Threads::Threads)
 if(SHEEN_SANITIZED)
-  add_test(NAME test_frame_mixes_all COMMAND test_frame_mixes all)
-  sheen_part(test_frame_mixes_all long)
+  sheen_script(test_frame_mixes_all long COMMAND $<TARGET_FILE:test_frame_mixes> all)
 endif()
 sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
