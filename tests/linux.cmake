@@ -10,8 +10,7 @@ target_include_directories(test_linux_bus PRIVATE ${linux})
 target_compile_definitions(test_linux_bus PRIVATE _GNU_SOURCE)
 target_link_options(test_linux_bus PRIVATE -Wl,--wrap=open,--wrap=close,--wrap=ioctl,--wrap=clock_nanosleep)
 if(TARGET sheen_linux)
-  # In a part that the thread sanitizer sees.
-  sheen_test(test_sender frames SOURCES test_sender.c LIBRARIES sheen::linux)
+  sheen_test(test_sender threads SOURCES test_sender.c LIBRARIES sheen::linux)
 endif()
 
 # A stock Debian kernel in an emulator (tests/kernel/common.sh). All build in BUILD/kernel, so one at a time.
