@@ -24,8 +24,8 @@ sheen_q30_t sheen_sin(sheen_angle_t angle)
     int32_t rest = (int32_t)(angle - (nearest << 24)); /* turns, Q0.32, |rest| <= 2^23 */
     int32_t d = sheen_mul_round(rest, 1686629713, 30); /* 2 pi in Q2.28: d in Q1.30, radians, |d| < 2^24 */
     int32_t square = sheen_mul_round(d, d, 30);        /* Q1.30 */
-    int32_t sine = d - sheen_mul_round(sheen_mul_round(square, d, 30), 178956971, 30);             /* 1/6 */
-    int32_t versine = square / 2 - (int32_t)((uint32_t)sheen_mul_round(square, square, 30) / 24u); /* 1 - cos d */
+    int32_t sine = d - sheen_mul_round(sheen_mul_round(square, d, 30), 178956971, 30); /* 1/6 */
+    int32_t versine = square / 2 - (sheen_mul_round(square, square, 30) * 2731 >> 16); /* 1 - cos d; 1/24 */
     int32_t table_cos = table_sine(nearest + 64u), table_sin = table_sine(nearest);
 
     return table_sin - sheen_mul_round(table_sin, versine, 30) + sheen_mul_round(table_cos, sine, 30);

@@ -58,7 +58,7 @@ static inline int32_t mul_round(int32_t a, int32_t b, unsigned n)
     return (int32_t)round_shift64((int64_t)a * b, n);
 }
 
-/* The same once for all who have the time: what is done a draw. */
+/* The same once for all who have the time, 1 <= n <= 32: what is done a draw. */
 int32_t sheen_mul_round(int32_t a, int32_t b, unsigned n);
 
 /* High word of the product: floor(a * b / 2^32). */

@@ -4,24 +4,36 @@
 #include "pose.h"
 #include "fixed.h"
 
-void sheen_pose_identity(struct sheen_pose *pose)
+#define ONE (1 << 30)
+#define LENGTHY (ONE + (1 << 20)) /* parts of no rotation */
+
+/* What is 0 in a pose gets its default. */
+static void complete(struct sheen_pose *pose)
 {
-    for (int k = 0; k < 9; k++)
-        pose->rotation[k] = k % 4 == 0 ? 1 << 30 : 0;
-    pose->scale = 1 << 16;
-    for (int k = 0; k < 3; k++)
-        pose->translation[k] = 0;
+    if (sheen_rotation_is_zero(pose->rotation))
+        pose->rotation[0] = pose->rotation[4] = pose->rotation[8] = ONE;
+    if (pose->scale == 0)
+        pose->scale = 1 << 16;
 }
 
+void sheen_pose_identity(struct sheen_pose *pose)
+{
+    *pose = (struct sheen_pose){.scale = 0};
+    complete(pose);
+}
+
+/* Range: |part| < 1.001, so that what dot products are modulo 4.0 tells them from 0. */
 int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
 {
-    for (int i = 0; i < 3; i++)
-        for (int j = i; j < 3; j++) {
-            int64_t dot = 0; /* Q.30; the terms are cut first, since any rotation may come */
+    for (int k = 0; k < 9; k++)
+        if (magnitude32(r[k]) > LENGTHY)
+            return 0;
+    for (int i = 0; i < 9; i += 3)
+        for (int j = i; j < 9; j += 3) {
+            uint32_t dot = i == j ? 0u - ONE : 0;
             for (int k = 0; k < 3; k++)
-                dot += asr64((int64_t)r[3 * i + k] * r[3 * j + k], 30);
-            dot -= i == j ? 1 << 30 : 0;
-            if (dot > within || dot < -within)
+                dot += (uint32_t)sheen_mul_round(r[i + k], r[j + k], 30);
+            if (magnitude32((int32_t)dot) > (uint32_t)within)
                 return 0;
         }
     return 1;
@@ -45,17 +57,6 @@ int sheen_pose_is_zero(const struct sheen_pose *p)
 int sheen_pose_valid(const struct sheen_pose *p)
 {
     return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation, 1 << 20));
-}
-
-/* A pose with its defaults filled in. */
-static void complete(const struct sheen_pose *from, struct sheen_pose *to)
-{
-    sheen_pose_identity(to);
-    for (int k = 0; k < 9 && !sheen_rotation_is_zero(from->rotation); k++)
-        to->rotation[k] = from->rotation[k];
-    for (int k = 0; k < 3; k++)
-        to->translation[k] = from->translation[k];
-    to->scale = from->scale != 0 ? from->scale : to->scale;
 }
 
 /* Row of a rotation times a vector of any format, Q.30 more. Range: |row| <= 1.001, so |result| < 2^61.8. */
@@ -109,22 +110,22 @@ int sheen_pose_orthonormalize(struct sheen_pose *pose)
  * round(sum * scale / 2^46), a row's product to a length of Q7.24, in two words: |high * scale| < 2^31.8 * 2^31. What
  * is cut off before the rounding could not change it: a floor of a floor is the floor.
  */
-static int64_t scaled_length(int64_t sum, sheen_q16_t scale)
+int64_t sheen_pose_part(const struct sheen_pose *pose, int i, const sheen_q24_t v[3])
 {
+    const int64_t sum = row_times(pose->rotation + 3 * i, v, 1), scale = pose->scale;
     int64_t high = asr64(sum, 30), low = sum & ((1 << 30) - 1);
 
-    return round_shift64(high * scale + ((low * scale) >> 30), 16);
+    return round_shift64(high * scale + ((low * scale) >> 30), 16) + pose->translation[i];
 }
 
-/* outer * inner with their defaults, each rotation entry within 1 raw step of the product. */
-static int pose_product(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
-    struct sheen_pose a, b;
+    struct sheen_pose a = *outer, b = *inner;
 
     if (!sheen_pose_valid(outer) || !sheen_pose_valid(inner))
         return SHEEN_ERR_ARGUMENT;
-    complete(outer, &a);
-    complete(inner, &b);
+    complete(&a);
+    complete(&b);
     int64_t scale = round_shift64((int64_t)a.scale * b.scale, 16);
     if (scale <= 0 || scale > INT32_MAX)
         return SHEEN_ERR_ARGUMENT;
@@ -133,7 +134,7 @@ static int pose_product(const struct sheen_pose *outer, const struct sheen_pose 
         const sheen_q30_t *row = a.rotation + 3 * i;
         for (int j = 0; j < 3; j++)
             out->rotation[3 * i + j] = (sheen_q30_t)round_shift64(row_times(row, b.rotation + j, 3), 30);
-        int64_t moved = scaled_length(row_times(row, b.translation, 1), a.scale) + a.translation[i];
+        int64_t moved = sheen_pose_part(&a, i, b.translation);
         if (moved > INT32_MAX || moved < -INT32_MAX)
             return SHEEN_ERR_ARGUMENT;
         out->translation[i] = (sheen_q24_t)moved;
@@ -145,20 +146,10 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
 {
     struct sheen_pose p;
 
-    if (pose_product(outer, inner, &p) < 0)
+    if (sheen_pose_place(outer, inner, &p) < 0)
         return SHEEN_ERR_ARGUMENT;
     (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
     *out = p;
-    return SHEEN_OK;
-}
-
-int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out)
-{
-    if (!sheen_pose_is_zero(view))
-        return pose_product(view, pose, out);
-    if (!sheen_pose_valid(pose))
-        return SHEEN_ERR_ARGUMENT;
-    complete(pose, out);
     return SHEEN_OK;
 }
 
@@ -216,31 +207,28 @@ int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const 
     return SHEEN_OK;
 }
 
+/* Rows a and b turned in their plane, by an angle of that cosine and sine. */
+static APART void turn_rows(sheen_q30_t *a, sheen_q30_t *b, int32_t cosine, int32_t sine)
+{
+    for (int k = 0; k < 3; k++) {
+        const int32_t x = a[k], y = b[k];
+        a[k] = sheen_mul_round(cosine, x, 30) - sheen_mul_round(sine, y, 30);
+        b[k] = sheen_mul_round(sine, x, 30) + sheen_mul_round(cosine, y, 30);
+    }
+}
+
 /*
- * The command line's order, R = Rz(roll) * Rx(pitch) * Ry(yaw), multiplied out. Each
- * entry is within 6 raw steps of exact, so rows are unit vectors to 1e-8.
+ * The command line's order, R = Rz(roll) * Rx(pitch) * Ry(yaw). Each entry is within 6 raw steps of exact, so rows are
+ * unit vectors to 1e-8.
  */
 void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
                       sheen_q24_t distance)
 {
-    int32_t sy = sheen_sin(yaw), cy = sheen_cos(yaw);
-    int32_t sx = sheen_sin(pitch), cx = sheen_cos(pitch);
-    int32_t sz = sheen_sin(roll), cz = sheen_cos(roll);
-    int32_t sxsy = sheen_mul_round(sx, sy, 30), sxcy = sheen_mul_round(sx, cy, 30);
     int32_t *r = pose->rotation;
 
-    r[0] = sheen_mul_round(cz, cy, 30) - sheen_mul_round(sz, sxsy, 30);
-    r[1] = -sheen_mul_round(sz, cx, 30);
-    r[2] = sheen_mul_round(cz, sy, 30) + sheen_mul_round(sz, sxcy, 30);
-    r[3] = sheen_mul_round(sz, cy, 30) + sheen_mul_round(cz, sxsy, 30);
-    r[4] = sheen_mul_round(cz, cx, 30);
-    r[5] = sheen_mul_round(sz, sy, 30) - sheen_mul_round(cz, sxcy, 30);
-    r[6] = -sheen_mul_round(cx, sy, 30);
-    r[7] = sx;
-    r[8] = sheen_mul_round(cx, cy, 30);
-
-    pose->scale = 1 << 16;
-    pose->translation[0] = 0;
-    pose->translation[1] = 0;
+    sheen_pose_identity(pose);
+    turn_rows(r, r + 6, sheen_cos(yaw), -sheen_sin(yaw));
+    turn_rows(r + 3, r + 6, sheen_cos(pitch), sheen_sin(pitch));
+    turn_rows(r, r + 3, sheen_cos(roll), sheen_sin(roll));
     pose->translation[2] = -max32(distance, -INT32_MAX);
 }

@@ -16,7 +16,10 @@ int sheen_pose_is_zero(const struct sheen_pose *pose);
 /* 1 where a pose is one, its defaults counted. */
 int sheen_pose_valid(const struct sheen_pose *pose);
 
-/* out = view * pose, both with their defaults, not made orthonormal. A zero view leaves the pose alone. */
-int sheen_pose_place(const struct sheen_pose *view, const struct sheen_pose *pose, struct sheen_pose *out);
+/* Part i of v where the pose takes it, Q7.24. */
+int64_t sheen_pose_part(const struct sheen_pose *pose, int i, const sheen_q24_t v[3]);
+
+/* out = outer * inner, both with their defaults, each entry within 1 raw step of the product; not made orthonormal. */
+int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out);
 
 #endif

@@ -44,6 +44,19 @@ static inline int32_t halves_high(int32_t a, int32_t b)
     return a1 * b1 + asr32(middle, 16) + asr32((int32_t)a0 * b1 + (middle & 0xffff), 16);
 }
 
+/* round(a b / 2^30) of cosines in Q1.30, |cosine| <= 1.0. By halves of 15 bits. */
+static inline int32_t wide_cosines(int32_t a, int32_t b)
+{
+    return mul_round(a, b, 30);
+}
+
+static inline int32_t halves_cosines(int32_t a, int32_t b)
+{
+    const int32_t a0 = a & 0x7fff, b0 = b & 0x7fff, a1 = asr32(a, 15), b1 = asr32(b, 15);
+
+    return a1 * b1 + asr32(a1 * b0 + a0 * b1 + asr32(a0 * b0, 15) + (1 << 14), 15);
+}
+
 /*
  * A row of a matrix, |m| < 2^29 a part, at most 2^29.01 long, times a vector of 16-bit parts: floor(sum / 2^14). By
  * halves m is 2^14 high + low, so that both products' sums stay below 2^31.

@@ -18,12 +18,12 @@ int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3])
     if (bits == 0)
         return SHEEN_ERR_DEGENERATE;
 
-    unsigned zeros = clz64(bits);
+    const unsigned zeros = clz64(bits) - 1;
     int32_t part[3];
     uint64_t square = 0;
     for (int k = 0; k < 3; k++) {
-        int64_t scaled = zeros >= 33 ? v[k] * ((int64_t)1 << (zeros - 33)) : asr64(v[k], 33 - zeros);
-        part[k] = (int32_t)scaled; /* in [-2^31, 2^31), one of them 2^30 or more; -2^31 only where a floor made it */
+        /* in [-2^31, 2^31), one of them 2^30 or more; -2^31 only where a floor made it */
+        part[k] = (int32_t)(uint32_t)((uint64_t)v[k] << zeros >> 32);
         square += (uint64_t)((int64_t)part[k] * part[k]) >> 2;
     }
 
