@@ -104,7 +104,8 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
     f->entries = f->pieces = 0;
     sheen_bin_clear(f);
     for (int k = 0; k < 3; k++) {
-        sheen_project(&f->projection, t.screen_shift, sheen_transform_point(&t, s->position + 3 * k), &f->vertex[k]);
+        const struct point point = sheen_transform_point(&t, s->position + 3 * k);
+        sheen_project(&f->projection, t.screen_shift, &point, &f->vertex[k]);
     }
     memset(b->scratch, 0xa5, corner * (2 * MAX_CLIP_CORNERS + SPARE));
     sheen_cut_triangle(f, f->draw, &t, 0);

@@ -176,7 +176,7 @@ static void note_projection(struct screen_errors *e, const struct projection *p,
     struct vertex v;
     double m = point.m / UNIT, per = view->orthographic != 0 ? view->orthographic / UNIT : m;
 
-    sheen_project(p, shift_for(p, fine), point, &v);
+    sheen_project(p, shift_for(p, fine), &point, &v);
     if ((v.flags & (OUTSIDE_NEAR | OUTSIDE_FAR)) != 0)
         return;
     /* steps: depth / m, of which z16 is the upper part; unit: near far / (far - near) in raw steps */
@@ -247,7 +247,7 @@ static unsigned flags_at(const struct projection *p, unsigned fine, int32_t x, i
 {
     const struct point point = {x, y, m};
 
-    sheen_project(p, shift_for(p, fine), point, v);
+    sheen_project(p, shift_for(p, fine), &point, v);
     return v->flags & OUTSIDE;
 }
 
@@ -365,7 +365,7 @@ static void test_any_point(void **unused)
         for (int k = 0; k < 3; k++)
             any[k] = (int32_t)((int64_t)(int32_t)stage_random(&state) >> stage_random(&state) % 31);
         const struct point point = {any[0], any[1], any[2]};
-        sheen_project(&p, shift_for(&p, stage_random(&state) % (1 + fine_for(&p, 1))), point, &v);
+        sheen_project(&p, shift_for(&p, stage_random(&state) % (1 + fine_for(&p, 1))), &point, &v);
         if (point.m < view.z_near || point.m > view.z_far)
             assert_int_equal(v.flags, point.m < view.z_near ? OUTSIDE_NEAR : OUTSIDE_FAR);
         else

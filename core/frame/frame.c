@@ -124,7 +124,7 @@ static APART int use_corners(struct sheen_frame *f, const struct draw_record *d,
         if (*place == NO_PLACE && f->used < f->config.max_used) {
             const int16_t *position = position_of(&d->as, d->as.mesh->positions + 3 * index[k], store);
             struct point point = sheen_transform_point(t, position);
-            sheen_project(&f->projection, t->screen_shift, point, &f->vertex[f->used]);
+            sheen_project(&f->projection, t->screen_shift, &point, &f->vertex[f->used]);
             *place = (uint16_t)f->used++;
         } else if (*place == NO_PLACE) {
             *place = f->config.max_used;

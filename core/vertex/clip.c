@@ -77,7 +77,7 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
     out->point.x = between(a->point.x, b->point.x, t);
     out->point.y = between(a->point.y, b->point.y, t);
     out->point.m = plane == 0 ? p->near : plane == 1 ? p->far : between(a->point.m, b->point.m, t);
-    sheen_project(p, job->transform->screen_shift, out->point, &out->v);
+    sheen_project(p, job->transform->screen_shift, &out->point, &out->v);
 }
 
 /* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */

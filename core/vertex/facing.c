@@ -13,55 +13,66 @@
 #define EYE_BITS 14
 #define MOST_SHIFT 13
 #define WARP_BITS 10
-#define CORNER 56756         /* sqrt(3) * 2^15: how far a raw position may lie from the origin */
-#define ROUNDED (3 << 16)    /* n times what e is off by: 2 * 56,760 for its cut, 45,000 for the rotation */
-#define STRAIGHT (1 << 14)   /* Q1.30: rows that are off by more are no rotation to rely on */
-#define LEAST_UNIT (1 << 24) /* pose.scale * mesh.scale: below that e is too coarse */
+#define CORNER 56756          /* sqrt(3) * 2^15: how far a raw position may lie from the origin */
+#define ROUNDED (3 << 16)     /* n times what e is off by: 56,760 for its cut, as much for the origin, 45,000 for R */
+#define STRAIGHT (1 << 14)    /* Q1.30: rows that are off by more are no rotation to rely on */
+#define LEAST_SCALE (1 << 16) /* Q7.24: the origin is off by 4 of its steps at the most, which are 2 raw ones then */
 
-/* 1 where the rows turn what they are given, and do not mirror it. */
+/* 1 where the rows turn what they are given, and do not mirror it. Range: volume is about 2^28, or less that. */
 static int turns(const sheen_q30_t r[9])
 {
-    int64_t volume = 0;
+    int32_t volume = 0;
 
     for (int k = 0; k < 3; k++) {
         int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
-        volume += asr64((int64_t)r[i] * r[3 + j] - (int64_t)r[j] * r[3 + i], 30) * r[6 + k];
+        int32_t area = asr32(r[i], 16) * asr32(r[3 + j], 16) - asr32(r[j], 16) * asr32(r[3 + i], 16);
+        volume += asr32(area, 14) * asr32(r[6 + k], 16);
     }
-    return volume > 0 && sheen_is_rotation(r, STRAIGHT);
+    return volume > 0;
 }
 
 /*
- * The eye in raw units, 0 where it lies 2^27 of them away or more: -(R^T t) / (pose.scale mesh.scale) - offset /
- * mesh.scale, by reciprocals. Within 1 raw unit and 2^-27 of it.
+ * The eye, -R^T origin / scale, in as many bits as there are; no test where it lies 2^27 raw units away or more. The
+ * origin comes as v = origin * 2^up in 31 bits; R^T v * 2^(31 - zeros) / scale is the eye in raw units, times 2^(16 +
+ * up - zeros), which is more than 1, and less than 2^15 times.
  */
-static int find_eye(const struct sheen_mesh *mesh, const struct sheen_pose *pose, int64_t unit, int64_t eye[3])
+static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9], const sheen_q24_t origin[3],
+                     uint32_t scale)
 {
-    unsigned zeros = clz64((uint64_t)unit), shift = 59 - zeros, up = clz32((uint32_t)mesh->scale);
-    uint32_t over_unit = sheen_reciprocal((uint32_t)((uint64_t)unit << zeros >> 32));
-    uint32_t over_scale = sheen_reciprocal((uint32_t)mesh->scale << up);
+    const unsigned zeros = clz32(scale),
+                   room = clz32(scale | magnitude32(origin[0]) | magnitude32(origin[1]) | magnitude32(origin[2])) - 1;
+    const int32_t inverse = (int32_t)(sheen_reciprocal(scale << zeros) >> 1);
+    unsigned shift = 1, drop = 16 + room - zeros; /* room = up + 1 */
+    uint32_t all = 0, distance = 6;               /* a step each for what is cut off */
+    int32_t v[3], eye[3];
 
+    for (int k = 0; k < 3; k++)
+        v[k] = asr32(origin[k] * (1 << room), 1);
+    sheen_to_model(rotation, v, eye);
     for (int k = 0; k < 3; k++) {
-        const sheen_q30_t *column = pose->rotation + k;
-        int64_t sum = asr64((int64_t)column[0] * pose->translation[0] + (int64_t)column[3] * pose->translation[1] +
-                                (int64_t)column[6] * pose->translation[2],
-                            shift);
-        if (sum > INT32_MAX || sum < -INT32_MAX)
-            return 0;
-        eye[k] = -asr64(sum * over_unit, 35) - asr64(mesh->offset[k] * (int64_t)over_scale, 48 - up);
-        if (eye[k] >= 1 << (EYE_BITS + MOST_SHIFT) || eye[k] <= -(1 << (EYE_BITS + MOST_SHIFT)))
-            return 0;
+        eye[k] = sheen_mul_round(eye[k], inverse, 31);
+        all |= magnitude32(eye[k]);
     }
-    return 1;
+    for (; all >> drop >= 1u << EYE_BITS; drop++)
+        shift++;
+    if (shift > MOST_SHIFT)
+        return;
+    for (int k = 0; k < 3; k++) {
+        viewpoint->eye[k] = -asr32(eye[k], drop);
+        distance += magnitude32(viewpoint->eye[k]);
+    }
+    viewpoint->shift = shift;
+    viewpoint->a_warp = (int32_t)((distance + (CORNER >> shift)) << (15 - WARP_BITS));
 }
 
 void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
                            const struct sheen_pose *pose)
 {
-    int64_t eye[3], unit = (int64_t)pose->scale * mesh->scale;
-    uint32_t all = 0, distance = CORNER; /* < 2^29 */
+    sheen_q24_t origin[3];
 
     viewpoint->a_warp = 0;
-    if (mesh->warp == NULL || mesh->polygon_normals == NULL || unit < LEAST_UNIT || !turns(pose->rotation))
+    if (mesh->warp == NULL || mesh->polygon_normals == NULL || !sheen_is_rotation(pose->rotation, STRAIGHT) ||
+        !turns(pose->rotation))
         return;
     if (p->orthographic != 0) {
         viewpoint->shift = 31;
@@ -70,19 +81,9 @@ void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection 
             viewpoint->eye[k] = asr32(pose->rotation[6 + k], 30 - EYE_BITS);
         return;
     }
-    if (!find_eye(mesh, pose, unit, eye))
-        return;
-    for (int k = 0; k < 3; k++) {
-        uint32_t away = magnitude32((int32_t)eye[k]);
-        distance += away;
-        all |= away;
-    }
-    viewpoint->shift = 1;
-    while (all >> viewpoint->shift >= 1u << EYE_BITS)
-        viewpoint->shift++;
-    for (int k = 0; k < 3; k++)
-        viewpoint->eye[k] = asr32((int32_t)eye[k], viewpoint->shift);
-    viewpoint->a_warp = (int32_t)((distance >> viewpoint->shift << (15 - WARP_BITS)) + (2u << (15 - WARP_BITS)));
+    const sheen_q24_t scale = sheen_origin(mesh, pose, origin);
+    if (scale >= LEAST_SCALE)
+        find_eye(viewpoint, pose->rotation, origin, (uint32_t)scale);
 }
 
 /* n.v modulo 2^32; a unit n and |v| < 2^16 fit. */

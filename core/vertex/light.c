@@ -7,12 +7,20 @@
  */
 #include "vertex.h"
 
+/* A matrix whose rows' parts are `part` apart, and rows `row`, times v. */
+static APART void matrix_times(const sheen_q30_t *m, int row, int part, const int32_t v[3], int32_t out[3])
+{
+    for (int k = 0; k < 3; k++, m += row) {
+        out[k] = 0;
+        for (int i = 0; i < 3; i++)
+            out[k] += sheen_mul_round(m[part * i], v[i], 30);
+    }
+}
+
 /* R's rows are orthonormal. */
 void sheen_to_model(const sheen_q30_t r[9], const int32_t v[3], int32_t out[3])
 {
-    for (int k = 0; k < 3; k++)
-        out[k] =
-            sheen_mul_round(r[k], v[0], 30) + sheen_mul_round(r[3 + k], v[1], 30) + sheen_mul_round(r[6 + k], v[2], 30);
+    matrix_times(r, 1, 3, v, out);
 }
 
 /*
@@ -38,13 +46,12 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, e
         to[0] = to[1] = to[2] = 0;
         return SHEEN_OK;
     }
-    int error = sheen_normalize(light->to, unit);
-    for (int k = 0; k < 3 && error == SHEEN_OK; k++)
-        to[k] = view == NULL || light->with_eye
-                    ? unit[k]
-                    : sheen_mul_round(view[3 * k], unit[0], 30) + sheen_mul_round(view[3 * k + 1], unit[1], 30) +
-                          sheen_mul_round(view[3 * k + 2], unit[2], 30);
-    return error;
+    if (view == NULL || light->with_eye)
+        return sheen_normalize(light->to, to);
+    if (sheen_normalize(light->to, unit) < 0)
+        return SHEEN_ERR_DEGENERATE;
+    matrix_times(view, 3, 1, unit, to);
+    return SHEEN_OK;
 }
 
 int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
@@ -86,8 +93,7 @@ int32_t sheen_unit_cosine(const int16_t normal[3], int32_t lacks, const sheen_q3
 
 void sheen_light_plainly(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out)
 {
-    const struct power highlight = *power; /* in registers */
-    int32_t lacks = lacking(normal), nv = sheen_unit_cosine(normal, lacks, l->view);
+    const int32_t lacks = lacking(normal), nv = sheen_unit_cosine(normal, lacks, l->view);
     uint32_t diffuse = 0, specular = 0; /* UQ2.30: weights sum to 1.0, so <= 2^30 */
 
     SHEEN_TAP(LIT, 1);
@@ -99,8 +105,8 @@ void sheen_light_plainly(const struct lighting *l, const struct power *power, co
             continue;
         diffuse += l->diffuse_weight[i] * rounded;
         /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V), Q2.29; not of rounded cosines, for n makes much of what is lost */
-        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)mul_round(ln, nv, 30));
-        specular += l->specular_weight[i] * highlight_at(highlight, u, rounded);
+        int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)PRODUCT_FORM(cosines)(ln, nv));
+        specular += l->specular_weight[i] * highlight_at(*power, u, rounded);
     }
     out->diffuse = (diffuse + (1u << 14)) >> 15;
     out->specular = (specular + (1u << 14)) >> 15;

@@ -88,11 +88,13 @@ sheen_angle_t sheen_fov(const struct sheen_view *view);
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
 /* z16 at any m > 0, also beyond near and far, with 16 fraction bits; m >= near / 2^14. */
 int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m);
+/* Where a posed mesh's origin lies before the eye, and the units that raw 32768 is, or an error: too far, too large. */
+sheen_q24_t sheen_origin(const struct sheen_mesh *mesh, const struct sheen_pose *pose, sheen_q24_t origin[3]);
 int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
                           const struct sheen_pose *pose);
 struct point sheen_transform_point(const struct transform *t, const int16_t position[3]);
 /* screen_shift: of the point's transform. */
-void sheen_project(const struct projection *p, int screen_shift, struct point point, struct vertex *v);
+void sheen_project(const struct projection *p, int screen_shift, const struct point *point, struct vertex *v);
 
 /* As twice_area, where no corner is OFF_VIEW: differences fit 16 bits, products 31. */
 static inline int32_t small_twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
