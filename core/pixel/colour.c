@@ -36,91 +36,93 @@ static uint32_t colour_share(uint8_t colour)
     return colour * 257u + (colour >> 7);
 }
 
-/* scale * colour * intensity, UQ.32. Range: 2^24 * 2^16 * 2^22 = 2^62. */
-static APART uint64_t channel_of(const struct pixel_format *format, int k, uint8_t colour, uint64_t intensity)
+/* The factor by which a level moves most. */
+static APART uint32_t most_of(const uint16_t factor[3], unsigned grey)
 {
-    return ((uint64_t)format->scale[k] * colour_share(colour) * intensity) >> 16;
+    uint32_t most = 0;
+
+    for (int k = 0; k < 3; k++)
+        most = grey ? most + factor[k] : max_u32(most, factor[k]);
+    return most;
 }
 
 /* The intensity, UQ1.15, at which the factor gives `level`, with the draw's fraction; 2047 at the most. */
 static uint16_t intensity_of(uint32_t level, uint32_t factor)
 {
-    uint32_t intensity = level / (factor + 1);
-
-    return (uint16_t)(intensity < 2047 ? intensity : 2047);
+    return (uint16_t)min32((int32_t)(level / (factor + 1)), 2047);
 }
 
-/* Of diffuse intensities; hardly any where there are none, and for other fractions than the loops'. */
-static void diffuse_range(struct colour_terms *t, int grey)
+/* Of diffuse intensities; hardly any where there are none. */
+static void diffuse_range(struct colour_terms *t)
 {
-    const int some = !grey && t->fraction == LOOP_FRACTION;
-    const uint32_t margin = 1u << (t->fraction - 5);
-    uint32_t low = 0, high = some ? 32768 : 0;
+    const uint32_t margin = 1u << (LOOP_FRACTION - 5);
+    uint32_t low = 0, high = 32768;
 
-    for (int k = 0; k < 3 && some; k++) {
+    for (int k = 0; k < 3; k++) {
         uint32_t a = t->a[k], b = t->b[k], most = t->top[k] - margin;
         if (a > most) {
-            high = 0;
+            return;
         } else if (b > 0) {
             low = max_u32(low, a < margin ? (margin - a) / b + 1 : 0);
             high = high < (most - a) / b ? high : (most - a) / b;
         }
     }
-    t->low = (uint16_t)(low < high ? low : NO_DIFFUSE);
-    t->high = (uint16_t)(low < high ? high : NO_DIFFUSE);
+    if (low < high) {
+        t->low = (uint16_t)low;
+        t->high = (uint16_t)high;
+    }
 }
 
 /* What set-up needs of them: how much of an intensity shows. */
-static void colour_sensitivity(struct colour_terms *t, unsigned level_bits, int grey)
+static void colour_sensitivity(struct colour_terms *t, const struct pixel_format *format)
 {
-    uint32_t diffuse = 0, specular = 0;
-
-    for (unsigned k = 0; k < 3; k++) {
-        diffuse = grey ? diffuse + t->b[k] : max_u32(diffuse, t->b[k]);
-        specular = grey ? specular + t->c[k] : max_u32(specular, t->c[k]);
-    }
-    diffuse_range(t, grey);
-    t->unit = (uint8_t)(t->fraction + level_bits - 6);
-    t->eighth = intensity_of(1u << (t->unit - 3), diffuse);
-    t->dim = intensity_of(1u << (t->unit - 5), specular);
+    t->unit = (uint8_t)(t->fraction + format->level_bits - 6);
+    t->eighth = intensity_of(1u << (t->unit - 3), most_of(t->b, format->grey));
+    t->dim = intensity_of(1u << (t->unit - 5), most_of(t->c, format->grey));
+    t->low = t->high = NO_DIFFUSE;
+    if (!format->grey && t->fraction == LOOP_FRACTION)
+        diffuse_range(t);
 }
 
 /*
  * The headroom h is the number of bits by which the brightest sum exceeds 1.0;
  * fraction = 31 - level_bits - h keeps every sum below 2^31, and the factors of
  * UQ1.15 intensities, with 15 bits less, below 2^16.
- * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, by a ramp 52, so h <= 6 and fraction >= 17.
+ * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, by a ramp 52, so h <= 6 and fraction >= 17; scale * colour * intensity
+ * is 2^24 * 2^16 * 2^22.
  */
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
-    uint64_t a[3], b[3], c[3];
+    static const uint8_t white[3] = {255, 255, 255};
+    const int none = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0; /* white then */
+    const uint8_t *const colour[3] = {m->base, m->base, none ? white : m->highlight};
+    const uint32_t intensity[3] = {(uint32_t)m->ambient, intensities(m->diffuse, diffuse_sum),
+                                   intensities(m->specular, specular_sum)};
+    uint64_t light[3][3]; /* ambient, diffuse, specular, by channel: UQ.32 */
     unsigned headroom = 0;
-    int white = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0;
 
-    t->clamp = 0;
     for (int k = 0; k < 3; k++) {
-        a[k] = channel_of(format, k, m->base[k], (uint64_t)m->ambient);
-        b[k] = channel_of(format, k, m->base[k], ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16);
-        c[k] = channel_of(format, k, white ? 255 : m->highlight[k],
-                          ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16);
-        /* 1/256 level above the highest still rounds to it */
-        uint64_t most = a[k] + b[k] + c[k], top = ((uint64_t)format->scale[k] << 16) + (1u << 24);
-        t->clamp |= most > top;
-        while (most > top << headroom)
+        uint32_t most = 0; /* UQ.16 */
+        for (int i = 0; i < 3; i++) {
+            light[i][k] = ((uint64_t)format->scale[k] * colour_share(colour[i][k]) * intensity[i]) >> 16;
+            most += (uint32_t)(light[i][k] >> 16);
+        }
+        while (most > (format->scale[k] + 256) << headroom) /* 1/256 level above the highest still rounds to it */
             headroom++;
     }
+    t->clamp = headroom > 0;
     t->fraction = (uint8_t)(31u - format->level_bits - headroom);
     if (!format->grey && t->fraction > LOOP_FRACTION)
         t->fraction = LOOP_FRACTION;
-    unsigned drop = 32u - t->fraction, drop_factor = drop + 15;
+    const unsigned drop = 32u - t->fraction;
     for (int k = 0; k < 3; k++) {
-        t->a[k] = (uint32_t)(a[k] >> drop);
-        t->b[k] = (uint16_t)((b[k] + (1ull << (drop_factor - 1))) >> drop_factor);
-        t->c[k] = (uint16_t)((c[k] + (1ull << (drop_factor - 1))) >> drop_factor);
-        t->top[k] = (uint32_t)(((uint64_t)format->scale[k] << 16) >> drop);
+        t->a[k] = (uint32_t)(light[0][k] >> drop);
+        t->b[k] = (uint16_t)(((uint32_t)(light[1][k] >> (drop + 14)) + 1) >> 1);
+        t->c[k] = (uint16_t)(((uint32_t)(light[2][k] >> (drop + 14)) + 1) >> 1);
+        t->top[k] = format->scale[k] << (16 - drop);
     }
-    colour_sensitivity(t, format->level_bits, format->grey);
+    colour_sensitivity(t, format);
 }
 
 /*
@@ -145,11 +147,7 @@ void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct co
                       const struct pixel_format *format, unsigned dither)
 {
     const uint32_t least = 1u << (t->unit - 5), half = dither ? 0 : 1u << (t->fraction - 1);
-    uint32_t most = 0;
-
-    for (int k = 0; k < 3; k++)
-        most = format->grey ? most + t->c[k] : t->c[k] > most ? t->c[k] : most;
-    const uint32_t end = faint_entry(power, most, faint_highlight(least, dither));
+    const uint32_t most = most_of(t->c, format->grey), end = faint_entry(power, most, faint_highlight(least, dither));
     const unsigned shift = POWER_STEP - 16u - power->up; /* an entry in Q2.13 */
     power->limit = end << shift << 16;
     power->faint = (uint16_t)(faint_entry(power, most, least) << shift);
@@ -168,14 +166,12 @@ uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb
     uint32_t channel[3], sum = 0; /* UQ8.16 */
 
     for (int k = 0; k < 3; k++) {
-        channel[k] = (uint32_t)(((uint64_t)format->scale[k] * colour_share(rgb[k])) >> 16);
+        channel[k] = mul_high(format->scale[k] << 8, colour_share(rgb[k]) << 8) + 0x8000u;
         sum += channel[k];
     }
     if (format->grey)
-        return (uint16_t)((sum + 0x8000u) >> 16);
-    return pixel_order(((channel[0] + 0x8000u) >> 16) << 11 | ((channel[1] + 0x8000u) >> 16) << 5 |
-                           (channel[2] + 0x8000u) >> 16,
-                       format->swap);
+        return (uint16_t)((sum - 0x10000u) >> 16);
+    return pixel_order((channel[0] >> 16) << 11 | (channel[1] >> 16) << 5 | channel[2] >> 16, format->swap);
 }
 
 /* The thresholds 2 B + 1, B the 8x8 Bayer matrix built up from [[0, 2], [3, 1]]. */

@@ -225,6 +225,12 @@ struct tint_terms {
     const struct sheen_texture *texture; /* of shadings with one */
 };
 
+/* A material's intensity times its lights', UQ.16; at most 4.0 and 16.0. */
+static inline uint32_t intensities(sheen_q16_t of_material, sheen_q16_t of_lights)
+{
+    return mul_high((uint32_t)of_material << 12, (uint32_t)of_lights << 4);
+}
+
 /* x times a byte that is 1.0 at 255. */
 static inline uint32_t by_colour(uint32_t x, uint8_t colour)
 {

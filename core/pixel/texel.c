@@ -6,28 +6,35 @@
 static const uint8_t highest[3] = {31, 63, 31};
 
 /* Byte and intensities, Q.16, times: UQ.32. Range: 2^16 * 2^22. */
-static uint64_t tinted(uint8_t colour, uint64_t intensity)
+static APART uint64_t tinted(uint8_t colour, uint32_t intensity)
 {
-    return (colour * 257u + (colour >> 7)) * intensity;
+    return (uint64_t)(colour * 257u + (colour >> 7)) * intensity;
 }
 
-static void highlight_terms(struct texel_terms *t, const struct sheen_material *m, uint64_t specular)
+/* round(x / 2^n), 1 <= n <= 32, where it fits. */
+static APART uint32_t round_off(uint64_t x, unsigned n)
 {
-    int white = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0;
+    return ((uint32_t)(x >> (n - 1)) + 1) >> 1;
+}
+
+static void highlight_terms(struct texel_terms *t, const struct sheen_material *m, uint32_t specular)
+{
+    static const uint8_t full[3] = {255, 255, 255};
+    const uint8_t *const colour = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0 ? full : m->highlight;
     uint64_t c[3], most = 0; /* levels, UQ.32 */
-    unsigned fraction = 10;
+    unsigned drop = 22;
 
     for (int k = 0; k < 3; k++) {
-        c[k] = highest[k] * tinted(white ? 255 : m->highlight[k], specular);
+        c[k] = highest[k] * tinted(colour[k], specular);
         most = c[k] > most ? c[k] : most;
     }
-    while (most >> (32 - fraction) > 0xfffe)
-        fraction--;
+    while (most >> drop > 0xfffe)
+        drop++;
     for (int k = 0; k < 3; k++)
-        t->c[k] = (uint16_t)((c[k] + (1ull << (31 - fraction))) >> (32 - fraction));
-    t->c_shift = (uint8_t)(fraction + 15 - BRIGHT_BITS);
-    t->white = m->highlight[0] == m->highlight[1] && m->highlight[0] == m->highlight[2] && c[0] <= 31ull << 32;
-    t->gloss = (uint16_t)(tinted(white ? 255 : m->highlight[0], specular) >> 17);
+        t->c[k] = (uint16_t)round_off(c[k], drop);
+    t->c_shift = (uint8_t)(47 - drop - BRIGHT_BITS);
+    t->white = colour[0] == colour[1] && colour[0] == colour[2] && c[0] <= 31ull << 32;
+    t->gloss = (uint16_t)(tinted(colour[0], specular) >> 17);
 }
 
 int sheen_texture_valid(const struct sheen_texture *t)
@@ -48,12 +55,12 @@ int sheen_sphere_valid(const struct sheen_texture *t)
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
-    const uint64_t diffuse = ((uint64_t)m->diffuse * (uint64_t)diffuse_sum) >> 16;
-    const uint64_t specular = ((uint64_t)m->specular * (uint64_t)specular_sum) >> 16;
+    const uint32_t ambient = (uint32_t)m->ambient, diffuse = intensities(m->diffuse, diffuse_sum),
+                   specular = intensities(m->specular, specular_sum);
     unsigned headroom = 0;
 
     for (int k = 0; k < 3; k++)
-        while (tinted(m->base[k], (uint64_t)m->ambient + diffuse) > 1ull << (32 + headroom))
+        while (tinted(m->base[k], ambient + diffuse) > 1ull << (32 + headroom))
             headroom++;
     t->texture = m->texture;
     t->fraction = (uint8_t)(30 - headroom);
@@ -61,12 +68,14 @@ void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format,
     t->unlit = specular == 0;
     t->packed = !m->texture->clamp_u && !m->texture->clamp_v && m->texture->width_log2 + m->texture->height_log2 <= 12;
     for (int k = 0; k < 3; k++) {
-        t->a[k] = (uint32_t)(tinted(m->base[k], (uint64_t)m->ambient) >> (2 + headroom));
-        t->b[k] = (uint16_t)((tinted(m->base[k], diffuse) + (1ull << (16 + headroom))) >> (17 + headroom));
+        t->a[k] = (uint32_t)(tinted(m->base[k], ambient) >> (2 + headroom));
+        t->b[k] = (uint16_t)round_off(tinted(m->base[k], diffuse), 17 + headroom);
         t->alike &= t->a[k] == t->a[0] && t->b[k] == t->b[0];
         t->unlit &= t->a[k] == 1u << 30 && t->b[k] == 0;
-        const uint64_t one = (uint64_t)highest[k] << (16 + GREY_BITS); /* rounded up: below 2^15 */
-        t->grey[k] = (uint16_t)((((uint64_t)format->scale[k] << (31 - format->level_bits)) + one - 1) / one);
+        /* rounded up: below 2^15 */
+        const uint32_t level =
+            ((format->scale[k] << (15 - GREY_BITS)) + (1u << format->level_bits) - 1) >> format->level_bits;
+        t->grey[k] = (uint16_t)((level + highest[k] - 1) / highest[k]);
     }
     highlight_terms(t, m, specular);
 }
