@@ -69,10 +69,11 @@ void ref_light(const struct ref_scene *scene, const double at[3], const double n
         if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0)
             continue; /* ambient only */
         double r_v = l_n <= 0 ? 0 : ref_max(0, 2 * l_n * normal[2] - to[2]);
+        double ramp = ref_ramp(scene, l_n), shine = pow(r_v, scene->shininess), fade = ref_min(1, 8 * ref_max(0, l_n));
         for (int k = 0; k < 3; k++) {
             double color = left * scene->light_color[i][k];
-            lit->diffuse[k] += color * scene->diffuse * ref_ramp(scene, l_n);
-            lit->specular[k] += color * scene->specular * pow(r_v, scene->shininess) * ref_min(1, 8 * ref_max(0, l_n));
+            lit->diffuse[k] += color * scene->diffuse * ramp;
+            lit->specular[k] += color * scene->specular * shine * fade;
         }
     }
 }

@@ -109,9 +109,12 @@ void ref_color(const struct ref_scene *scene, const struct ref_piece *p, double 
 {
     double b[3];
 
+    color[0] = color[1] = color[2] = 1;
+    if (!scene->colored)
+        return;
     ref_weights(scene, p, x, y, b);
     for (int k = 0; k < 3; k++)
-        color[k] = scene->colored ? b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k] : 1;
+        color[k] = b[0] * p->color[0][k] + b[1] * p->color[1][k] + b[2] * p->color[2][k];
 }
 
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, struct ref_lit *lit)
@@ -119,8 +122,8 @@ void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double 
     static const double anywhere[3] = {0, 0, 0}; /* no point lights here */
     double b[3], normal[3], color[3];
 
-    ref_weights(scene, p, x, y, b);
     if (scene->shading == REF_FLAT || scene->shading == REF_GOURAUD) {
+        ref_weights(scene, p, x, y, b);
         for (int k = 0; k < 3; k++) {
             lit->diffuse[k] = b[0] * p->lit[0].diffuse[k] + b[1] * p->lit[1].diffuse[k] + b[2] * p->lit[2].diffuse[k];
             lit->specular[k] =
