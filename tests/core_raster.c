@@ -28,6 +28,7 @@ void core_raster_begin(struct core_raster *r, int width, int height)
     r->draw = (struct draw){.mesh = &r->mesh, .power = power_of(NULL), .shader = &sheen_flat, .two_sided = 1};
     sheen_format_begin(&r->format, &target);
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, 0, 0);
+    sheen_colour_reach(&r->draw.colour, &r->format);
 }
 
 unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struct span *spans, struct core_setup *to)

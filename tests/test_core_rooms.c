@@ -151,6 +151,7 @@ static void begin(struct core_raster *r, struct scene *s, const struct sheen_sha
     assert_int_equal(sheen_light_begin(&r->draw.light, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, r->draw.light.diffuse_sum,
                        r->draw.light.specular_sum);
+    sheen_colour_reach(&r->draw.colour, &r->format);
     sheen_loop_begin(&r->draw.loop, &r->draw.power, &r->draw.colour, &r->format, 0);
     r->draw.is_565 = 1;
     r->format.swap = 0; /* this machine's order */
@@ -468,6 +469,7 @@ static void check_texels(const struct sheen_shader *shader, texels_at *coordinat
     r.material.texture = &texture;
     r.mesh.colors = vertex_colors; /* which plain rooms do not read */
     sheen_colour_begin(&r.draw.colour, &r.format, &r.material, r.draw.light.diffuse_sum, r.draw.light.specular_sum);
+    sheen_colour_reach(&r.draw.colour, &r.format);
     if (shader->axes != NULL) {
         struct sheen_pose pose;
         sheen_pose_orbit(&pose, 0, 0, 0, 0);

@@ -73,10 +73,8 @@ static void diffuse_range(struct colour_terms *t)
     }
 }
 
-/* What set-up needs of them: how much of an intensity shows. */
-static void colour_sensitivity(struct colour_terms *t, const struct pixel_format *format)
+void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format)
 {
-    t->unit = (uint8_t)(t->fraction + format->level_bits - 6);
     t->eighth = intensity_of(1u << (t->unit - 3), most_of(t->b, format->grey));
     t->dim = intensity_of(1u << (t->unit - 5), most_of(t->c, format->grey));
     t->low = t->high = NO_DIFFUSE;
@@ -122,7 +120,7 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
         t->c[k] = (uint16_t)(((uint32_t)(light[2][k] >> (drop + 14)) + 1) >> 1);
         t->top[k] = format->scale[k] << (16 - drop);
     }
-    colour_sensitivity(t, format);
+    t->unit = (uint8_t)(t->fraction + format->level_bits - 6);
 }
 
 /*

@@ -158,8 +158,9 @@ struct pixel_format {
 
 struct colour_terms {
     uint8_t fraction;
-    uint8_t clamp;   /* some normal may give more */
-    uint8_t unit;    /* logarithm of a 64th of 1.0, with the fraction */
+    uint8_t clamp; /* some normal may give more */
+    uint8_t unit;  /* logarithm of a 64th of 1.0, with the fraction */
+    /* of sheen_colour_reach: */
     uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see faint_highlight */
     uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
     uint16_t low;    /* from this diffuse one on to */
@@ -350,6 +351,8 @@ extern const struct shades_maker sheen_shades_maker;
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
+/* For set-ups that ask how much of an intensity shows: dim, eighth, low and high. */
+void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
 /* Ends the power table where a highlight gives less than faint_highlight, and fills in *q. */
 void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
                       const struct pixel_format *format, unsigned dither);

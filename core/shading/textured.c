@@ -9,6 +9,7 @@ static void textured_begin(struct draw *d, const struct sheen_material *material
 {
     (void)object;
     (void)view;
+    sheen_colour_reach(&d->colour, format);
     sheen_texel_begin(&d->texel, format, material, d->light.diffuse_sum, d->light.specular_sum);
 }
 
