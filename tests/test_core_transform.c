@@ -404,6 +404,9 @@ static void test_wide_and_halves(void **unused)
         assert_int_equal(wide_signed_share(n, s), asr64((int64_t)n * s, 17));
         const int32_t h = (int32_t)any_length(&state);
         assert_int_equal(wide_high(h, s), halves_high(h, s));
+        const int32_t c = max32(-(1 << 30), min32(h, 1 << 30)), d = max32(-(1 << 30), min32(s, 1 << 30));
+        assert_int_equal(wide_cosines(c, d), halves_cosines(c, d));
+        assert_int_equal(sheen_mul_round(h, s, 1 + n % 32), mul_round(h, s, 1 + n % 32));
     }
     for (int i = 0; i < 3000000; i++) {
         const double most = 0x1p29 * 1.0009; /* rows are as long, if they are rotated by what sheen_is_rotation takes */
