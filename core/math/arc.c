@@ -6,7 +6,7 @@
 
 /* Ends whose sum is no longer than this, 1.0 = 32767, are opposite. */
 #define OPPOSITE 4
-#define ANGLE_ROUNDED (1u << 18) /* and right angles may be so much more, |a - b|^2 in UQ2.30: 90.007 degrees */
+#define ANGLE_ROUNDED (1u << 18) /* and right angles may be so much more, |a - b|^2 in UQ2.30: 90.003 degrees */
 
 /*
  * Least squares over h and t, the largest error weighted most: 1 / sin p and its like have no short series of their own
@@ -32,51 +32,42 @@ static uint32_t square_of(const int32_t v[3])
     return x * x + y * y + z * z;
 }
 
+/* Makes two parts of an obtuse one, or none. Returns |a - b|^2 of a part. */
+static APART uint32_t bisect(struct arc *arc)
+{
+    int32_t v[3];
+
+    for (int i = 0; i < 3; i++)
+        v[i] = arc->end[0][i] + arc->end[1][i];
+    arc->parts = 0;
+    if (square_of(v) <= OPPOSITE * OPPOSITE)
+        return 0;
+    arc->parts = 2;
+    (void)sheen_normalize(v, v);
+    for (int i = 0; i < 3; i++) {
+        const int32_t middle = min32(round15(v[i]), 32767);
+        v[i] = arc->end[0][i] - middle;
+        arc->end[2][i] = arc->end[1][i];
+        arc->end[1][i] = (int16_t)middle;
+    }
+    return square_of(v);
+}
+
 void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3])
 {
-    int32_t apart[3], sum[3];
+    uint32_t square = 0, dot = 0;
 
     for (int i = 0; i < 3; i++) {
-        apart[i] = a[i] - b[i];
-        sum[i] = a[i] + b[i];
+        const uint32_t apart = (uint32_t)(a[i] - b[i]);
+        square += apart * apart;
+        dot += (uint32_t)(a[i] * b[i]);
         arc->end[0][i] = a[i];
         arc->end[1][i] = b[i];
     }
     arc->parts = 1;
-    if (square_of(sum) + ANGLE_ROUNDED < square_of(apart)) { /* obtuse */
-        arc->parts = square_of(sum) <= OPPOSITE * OPPOSITE ? 0 : 2;
-        (void)sheen_normalize(sum, sum);
-        for (int i = 0; i < 3; i++) {
-            int32_t middle = min32(round15(sum[i]), 32767);
-            apart[i] = a[i] - middle;
-            arc->end[2][i] = b[i];
-            if (arc->parts == 2)
-                arc->end[1][i] = (int16_t)middle;
-        }
-    }
-    arc->h = (uint16_t)min32((int32_t)(square_of(apart) >> 17), RIGHT_ANGLE);
+    if (square + 4 * dot + ANGLE_ROUNDED <
+        square) /* |a + b|^2 < |a - b|^2; or modulo 2^32, where the ends all but agree */
+        square = bisect(arc);
+    arc->h = (uint16_t)min32((int32_t)(square >> 17), RIGHT_ANGLE);
     sheen_arc_series(&arc->series, arc->h);
-}
-
-void sheen_arc_at(const struct arc *arc, int32_t t, int32_t n[3])
-{
-    const int16_t(*end)[3] = arc->end;
-    int32_t a, b;
-
-    if (arc->parts == 0) {
-        a = t < 1 << 14 ? 32768 : 0;
-        b = 32768 - a;
-    } else {
-        if (arc->parts == 2) {
-            t *= 2;
-            if (t > 32768) {
-                t -= 32768;
-                end++;
-            }
-        }
-        a = arc_share(&arc->series, 32768 - t);
-        b = arc_share(&arc->series, t);
-    }
-    for (int i = 0; i < 3; i++)
-        n[i] = a * end[0][i] + b * end[1][i];
 }

@@ -19,13 +19,21 @@ struct arc_series {
 /* h: UQ0.15, at most RIGHT_ANGLE. Shares are off by at most 1.8 / 2^15. */
 void sheen_arc_series(struct arc_series *s, int32_t h);
 
-/* floor(x / 2^15 + 1/2) */
+/* floor(x / 2^15 + 1/2): by a number that a product adds at once, or without one that would have to be loaded */
 static inline int32_t round15(int32_t x)
 {
-    return asr32(x + (1 << 14), 15);
+#if WIDE_PRODUCTS
+    int32_t half = 1 << 14;
+    OPAQUE(half);
+    return asr32(x + half, 15);
+#else
+    return asr32(asr32(x, 14) + 1, 1);
+#endif
 }
 
-/* share(t), t and it UQ0.15. Range: t (1 - q) is at most .385, c0 .571: 2^13.7 * 2^15.2. */
+/*
+ * share(t), t and it UQ0.15; exact at 0 and 1.0. Range: t (1 - q) is at most .385, c0 .571: 2^13.7 * 2^15.2.
+ */
 static inline int32_t arc_share(const struct arc_series *s, int32_t t)
 {
     int32_t q = round15(t * t), terms = s->c0 + round15(q * (s->c1 + round15(q * s->c2)));
@@ -42,7 +50,38 @@ struct arc {
 };
 
 void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3]);
-/* t: UQ0.15; n: Q1.30. */
-void sheen_arc_at(const struct arc *arc, int32_t t, int32_t n[3]);
+
+/* Somewhere on it: shares of two ends. */
+struct arc_blend {
+    const int16_t (*end)[3];
+    int32_t share[2];
+};
+
+/* t: UQ0.15; parts: the arc's. */
+static inline void arc_blend_at(const struct arc *arc, unsigned parts, int32_t t, struct arc_blend *b)
+{
+    const int16_t(*end)[3] = arc->end;
+
+    if (parts == 0)
+        t = t < 1 << 14 ? 0 : 1 << 15;
+    if (parts == 2) {
+        t *= 2;
+        if (t > 1 << 15) {
+            t -= 1 << 15;
+            end++;
+        }
+    }
+    b->end = end;
+    b->share[0] = arc_share(&arc->series, (1 << 15) - t);
+    OPAQUE_BOTH(t, b->share[0]); /* one after the other: both at once take more registers than there are */
+    b->share[1] = arc_share(&arc->series, t);
+    OPAQUE_BOTH(b->end, b->share[0]); /* what stands there is loaded when there are registers */
+}
+
+/* Part i of what lies there, Q0.15. */
+static inline int32_t blended(const struct arc_blend *b, int i)
+{
+    return round15(b->share[0] * b->end[0][i] + b->share[1] * b->end[1][i]);
+}
 
 #endif

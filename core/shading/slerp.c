@@ -11,62 +11,32 @@ SETUP_FITS(struct slerp_setup);
 #define WIDEST_ARC (1u << 31)
 #define WIDEST_SHARP (1u << 30)
 
-const uint8_t sheen_slerp_end[3][2] = {{0, 2}, {0, 1}, {1, 2}};
-
-void sheen_slerp_cross(const struct slerp_corners *s, unsigned edge, int32_t centre, struct crossing *at)
-{
-    const unsigned a = sheen_slerp_end[edge][0], b = sheen_slerp_end[edge][1];
-    const int32_t across = s->x[b] - s->x[a];                                   /* below 2^16 */
-    const uint32_t t = (uint32_t)(centre - s->y[a]) * s->inverse[edge];         /* UQ.31, at most 1.0 and 2^-16 of it */
-    const int32_t high = (int32_t)(t >> 16), low = (int32_t)(t >> 1 & 0x7fffu); /* 65408 * 2^15 < 2^31 */
-
-    at->x = s->x[a] * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
-    at->t = min32((int32_t)((t + (1u << 15)) >> 16), 32768);
-    at->weight = s->weight[a];
-    if (!s->even)
-        at->t = in_space(at->t, s->weight[a], s->weight[b], &at->weight);
-}
-
-/* ---- set-up ---- */
-
-/* order: the corners from the top down, corners of a row as they come. Returns 1 where they turn the other way then. */
-static int from_the_top(unsigned order[3], const struct surface_corners *c)
-{
-    int turned = 0;
-
-    for (unsigned i = 0; i < 3; i++)
-        order[i] = i;
-    for (unsigned i = 0; i < 3; i++) {
-        const unsigned upper = order[i % 2], lower = order[i % 2 + 1];
-        if (c->at.v[lower]->y < c->at.v[upper]->y) {
-            order[i % 2] = lower;
-            order[i % 2 + 1] = upper;
-            turned ^= 1;
-        }
-    }
-    return turned;
-}
-
 void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c)
 {
-    unsigned order[3];
+    struct slerp_corner *at = s->corner;
 
-    s->long_right = (uint8_t)from_the_top(order, c);
-    s->even = 1;
-    for (int k = 0; k < 3; k++) {
-        const struct vertex *v = c->at.v[order[k]];
-        s->x[k] = v->x;
-        s->y[k] = v->y;
-        s->weight[k] = slerp_weight(c, order[k]);
-        s->even &= s->weight[k] == s->weight[0];
+    for (unsigned k = 0; k < 3; k++) {
+        at[k].x = c->at.v[k]->x;
+        at[k].y = c->at.v[k]->y;
+        at[k].weight = slerp_weight(c, k);
         for (int i = 0; i < 3; i++) {
-            int32_t part = max32(c->at.normal[order[k]][i], -32767);
-            s->normal[k][i] = (int16_t)(c->back ? -part : part);
+            const int32_t part = max32(c->at.normal[k][i], -32767);
+            at[k].normal[i] = (int16_t)(c->back ? -part : part);
         }
     }
-    for (int k = 0; k < 3; k++) {
-        const uint32_t height = (uint32_t)(s->y[sheen_slerp_end[k][1]] - s->y[sheen_slerp_end[k][0]]);
-        s->inverse[k] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
+    s->even = at[1].weight == at[0].weight && at[2].weight == at[0].weight;
+    s->long_right = 0;
+    for (unsigned i = 0; i < 3; i++) { /* a row's corners as they come, or turned the other way */
+        struct slerp_corner *upper = &at[i % 2], held = *upper;
+        if (upper[1].y < held.y) {
+            upper[0] = upper[1];
+            upper[1] = held;
+            s->long_right ^= 1;
+        }
+    }
+    for (unsigned edge = 0; edge < 3; edge++) {
+        const uint32_t height = (uint32_t)(lower_end(s, edge)->y - upper_end(s, edge)->y);
+        s->inverse[edge] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
     }
 }
 

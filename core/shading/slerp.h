@@ -1,5 +1,5 @@
 /*
- * slerp.h - private to the room of slerp: its set-up, and what a row crosses.
+ * slerp.h - private to the room of slerp: its set-up, and how rows are cut into parts, by any way.
  */
 #ifndef SHEEN_SLERP_H
 #define SHEEN_SLERP_H
@@ -7,14 +7,18 @@
 #include "../math/arc.h"
 #include "shading.h"
 
+struct slerp_corner {
+    int16_t x, y;      /* as in struct vertex */
+    int16_t normal[3]; /* as seen, 1.0 = 32767 */
+    uint16_t weight;   /* UQ0.16, proportional to 1/m, not 0 */
+};
+
 /* Corners from the top down; edges 02, 01 and 12 of them. */
 struct slerp_corners {
-    int16_t x[3], y[3];   /* as in struct vertex */
-    int16_t normal[3][3]; /* as seen, 1.0 = 32767 */
-    uint16_t weight[3];   /* UQ0.16, proportional to 1/m, not 0 */
-    uint32_t inverse[3];  /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
-    uint8_t even;         /* no perspective: all weights are equal */
-    uint8_t long_right;   /* edge 02 bounds the right */
+    struct slerp_corner corner[3];
+    uint32_t inverse[3]; /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
+    uint8_t even;        /* no perspective: all weights are equal */
+    uint8_t long_right;  /* edge 02 bounds the right */
 };
 
 struct slerp_setup {
@@ -22,7 +26,15 @@ struct slerp_setup {
     struct slerp_corners at;
 };
 
-extern const uint8_t sheen_slerp_end[3][2]; /* an edge's corners */
+static inline const struct slerp_corner *upper_end(const struct slerp_corners *at, unsigned edge)
+{
+    return &at->corner[edge >> 1];
+}
+
+static inline const struct slerp_corner *lower_end(const struct slerp_corners *at, unsigned edge)
+{
+    return &at->corner[2 - (edge & 1u)];
+}
 
 /* Of a weighed corner. */
 static inline uint16_t slerp_weight(const struct surface_corners *c, unsigned k)
@@ -32,24 +44,49 @@ static inline uint16_t slerp_weight(const struct surface_corners *c, unsigned k)
 
 void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c);
 
-/* Where a row crosses an edge. */
-struct crossing {
-    int32_t x;       /* px from the viewport's centre, Q15.16 */
-    int32_t t;       /* of the edge in space, from the upper corner: UQ0.15 */
-    uint32_t weight; /* UQ0.16 */
+/* ---- rows: slerp_parts.c ---- */
+
+/* A normal somewhere on a row, Q0.15, and 1/m, UQ0.16. */
+struct place {
+    int32_t part[3];
+    uint32_t weight;
 };
 
-/* centre: of the row, 1/64 px from the viewport's centre. */
-void sheen_slerp_cross(const struct slerp_corners *s, unsigned edge, int32_t centre, struct crossing *at);
+/* Columns x to before x1 of a part: how much of the row lies before it and how much it is, UQ0.15. */
+struct part {
+    int32_t at, length; /* length 0: one pixel */
+    int32_t x, x1, n;   /* n: from the first column after the part's left end to x */
+    int32_t t;          /* that column's centre in it, UQ0.15 */
+    unsigned up;        /* a pixel is the row's inverse 2^(up - 31) of it; at most 15 */
+    int fresh;          /* the part before it was not drawn */
+};
 
-/* t of the way from 1/m = a to b on the screen, UQ0.15, is so much in space; *weight: what is there. */
-static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weight)
-{
-    uint32_t part = (uint32_t)t * b, all = part + (uint32_t)(32768 - t) * a; /* below 2^31 */
+/*
+ * A row on its way from crossing to crossing. parts, draw: the logarithm of the number of its parts, up to 15, and how
+ * one is drawn.
+ */
+struct arc_row {
+    const struct setup *s;
+    const struct slerp_corners *at;
+    unsigned (*parts)(const struct arc_row *r);
+    void (*draw)(const struct tile *t, struct arc_row *r, const struct part *p);
+    int32_t y, from, width; /* from: the left crossing, px on the target, Q15.16; width > 0 */
+    uint32_t inverse;       /* 1 / width = inverse 2^(up - 31), 1/px; 16 bits */
+    unsigned up;
+    uint32_t weight[2]; /* at the crossings, UQ0.16 */
+    union {
+        struct place left; /* where the part before ended */
+        int32_t lit[3][2]; /* by one light, where a part begins, its middle and end: L.N, Q0.15; argument / 2^15 */
+    };
+    struct arc arc; /* of normals; by one light of L.N and N.V, Q0.15 */
+};
 
-    *weight = all >> 15;
-    return ratio15(part, all);
-}
+/* With s, at, parts and draw. */
+void sheen_slerp_draw(const struct tile *t, struct arc_row *r);
+
+/* By normals: `parts`, and as struct normal_run has them at a part's first pixel. */
+unsigned sheen_slerp_normal_parts(const struct arc_row *r);
+void sheen_slerp_normals(struct arc_row *r, const struct part *p, uint32_t n[3], uint32_t dn[3]);
 
 void sheen_slerp_rows(const struct tile *t, const struct setup *s);
 

@@ -3,7 +3,7 @@
  */
 #include "../triangle/reflection.h"
 #include "../triangle/tinted.h"
-#include "slerp_row.h"
+#include "slerp.h"
 
 /* As struct shares_setup, and where the corners are. */
 struct slerp_colored_setup {
@@ -20,33 +20,26 @@ struct tinted_arc_row {
     struct tinted_run run;
 };
 
-static void draw_tinted(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
-                        const struct place *b)
+static void draw_tinted(const struct tile *t, struct arc_row *r, const struct part *p)
 {
     struct tinted_arc_row *row = (struct tinted_arc_row *)r;
     int32_t share[3];
 
-    normals_between(r, p, a, b, row->run.n, row->run.dn);
+    sheen_slerp_normals(r, p, row->run.n, row->run.dn);
     sheen_tinted_row(&row->run, r->s, p->x, r->y, share);
     sheen_tinted_run(t, r->s->draw, p->x, p->x1, r->y, &row->run);
 }
 
-static const struct arc_way tinted_arcs = {normal_parts, normal_place, draw_tinted};
-
-static APART void draw_tinted_row(const struct tile *t, struct arc_row *r, const struct span *span)
-{
-    arc_row(t, r, span, tinted_arcs);
-}
-
-/* at->normal: in the mesh's order, which is counterclockwise where it is seen from the front. */
+/* Of the mesh's order, which is counterclockwise where it is seen from the front. */
 static APART void tinted_corners(const struct slerp_colored_setup *s, struct slerp_corners *at)
 {
     struct surface_corners c = {.back = 0, .flat_weight = 0};
     struct vertex v[3];
-    int16_t normal[3][3];
+    int16_t kept[3][3], normal[3][3];
 
+    sheen_shared_normals(&s->s, s->of, kept);
     for (int k = 0; k < 3; k++) {
-        const int16_t *own = at->normal[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
+        const int16_t *own = kept[k == 0 || (s->s.detail & SHARES_BACK) != 0 ? k : 3 - k];
         int32_t unit[3] = {own[0], own[1], own[2]};
         const int piece = (s->s.detail & SHARES_PIECE) != 0 && sheen_normalize(unit, unit) == SHEEN_OK;
         for (int i = 0; i < 3; i++)
@@ -66,12 +59,13 @@ static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
     struct slerp_corners at;
     struct tinted_arc_row row;
 
-    sheen_shared_normals(setup, s->of, at.normal);
     tinted_corners(s, &at);
     row.of.s = setup;
     row.of.at = &at;
+    row.of.parts = sheen_slerp_normal_parts;
+    row.of.draw = draw_tinted;
     sheen_tinted_begin(&row.run, setup, s->of, &s->shares);
-    arc_rows(t, &row.of, draw_tinted_row);
+    sheen_slerp_draw(t, &row.of);
 }
 
 /* Between normals that nearly agree arcs differ from what is linear by less than a level shows. */

@@ -1,43 +1,72 @@
 /*
  * slerp_parts.c - rows cut into parts, even on the screen, with what lies at their ends by the arcs' series.
  *
- * One light: of normals only L.N and N.V are carried along edges and rows, and L.N and 1 - R.V are quadratic over a
- * part. Else normals are, linear over a part and brought to length 1 a pixel. What a part is hangs on the row and the
- * triangle alone, so any band gives the same pixels.
+ * One light: of normals only L.N and N.V are carried along rows, and L.N and 1 - R.V are quadratic over a part. Else
+ * normals are, linear over a part and brought to length 1 a pixel. What a part is hangs on the row and the triangle
+ * alone, so any band gives the same pixels.
  */
 #include "../triangle/normal.h"
 #include "../triangle/reflection.h"
-#include "slerp_row.h"
+#include "slerp.h"
 
-/* sin^2(p/2), UQ0.15, of the widest parts: 14, 11, 7 degrees for shininess to 16, 32, 128; */
-#define WIDEST_16 487
+#define MOST_PARTS 4       /* the logarithm of their number, before perspective adds up to 2 */
+#define LEAST_PART 3       /* px: of less, each pixel for itself */
+#define WIDEST_NORMALS 159 /* sin^2(p/2), UQ0.15, of the widest parts by normals: 8 degrees; */
+#define WIDEST_16 487      /* by one light 14, 11, 7 degrees for shininess to 16, 32, 128; */
 #define WIDEST_32 301
 #define WIDEST_128 122
 #define WIDEST_DULL 802 /* 18 degrees outside highlights, where the row has less than 40 */
 #define DULL_ROW 3833
 
+/* v t / 2^15, |v| < 2^22, t < 2^17 */
+static inline int32_t times15(int32_t v, int32_t t)
+{
+    return asr32(asr32(v, 8) * t, 7) + asr32((v & 255) * t, 15);
+}
+
+/* v r / 2^8, |v| < 2^22, r at most 2^16 */
+static inline int32_t times8(int32_t v, int32_t r)
+{
+    return asr32(v, 8) * r + asr32((v & 255) * r, 8);
+}
+
+/* t of the way from 1/m = a to b on the screen, UQ0.15, is so much in space; *weight: what is there. */
+static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weight)
+{
+    uint32_t part = (uint32_t)t * b, all = part + (uint32_t)(32768 - t) * a; /* 2^15 to below 2^31 */
+
+    *weight = all >> 15;
+    do { /* rarely more than twice: the largest weight of a triangle has 16 bits */
+        part <<= 1;
+        all <<= 1;
+    } while (all < 1u << 31);
+    return (int32_t)((part >> 16) * reciprocal_seed(all) >> 16);
+}
+
 /* ---- one light: L.N and N.V ---- */
 
 #define HIGHEST_ARGUMENT 0xd0000000u /* 3.25 ranges of the power table: no part with a highlight comes near */
 
-static APART void lit_place(const struct arc_row *r, int32_t t, struct place *p)
+/* What lies at t: see struct arc_row. */
+static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
 {
-    const struct draw *d = r->s->draw;
-    const unsigned up = d->power.up;
-    const int16_t *left = r->cosine[0], *right = r->cosine[1];
-    int32_t ln = left[0], nv = left[1];
+    int32_t ln = r->arc.end[0][0], nv = r->arc.end[0][1];
+    struct arc_blend blend;
     uint32_t weight;
 
     if (t > 0) {
         if (!r->at->even)
             t = in_space(t, r->weight[0], r->weight[1], &weight);
-        const int32_t a = arc_share(&r->arc.series, 32768 - t), b = arc_share(&r->arc.series, t);
-        ln = round15(a * left[0] + b * right[0]);
-        nv = round15(a * left[1] + b * right[1]);
+        arc_blend_at(&r->arc, 1, t, &blend);
+        ln = blended(&blend, 0);
+        nv = blended(&blend, 1);
     }
-    const int32_t u = min32(max32(d->light.lv1[0] - ln * nv, 0), (int32_t)(HIGHEST_ARGUMENT >> up));
-    p->part[0] = ln;
-    p->part[1] = (int32_t)((((uint32_t)u << up) + POWER_GUARD) >> 15);
+    OPAQUE_BOTH(r, ln); /* when there are registers */
+    const struct draw *d = r->s->draw;
+    const unsigned up = d->power.up;
+    const int32_t u = d->light.lv1[0] - ln * nv;
+    lit[0] = ln;
+    lit[1] = (int32_t)((((uint32_t)min32(max32(u, 0), (int32_t)(HIGHEST_ARGUMENT >> up)) << up) + POWER_GUARD) >> 15);
 }
 
 /* A value, what the next pixel has more, and what that has more each time. */
@@ -45,56 +74,69 @@ struct bent_run {
     uint32_t value, step, bend;
 };
 
-/* Through f0, fm, f1 at a part's ends and middle, units of 2^-15, at column x: Q.30. */
-static APART struct bent_run bent_through(const struct part *p, uint32_t inverse, int32_t f0, int32_t fm, int32_t f1)
+/* Through what lies at a part's ends and middle, number k of struct arc_row's `lit`, at its first pixel: Q.30. */
+static APART struct bent_run bent_through(const struct arc_row *r, const struct part *p, unsigned k)
 {
-    const int32_t px = (int32_t)inverse, px2 = (int32_t)((inverse * (inverse >> 1) - 1u) >> 15); /* 16 bits */
-    const int32_t k = 2 * (f0 + f1) - 4 * fm, m = f1 - f0 - k, up = (int32_t)p->up, n = p->x - p->first;
-    const uint32_t rise = (uint32_t)times8(m + times15(k, 2 * p->t + asr32(px, 16 - p->up)), px),
-                   curve = (uint32_t)times8(k, px2);
+    const int32_t f0 = r->lit[0][k], f1 = r->lit[2][k], up = (int32_t)p->up, n = p->n;
+    const int32_t bent = 2 * (f0 + f1) - 4 * r->lit[1][k], m = f1 - f0 - bent;
+    const int32_t px = (int32_t)r->inverse, px2 = (int32_t)((r->inverse * (r->inverse >> 1) - 1u) >> 15); /* 16 bits */
+    const uint32_t rise = (uint32_t)times8(m + times15(bent, 2 * p->t + asr32(px, 16 - p->up)), px),
+                   curve = (uint32_t)times8(bent, px2);
     struct bent_run run;
 
-    run.value = ((uint32_t)f0 << 15) + (uint32_t)(m + times15(k, p->t)) * (uint32_t)p->t;
     run.step = up >= 8 ? rise << (up - 8) : (uint32_t)asr32((int32_t)rise, (unsigned)(8 - up));
     run.bend = up >= 11 ? curve << (2 * up - 22) : (uint32_t)asr32((int32_t)curve, (unsigned)(22 - 2 * up));
-    run.value += (uint32_t)n * run.step + pairs(n) * run.bend;
+    run.value = ((uint32_t)f0 << 15) + (uint32_t)(m + times15(bent, p->t)) * (uint32_t)p->t + (uint32_t)n * run.step +
+                pairs(n) * run.bend;
     run.step += (uint32_t)n * run.bend;
     return run;
 }
 
 /* 1 where some pixel may have a highlight. */
-static int is_shiny(const struct draw *d, const struct place *a, const struct place *m, const struct place *b)
+static int is_shiny(const struct arc_row *r)
 {
-    const int32_t below = asr32(max32(a->part[1] + b->part[1] - 2 * m->part[1], 0), 2);
+    const int32_t *const lit[3] = {r->lit[0], r->lit[1], r->lit[2]};
+    const int32_t a = lit[0][1], m = lit[1][1], b = lit[2][1], below = asr32(max32(a + b - 2 * m, 0), 2);
 
-    return min32(min32(a->part[1], m->part[1]), b->part[1]) - below < (int32_t)(d->loop.power_end >> 15) &&
-           (a->part[0] > 0 || m->part[0] > 0 || b->part[0] > 0);
+    return min32(min32(a, m), b) - below < (int32_t)(r->s->draw->loop.power_end >> 15) &&
+           (lit[0][0] > 0 || lit[1][0] > 0 || lit[2][0] > 0);
 }
 
-/* a, b: what lies at its ends. */
-static void draw_lit(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
-                     const struct place *b)
+static void draw_lit(const struct tile *t, struct arc_row *r, const struct part *p)
 {
     const struct setup *s = r->s;
     struct shaded_run run = {plane_at(&s->depth, p->x, r->y), s->depth.dx, 0, 0, 0, 0, 0, 0};
-    struct place m = *a;
 
-    if (p->length > 0)
-        lit_place(r, p->at + p->length / 2, &m);
-    const enum second second = is_shiny(s->draw, a, &m, b) ? SECOND_POWER : SECOND_NONE;
+    if (p->fresh) {
+        lit_place(r, p->at, r->lit[0]);
+    } else {
+        r->lit[0][0] = r->lit[2][0];
+        r->lit[0][1] = r->lit[2][1];
+    }
     SHEEN_TAP(ARC_PART, 1);
     SHEEN_TAP(SKEWED_PART, !r->at->even);
-    SHEEN_TAP(ARC_POWER, second == SECOND_POWER ? p->x1 - p->x : 0);
-    struct bent_run along = bent_through(p, r->inverse, a->part[0], m.part[0], b->part[0]);
-    run.f = along.value + (1u << 14);
-    run.df = along.step;
-    run.ddf = along.bend;
-    if (second == SECOND_POWER) {
-        along = bent_through(p, r->inverse, a->part[1], m.part[1], b->part[1]);
-        run.u = along.value;
-        run.du = along.step;
-        run.ddu = along.bend;
+    enum second second;
+    if (p->length > 0) {
+        lit_place(r, p->at + asr32(p->length, 1), r->lit[1]);
+        lit_place(r, p->at + p->length, r->lit[2]);
+        struct bent_run along = bent_through(r, p, 0);
+        second = is_shiny(r) ? SECOND_POWER : SECOND_NONE;
+        run.f = along.value + (1u << 14);
+        run.df = along.step;
+        run.ddf = along.bend;
+        if (second == SECOND_POWER) {
+            along = bent_through(r, p, 1);
+            run.u = along.value;
+            run.du = along.step;
+            run.ddu = along.bend;
+        }
+    } else {
+        second =
+            r->lit[0][0] > 0 && r->lit[0][1] < (int32_t)(s->draw->loop.power_end >> 15) ? SECOND_POWER : SECOND_NONE;
+        run.f = ((uint32_t)r->lit[0][0] << 15) + (1u << 14);
+        run.u = (uint32_t)r->lit[0][1] << 15;
     }
+    SHEEN_TAP(ARC_POWER, second == SECOND_POWER ? p->x1 - p->x : 0);
     sheen_shaded_run(t, s->draw, p->x, p->x1, r->y, &run, second);
 }
 
@@ -104,15 +146,17 @@ static unsigned lit_parts(const struct arc_row *r)
     const int32_t h = r->arc.h;
     const struct draw *d = r->s->draw;
     const unsigned n = d->power.shininess;
-    const int32_t u0 = d->light.lv1[0] - r->cosine[0][0] * r->cosine[0][1];
-    const int32_t u1 = d->light.lv1[0] - r->cosine[1][0] * r->cosine[1][1];
-    const int32_t least = min32(u0, u1), spread = max32(u0, u1) - least;
     const uint32_t w0 = r->weight[0], w1 = r->weight[1], light = w0 < w1 ? w0 : w1, more = w0 + w1 - 2 * light;
     int32_t widest = n > 32 ? WIDEST_128 : n > 16 ? WIDEST_32 : WIDEST_16;
     unsigned parts = 0;
 
-    if (h < DULL_ROW && least - h * (13 << 14) - asr32(spread, 3) > (int32_t)d->power.limit)
-        widest = WIDEST_DULL;
+    if (h > widest && h < DULL_ROW) {
+        const int16_t(*end)[3] = r->arc.end;
+        const int32_t u0 = d->light.lv1[0] - end[0][0] * end[0][1], u1 = d->light.lv1[0] - end[1][0] * end[1][1];
+        const int32_t least = min32(u0, u1), spread = max32(u0, u1) - least;
+        if (least - h * (13 << 14) - asr32(spread, 3) > (int32_t)d->power.limit)
+            widest = WIDEST_DULL;
+    }
     while (parts < MOST_PARTS && h > widest << 2 * parts)
         parts++;
     if (more > light >> (n > 32 ? 4 : 3))
@@ -122,81 +166,187 @@ static unsigned lit_parts(const struct arc_row *r)
 
 /* ---- else: normals ---- */
 
-static void draw_normals(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
-                         const struct place *b)
+static void normal_place(const struct arc_row *r, int32_t t, struct place *p)
+{
+    struct arc_blend blend;
+
+    p->weight = r->weight[0];
+    if (!r->at->even)
+        t = in_space(t, r->weight[0], r->weight[1], &p->weight);
+    arc_blend_at(&r->arc, r->arc.parts, t, &blend);
+    for (int i = 0; i < 3; i++)
+        p->part[i] = blended(&blend, i);
+}
+
+/* Times weights the normals are linear on the screen, as they are in space without. */
+void sheen_slerp_normals(struct arc_row *r, const struct part *p, uint32_t n[3], uint32_t dn[3])
+{
+    struct place end;
+
+    SHEEN_TAP(NORMAL_PART, 1);
+    SHEEN_TAP(SKEWED_PART, !r->at->even);
+    if (p->fresh)
+        normal_place(r, p->at, &r->left);
+    normal_place(r, p->at + p->length, &end);
+    const unsigned up = clz32(r->left.weight | end.weight) - 16;
+    const int32_t w0 = (int32_t)(r->left.weight << up >> 1), w1 = (int32_t)(end.weight << up >> 1);
+    for (int i = 0; i < 3; i++) {
+        const int32_t from = r->left.part[i] * w0, more = asr32(end.part[i] * w1 - from, 8);
+        dn[i] = p->length == 0 ? 0 : (uint32_t)asr32(times8(more, (int32_t)r->inverse), 15 - p->up);
+        n[i] = (uint32_t)from + (uint32_t)times15(more, p->t) * 256u + (uint32_t)p->n * dn[i];
+        r->left.part[i] = end.part[i];
+    }
+    r->left.weight = end.weight;
+}
+
+unsigned sheen_slerp_normal_parts(const struct arc_row *r)
+{
+    unsigned parts = r->arc.parts == 2;
+
+    if (r->arc.parts == 0)
+        return 15;
+    while (parts < MOST_PARTS + 2 && r->arc.h > WIDEST_NORMALS << 2 * (parts - (r->arc.parts - 1u)))
+        parts++;
+    return parts;
+}
+
+static void draw_normals(const struct tile *t, struct arc_row *r, const struct part *p)
 {
     const struct setup *s = r->s;
     struct normal_run run = {.z = plane_at(&s->depth, p->x, r->y), .dz = s->depth.dx};
 
-    normals_between(r, p, a, b, run.n, run.dn);
+    sheen_slerp_normals(r, p, run.n, run.dn);
     draw_normal_run(t, s->draw, p->x, p->x1, r->y, &run);
 }
 
 /* ---- rows ---- */
 
-void sheen_slerp_begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
-                           int32_t centre)
+/*
+ * Where a row crosses an edge, centre as below: what is kept there. Returns the column, px from the viewport's centre,
+ * Q15.16.
+ */
+static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, const struct arc *arc, int32_t centre,
+                                 uint32_t *weight, int16_t normal[3])
 {
-    const unsigned right = r->at->long_right; /* of edge 02 */
-    struct crossing at[2];
+    const struct slerp_corner *a = upper_end(at, edge), *b = lower_end(at, edge);
+    const int32_t across = b->x - a->x;                                  /* below 2^16 */
+    const uint32_t down = (uint32_t)(centre - a->y) * at->inverse[edge]; /* UQ.31, at most 1.0 and 2^-16 of it */
+    const int32_t high = (int32_t)(down >> 16), low = (int32_t)(down >> 1 & 0x7fffu); /* 65408 * 2^15 < 2^31 */
+    int32_t t = min32((int32_t)((down + (1u << 15)) >> 16), 32768);
+    struct arc_blend blend;
+
+    *weight = a->weight;
+    if (!at->even)
+        t = in_space(t, a->weight, b->weight, weight);
+    arc_blend_at(arc, arc->parts, t, &blend);
+    for (int i = 0; i < 3; i++) {
+        int32_t part = blended(&blend, i);
+        if ((uint32_t)part + 32767 > 65534) /* rarely */
+            part = part < 0 ? -32767 : 32767;
+        normal[i] = (int16_t)part;
+    }
+    return a->x * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
+}
+
+/* The row at centre, 1/64 px from the viewport's, between edge 02 and `other`; their arcs are `arc`. */
+static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
+                            int32_t centre)
+{
+    int32_t x[2];
     int16_t normal[2][3];
 
     for (unsigned j = 0; j < 2; j++) {
-        const unsigned side = j ^ right;
-        int32_t n[3];
-        sheen_slerp_cross(r->at, j * other, centre, &at[side]);
-        r->weight[side] = at[side].weight;
-        sheen_arc_at(&arc[j], at[side].t, n);
-        for (int i = 0; i < 3; i++)
-            normal[side][i] = (int16_t)min32(max32(round15(n[i]), -32767), 32767);
+        const unsigned side = j ^ r->at->long_right; /* of edge 02 */
+        x[side] = cross_edge(r->at, j * other, &arc[j], centre, &r->weight[side], normal[side]);
     }
     sheen_arc_begin(&r->arc, normal[0], normal[1]);
     for (int side = 0; r->s->way == SHEEN_WAY_SLERP && side < 2; side++) {
         uint16_t kept[2];
         sheen_keep_cosines(r->s->draw, normal[side], kept);
-        r->cosine[side][0] = (int16_t)kept[0];
-        r->cosine[side][1] = (int16_t)kept[1];
+        r->arc.end[side][0] = (int16_t)kept[0];
+        r->arc.end[side][1] = (int16_t)kept[1];
     }
-    r->from = at[0].x + t->centre_x * 1024;
-    r->width = max32(at[1].x - at[0].x, 1);
+    r->from = x[0] + t->centre_x * 1024;
+    r->width = max32(x[1] - x[0], 1);
     r->up = clz32((uint32_t)r->width);
     r->inverse = reciprocal_seed((uint32_t)r->width << r->up);
 }
 
-static unsigned parts_of(const struct arc_row *r)
+/* d, Q15.16 px, of 2^(31 - up) / inverse px, UQ0.15. */
+static inline int32_t row_share(const struct arc_row *r, int32_t d, unsigned up)
 {
-    return r->s->way == SHEEN_WAY_SLERP ? lit_parts(r) : normal_parts(r);
+    return (int32_t)((((uint32_t)d << up) >> 16) * r->inverse >> 16);
 }
 
-static void find_place(const struct arc_row *r, int32_t t, struct place *p)
+/* Parts that would have less than LEAST_PART px: each pixel for itself. */
+static void draw_row(const struct tile *t, struct arc_row *r, const struct span *span)
 {
-    if (r->s->way == SHEEN_WAY_SLERP)
-        lit_place(r, t, p);
-    else
-        normal_place(r, t, p);
+    const unsigned parts = r->parts(r);
+    const int32_t width = asr32(r->width, parts);
+    int32_t begin = r->from;
+    struct part p;
+
+    p.x = span->x0;
+    p.at = p.length = p.n = p.t = 0;
+    p.up = 0;
+    p.fresh = 1;
+    if (width < LEAST_PART << 16) {
+        for (; p.x < span->x1; p.x++) {
+            const int32_t d = p.x * 65536 + 32768 - begin;
+            p.at = d <= 0 ? 0 : d >= r->width ? 32768 : min32(row_share(r, d, r->up), 32768);
+            p.x1 = p.x + 1;
+            r->draw(t, r, &p);
+        }
+        return;
+    }
+    p.length = 32768 >> parts;
+    p.up = r->up + parts;
+    for (; p.x < span->x1; p.at += p.length, begin += width) {
+        const int32_t first = asr32(begin + 32767, 16), end = asr32(begin + width + 32767, 16);
+        p.x1 = p.at + p.length >= 32768 ? span->x1 : min32(span->x1, end);
+        if (p.x >= p.x1)
+            continue;
+        p.n = p.x - first;
+        p.t = row_share(r, first * 65536 + 32768 - begin, p.up);
+        r->draw(t, r, &p);
+        p.fresh = 0;
+        p.x = p.x1;
+    }
 }
 
-static void draw_between(const struct tile *t, struct arc_row *r, const struct part *p, const struct place *a,
-                         const struct place *b)
+static inline void begin_edge(struct arc *arc, const struct slerp_corners *at, unsigned edge)
 {
-    if (r->s->way == SHEEN_WAY_SLERP)
-        draw_lit(t, r, p, a, b);
-    else
-        draw_normals(t, r, p, a, b);
+    sheen_arc_begin(arc, upper_end(at, edge)->normal, lower_end(at, edge)->normal);
 }
 
-static const struct arc_way plain_arcs = {parts_of, find_place, draw_between};
-
-static APART void draw_plain_row(const struct tile *t, struct arc_row *r, const struct span *span)
+void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
 {
-    arc_row(t, r, span, plain_arcs);
+    unsigned edge = 0; /* that arc[1] is of */
+    struct arc arc[2];
+
+    begin_edge(&arc[0], r->at, 0);
+    r->y = t->first_row;
+    for (const struct span *span = t->spans, *end = span + t->rows; span < end; span++, r->y++) {
+        const int32_t centre = r->y * SUBPIXEL_ONE + SUBPIXEL_HALF - t->centre_y;
+        const unsigned other = centre < r->at->corner[1].y ? 1 : 2;
+        if (span->x0 >= span->x1)
+            continue;
+        if (edge != other)
+            begin_edge(&arc[1], r->at, other);
+        edge = other;
+        begin_row(t, r, arc, other, centre);
+        draw_row(t, r, span);
+    }
 }
 
 void sheen_slerp_rows(const struct tile *t, const struct setup *s)
 {
+    const int lit = s->way == SHEEN_WAY_SLERP;
     struct arc_row r;
 
     r.s = s;
     r.at = &((const struct slerp_setup *)s)->at;
-    arc_rows(t, &r, draw_plain_row);
+    r.parts = lit ? lit_parts : sheen_slerp_normal_parts;
+    r.draw = lit ? draw_lit : draw_normals;
+    sheen_slerp_draw(t, &r);
 }

@@ -8,7 +8,7 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
-# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points by who calls them: what else could stand there does not.
+# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
 SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
                 (r"(^|:)begin_colours(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
                 (r"(^|:)object_valid$", r"morph_fits$"),
@@ -31,7 +31,8 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(morph_(cut|corners)|position_of|normal_of|points_middle|sheen_shared_normals)$", r"morph_(position|normal)$"),
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
-                (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals|draw_between|draw_plain_row)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
+                (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
+                (r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)(lit_parts|sheen_slerp_normal_parts|draw_(lit|normals|tinted))$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)texel_values_at", r"texel_of_unit$"),
                 (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
