@@ -522,11 +522,11 @@ SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fra
  * added to each channel before the one rounding. Range: channels stay below 2^31: below 2.0 and a threshold.
  */
 SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
-                                uint32_t specular, uint32_t threshold)
+                                int shines, uint32_t specular, uint32_t threshold)
 {
     uint32_t r = q->ab[0] + q->ab[1] * lit, g = q->ab[2] + q->ab[3] * lit, b = q->ab[4] + q->ab[5] * lit;
 
-    if (specular != 0) {
+    if (shines) {
         r += q->c[0] * specular;
         g += q->c[1] * specular;
         b += q->c[2] * specular;

@@ -58,10 +58,7 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     if (g->wide || !sheen_leans(lean, c, GOURAUD_LEAN) || !quadratic_will_do(lean, difference) ||
         !sheen_quadric_steps(&steps, g))
         return 0;
-    s->rows = sheen_quadric_rows;
-    s->detail = (specular[0] | specular[1] | specular[2]) != 0 ? SECOND_SPECULAR : SECOND_NONE;
-    q->x = (int16_t)g->origin[0];
-    q->y = (int16_t)g->origin[1];
+    sheen_take_quadric_rows(s, g, (specular[0] | specular[1] | specular[2]) != 0 ? SECOND_SPECULAR : SECOND_NONE);
     intensity_quadric(&q->diffuse, &steps, lean, diffuse);
     if (s->detail != SECOND_NONE)
         intensity_quadric(&q->second, &steps, lean, specular);

@@ -64,17 +64,18 @@ void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
     const struct sheen_texture *texture = s->draw->texel.texture;
     const unsigned down_u = 15u - texture->width_log2, down_v = 15u - texture->height_log2;
     const int32_t size = s->detail;
-    struct quadric qu = sheen_quadric_from(&m->quadric[0], t->first_row - m->y);
-    struct quadric qv = sheen_quadric_from(&m->quadric[1], t->first_row - m->y);
+    struct quadric qu, qv;
     struct row_left r;
     struct curve u, v;
 
     rows_begin(&r, t, s);
+    sheen_quadric_from(&qu, &m->quadric[0], -m->x, t->first_row - m->y);
+    sheen_quadric_from(&qv, &m->quadric[1], -m->x, t->first_row - m->y);
     for (unsigned row = 0; row < t->rows; row++, quadric_down(&qu), quadric_down(&qv)) {
         if (!row_begin(&r, t, s, row))
             continue;
-        quadric_run(&qu, r.run.x - m->x, &u.value, &u.step, &u.bend);
-        quadric_run(&qv, r.run.x - m->x, &v.value, &v.step, &v.bend);
+        quadric_run(&qu, r.run.x, &u.value, &u.step, &u.bend);
+        quadric_run(&qv, r.run.x, &v.value, &v.step, &v.bend);
         while (r.left > 0) {
             const int32_t count = min32(r.left, size);
             SHEEN_TAP(CURVED_BLOCK, 1);

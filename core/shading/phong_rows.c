@@ -59,17 +59,18 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
 {
     const struct phong_setup *p = (const struct phong_setup *)s;
     const struct draw *draw = s->draw;
-    struct quadric square = sheen_quadric_from(&p->square, t->first_row - p->y);
+    struct quadric square;
 
+    sheen_quadric_from(&square, &p->square, -p->x, t->first_row - p->y);
     for (unsigned row = 0; row < t->rows; row++, quadric_down(&square)) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row, n = x - p->x;
+        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x >= x1)
             continue;
         struct rounding rounding = rounding_of(t, &draw->colour, y);
         uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
         uint32_t ln = plane_at(&p->light, x, y), nv = plane_at(&p->view, x, y);
-        uint32_t d = square.base + (uint32_t)n * square.dx + pairs(n) * square.dxx;
-        uint32_t step = square.dx + (uint32_t)n * square.dxx;
+        uint32_t d, step, bend;
+        quadric_run(&square, x, &d, &step, &bend);
         for (; x < x1; x++, at++) {
             if (nearer(t, t->depth + at, z))
                 put_lit(t, draw, rounding, at, x, lit_by_root(draw, (int32_t)ln, (int32_t)nv, d));
@@ -77,7 +78,7 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
             ln += p->light.dx;
             nv += p->view.dx;
             d += step;
-            step += square.dxx;
+            step += bend;
         }
     }
 }

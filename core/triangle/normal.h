@@ -31,7 +31,8 @@ SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct roun
     if (FAST_LOOPS && d->loop.usable) {
         uint32_t threshold = t->dither ? (uint32_t)rounding.threshold[x & 7] << rounding.shift : 0;
         ((uint16_t *)t->pixels)[at] =
-            pixel_order(loop_pixel(t, t->depth + at, &d->loop, lit.diffuse, lit.specular, threshold), t->format->swap);
+            pixel_order(loop_pixel(t, t->depth + at, &d->loop, lit.diffuse, lit.specular != 0, lit.specular, threshold),
+                        t->format->swap);
     } else {
         put_any(t, d, rounding, at, x, &lit);
     }

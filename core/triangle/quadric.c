@@ -39,6 +39,11 @@ static inline int32_t shifted(int32_t x, int shift)
     return shift > 0 ? asr32(asr32(x, (unsigned)min32(shift, 31) - 1) + 1, 1) : (int32_t)((uint32_t)x << -shift);
 }
 
+static inline uint32_t magnitudes(int32_t x, int32_t y, int32_t z)
+{
+    return magnitude32(x) | magnitude32(y) | magnitude32(z);
+}
+
 /* Bits to drop so that no more than `most` is left. */
 static inline unsigned surplus(uint32_t all, uint32_t most)
 {
@@ -64,8 +69,8 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
                           const int32_t k[3])
 {
     const struct gradients *g = p->g;
-    unsigned drop = surplus(magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]), MOST_EXCESS);
-    unsigned cut = surplus(magnitude32(d1 + k[0]) | magnitude32(d2 + k[1]), MOST_SLOPE);
+    unsigned drop = surplus(magnitudes(k[0], k[1], k[2]), MOST_EXCESS);
+    unsigned cut = surplus(magnitudes(d1 + k[0], d2 + k[1], 0), MOST_SLOPE);
     int second = 2 * g->exponent - 24 - (int)drop, first = g->exponent - 14 - (int)cut, room = 0;
     const int32_t k01 = rounded(k[0], drop), k02 = rounded(k[1], drop), k12 = rounded(k[2], drop);
     const int32_t mixed = k12 - k01 - k02, a = rounded(d1 + k[0], cut), b = rounded(d2 + k[1], cut);
@@ -76,8 +81,7 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     int32_t x = a * g->b1[0] + b * g->b2[0], y = a * g->b1[1] + b * g->b2[1];
 
     if (first < 0 || second < 2)
-        room = max32(room_of(magnitude32(xx) | magnitude32(xy) | magnitude32(yy), second),
-                     room_of(magnitude32(x) | magnitude32(y), first));
+        room = max32(room_of(magnitudes(xx, xy, yy), second), room_of(magnitudes(x, y, 0), first));
     xx = shifted(xx, second + room);
     xy = shifted(xy, second + room);
     yy = shifted(yy, second + room);
@@ -98,7 +102,7 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3])
 {
-    unsigned drop = surplus(magnitude32(k[0]) | magnitude32(k[1]) | magnitude32(k[2]), MOST_EXCESS);
+    unsigned drop = surplus(magnitudes(k[0], k[1], k[2]), MOST_EXCESS);
     int32_t high[3], low[3];
     struct quadric rest;
 
@@ -140,32 +144,35 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
            (uint32_t)(lean[2] + most) <= width;
 }
 
-struct quadric sheen_quadric_from(const struct quadric *q, int32_t n)
+void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row)
 {
-    const uint32_t y = (uint32_t)n;
-    struct quadric r = {
-        q->base + y * q->dy + pairs(n) * q->dyy, q->dx + y * q->dxy, q->dy + y * q->dyy, q->dxx, q->dxy, q->dyy};
+    const uint32_t x = (uint32_t)column, y = (uint32_t)row;
+    const uint32_t dx = q->dx + y * q->dxy;
 
-    return r;
+    to->base = q->base + y * q->dy + pairs(row) * q->dyy + x * dx + pairs(column) * q->dxx;
+    to->dx = dx + x * q->dxx;
+    to->dy = q->dy + y * q->dyy + x * q->dxy;
+    to->dxx = q->dxx;
+    to->dxy = q->dxy;
+    to->dyy = q->dyy;
 }
 
 void sheen_quadric_rows(const struct tile *t, const struct setup *s)
 {
     const struct quadric_setup *q = (const struct quadric_setup *)s;
     const enum second second = (enum second)s->detail;
+    struct quadric f, u;
 
-#if FAST_LOOPS
-    if (sheen_quadric_own_rows(t, q))
-        return;
-#endif
-    struct quadric f = sheen_quadric_from(&q->diffuse, t->first_row - q->y);
-    struct quadric u = sheen_quadric_from(second != SECOND_NONE ? &q->second : &q->diffuse, t->first_row - q->y);
+    sheen_quadric_from(&f, &q->diffuse, -q->x, t->first_row - q->y);
+    sheen_quadric_from(&u, second != SECOND_NONE ? &q->second : &q->diffuse, -q->x, t->first_row - q->y);
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x < x1) {
-            struct shaded_run run = {plane_at(&s->depth, x, y), s->depth.dx, 0, 0, 0, 0, 0, 0};
-            quadric_run(&f, x - q->x, &run.f, &run.df, &run.ddf);
-            quadric_run(&u, x - q->x, &run.u, &run.du, &run.ddu);
+            struct shaded_run run;
+            run.z = plane_at(&s->depth, x, y);
+            run.dz = s->depth.dx;
+            quadric_run(&f, x, &run.f, &run.df, &run.ddf);
+            quadric_run(&u, x, &run.u, &run.du, &run.ddu);
             sheen_shaded_run(t, s->draw, x, x1, y, &run, second);
         }
         quadric_down(&f);

@@ -32,8 +32,8 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3]);
 
-/* n rows down from the pixel that it counts from. */
-struct quadric sheen_quadric_from(const struct quadric *q, int32_t n);
+/* From so many columns and rows off the pixel that it counts from. */
+void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row);
 
 /* To the next row. */
 SPECIALISED void quadric_down(struct quadric *q)
@@ -73,8 +73,8 @@ struct shaded_run {
 
 void sheen_quadric_rows(const struct tile *t, const struct setup *s);
 
-/* quadric_rows.c: 0 where the rows need other loops than those that are specialised; nothing is drawn then. */
-int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q);
+/* quadric_rows.c: all of a struct quadric_setup but the quadrics; rows are those or specialised ones. */
+void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second);
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       struct shaded_run *run, enum second second);
 /* Of a struct sheen_ramp_reader. */

@@ -19,7 +19,7 @@ PIXEL uint32_t plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, c
 {
     struct lit lit = lit_of(q, f, u, SECOND_POWER);
 
-    return loop_pixel(t, depth, q, lit.diffuse, lit.specular, 0);
+    return loop_pixel(t, depth, q, lit.diffuse, u < q->power_end, lit.specular, 0);
 }
 
 PIXEL uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
@@ -27,21 +27,21 @@ PIXEL uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u
 {
     struct lit lit = lit_of(q, f, u, SECOND_POWER);
 
-    return loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
+    return loop_pixel(t, depth, q, lit.diffuse, u < q->power_end, lit.specular, threshold);
 }
 
-/* 565 with the loop's terms; thresholds: of the row. */
-SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, int32_t count,
+/* 565 with the loop's terms: from the depth after `depth` to `last`; thresholds: of the row. */
+SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
                            const threshold_t *thresholds, const struct shaded_run *run, enum second second,
                            unsigned dither, unsigned swap)
 {
     const struct loop_terms *q = &d->loop;
     const intptr_t to_pixel = t->to_pixel;
-    const uint16_t *end = depth + count;
     const uint32_t dz = run->dz, ddf = run->ddf, ddu = run->ddu;
     uint32_t z = run->z, f = run->f, df = run->df, u = run->u, du = run->du;
 
     do {
+        depth++;
         if (nearer(t, depth, z)) {
             OPAQUE(q); /* the loop's numbers have the registers */
             uint32_t value, threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
@@ -51,11 +51,10 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
                 value = plain_pixel(q, f, u, t, depth);
             } else {
                 struct lit lit = lit_of(q, f, u, second);
-                value = loop_pixel(t, depth, q, lit.diffuse, lit.specular, threshold);
+                value = loop_pixel(t, depth, q, lit.diffuse, lit.specular != 0, lit.specular, threshold);
             }
             *pixel_at(depth, to_pixel) = pixel_order(value, swap);
         }
-        depth++;
         z += dz;
         f += df;
         df += ddf;
@@ -63,7 +62,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
             u += du;
             du += ddu;
         }
-    } while (depth != end);
+    } while (depth != last);
 }
 
 /* f: Q1.30, its steps within a segment are cut. */
@@ -83,27 +82,27 @@ PIXEL uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, u
 }
 
 /* The draw's shades: L.N alone. */
-SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth, int32_t count,
-                                   const threshold_t *thresholds, const struct shaded_run *run, unsigned dither,
-                                   unsigned swap)
+SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth,
+                                   const uint16_t *last, const threshold_t *thresholds, const struct shaded_run *run,
+                                   unsigned dither, unsigned swap)
 {
     const uint16_t *pixels = shades->pixel + SHADES_GUARD;
     const intptr_t to_pixel = t->to_pixel;
     const uint32_t dz = run->dz, ddf = run->ddf;
-    const uint16_t *end = depth + count;
     uint32_t z = run->z, f = run->f, df = run->df;
 
+    OPAQUE(pixels); /* with the guard added */
     do {
+        depth++;
         if (nearer(t, depth, z))
             *pixel_at(depth, to_pixel) =
                 dither
                     ? pixel_order(segment_pixel(shades->segment, f, threshold_pair(thresholds, depth), t, depth), swap)
                     : pixels[not_negative(f) >> (30 - SHADES_BITS)];
-        depth++;
         z += dz;
         f += df;
         df += ddf;
-    } while (depth != end);
+    } while (depth != last);
 }
 
 static APART void general_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
@@ -123,17 +122,19 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 {
     const uint32_t at = tile_offset(t, x, y);
     const threshold_t *thresholds = t->dither_rows[y & 7];
+    uint16_t *before = t->depth + at - 1, *last = before + (x1 - x);
 
     if (second == SECOND_NONE)
         run->u = run->du = run->ddu = 0; /* a specular intensity of none */
     if (shades_will_do(d, second))
-        t->dither ? cosine_shades_run(t, d->shades, t->depth + at, x1 - x, thresholds, run, 1, t->format->swap)
-                  : cosine_shades_run(t, d->shades, t->depth + at, x1 - x, thresholds, run, 0, 0);
+        FAST_LOOPS && !t->dither
+            ? cosine_shades_run(t, d->shades, before, last, thresholds, run, 0, 0)
+            : cosine_shades_run(t, d->shades, before, last, thresholds, run, FAST_LOOPS || t->dither, t->format->swap);
     else if (FAST_LOOPS && d->is_565 && d->loop.usable && second == SECOND_POWER)
-        t->dither ? quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_POWER, 1, t->format->swap)
-                  : quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_POWER, 0, t->format->swap);
+        t->dither ? quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 1, t->format->swap)
+                  : quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 0, t->format->swap);
     else if (FAST_LOOPS && d->is_565 && d->loop.usable)
-        quick_run(t, d, t->depth + at, x1 - x, thresholds, run, SECOND_SPECULAR, t->dither, t->format->swap);
+        quick_run(t, d, before, last, thresholds, run, SECOND_SPECULAR, t->dither, t->format->swap);
     else
         (d->fog       ? d->fog->mixer->shaded_run
          : d->by_ramp ? d->light.ramp->reader->shaded_run
@@ -141,71 +142,92 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 }
 
 #if FAST_LOOPS
-SPECIALISED void own_rows(const struct tile *t, const struct quadric_setup *q, enum second second, unsigned dither)
-{
-    const struct draw *d = q->s.draw;
-    struct quadric stepped[2]; /* a row: L.N, and the second */
-    int32_t y = t->first_row;
+/* What is stepped a row, at column 0: the depth before it, z and the quadrics. */
+struct row_walk {
+    uint16_t *line;
+    uint32_t z;
+    struct quadric f, u;
+};
 
-    stepped[0] = sheen_quadric_from(&q->diffuse, y - q->y);
+SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum second second, unsigned dither)
+{
+    const struct quadric_setup *q = (const struct quadric_setup *)s;
+    const struct span *span = t->spans, *end = span + t->rows;
+    int32_t y = t->first_row;
+    struct row_walk walk;
+
+    walk.line = t->depth + (y - t->rect.y0) * (int32_t)t->pitch - t->rect.x0 - 1;
+    walk.z = plane_at(&s->depth, 0, y);
+    sheen_quadric_from(&walk.f, &q->diffuse, -q->x, y - q->y);
     if (second != SECOND_NONE)
-        stepped[1] = sheen_quadric_from(&q->second, y - q->y);
-    for (const struct span *span = t->spans, *end = span + t->rows; span != end; span++, y++) {
-        int32_t x = span->x0, x1 = span->x1;
-        struct quadric *at = stepped;
+        sheen_quadric_from(&walk.u, &q->second, -q->x, y - q->y);
+    do {
+        const int32_t x = span->x0, x1 = span->x1;
+        struct row_walk *at = &walk;
         OPAQUE(at); /* it stays in memory: the pixels' loop takes all registers */
         if (x < x1) {
-            const threshold_t *thresholds = dither && second != SECOND_NONE ? t->dither_rows[y & 7] : NULL;
+            const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
             OPAQUE(thresholds); /* early: what loads them needs registers, too */
-            struct shaded_run run = {plane_at(&q->s.depth, x, y), q->s.depth.dx, 0, 0, 0, 0, 0, 0};
-            quadric_run(&at[0], x - q->x, &run.f, &run.df, &run.ddf);
-            if (second != SECOND_NONE)
-                quadric_run(&at[1], x - q->x, &run.u, &run.du, &run.ddu);
-            if (second != SECOND_NONE)
-                quick_run(t, d, t->depth + tile_offset(t, x, y), x1 - x, thresholds, &run, second, dither, 1);
-            else
-                cosine_shades_run(t, d->shades, t->depth + tile_offset(t, x, y), x1 - x, t->dither_rows[y & 7], &run,
-                                  dither, 1);
+            uint16_t *line = at->line;
+            uint32_t z = at->z;
+            OPAQUE_BOTH(line, z);
+            struct shaded_run run = {z + (uint32_t)x * s->depth.dx, s->depth.dx, 0, 0, 0, 0, 0, 0};
+            quadric_run(&at->f, x, &run.f, &run.df, &run.ddf);
+            if (second != SECOND_NONE) {
+                quadric_run(&at->u, x, &run.u, &run.du, &run.ddu);
+                quick_run(t, s->draw, line + x, line + x1, thresholds, &run, second, dither, 1);
+            } else {
+                cosine_shades_run(t, s->draw->shades, line + x, line + x1, thresholds, &run, dither, 1);
+            }
         }
-        at = stepped;
+        at = &walk;
         OPAQUE(at);
-        quadric_down(&at[0]);
+        at->line += t->pitch;
+        at->z += s->depth.dy;
+        quadric_down(&at->f);
         if (second != SECOND_NONE)
-            quadric_down(&at[1]);
-    }
+            quadric_down(&at->u);
+        y++;
+        span++;
+        OPAQUE(span);
+    } while (span != end);
 }
 
-static APART void cosine_shades_rows(const struct tile *t, const struct quadric_setup *q)
+static void plain_shades_rows(const struct tile *t, const struct setup *s)
 {
-    own_rows(t, q, SECOND_NONE, 0);
+    own_rows(t, s, SECOND_NONE, 0);
 }
 
-static APART void plain_rows(const struct tile *t, const struct quadric_setup *q)
+static void plain_power_rows(const struct tile *t, const struct setup *s)
 {
-    own_rows(t, q, SECOND_POWER, 0);
+    own_rows(t, s, SECOND_POWER, 0);
 }
 
-static APART void dithered_rows(const struct tile *t, const struct quadric_setup *q)
+static void dithered_shades_rows(const struct tile *t, const struct setup *s)
 {
-    own_rows(t, q, SECOND_NONE, 1);
+    own_rows(t, s, SECOND_NONE, 1);
 }
 
-static APART void dithered_power_rows(const struct tile *t, const struct quadric_setup *q)
+static void dithered_power_rows(const struct tile *t, const struct setup *s)
 {
-    own_rows(t, q, SECOND_POWER, 1);
-}
-
-/* Loops of their own are in the order of a panel's bus. */
-int sheen_quadric_own_rows(const struct tile *t, const struct quadric_setup *q)
-{
-    const enum second second = (enum second)q->s.detail;
-
-    if (t->format->swap && shades_will_do(q->s.draw, second))
-        t->dither ? dithered_rows(t, q) : cosine_shades_rows(t, q);
-    else if (t->format->swap && q->s.draw->is_565 && q->s.draw->loop.usable && second == SECOND_POWER)
-        t->dither ? dithered_power_rows(t, q) : plain_rows(t, q);
-    else
-        return 0;
-    return 1;
+    own_rows(t, s, SECOND_POWER, 1);
 }
 #endif
+
+/* Loops of their own are in the order of a panel's bus. */
+void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second)
+{
+    struct quadric_setup *q = (struct quadric_setup *)s;
+
+    q->x = (int16_t)g->origin[0];
+    q->y = (int16_t)g->origin[1];
+    s->detail = (uint8_t)second;
+    s->rows = sheen_quadric_rows;
+#if FAST_LOOPS
+    const struct draw *d = s->draw;
+    if (d->swap && shades_will_do(d, second))
+        s->rows = d->dither ? dithered_shades_rows : plain_shades_rows;
+    else if (d->swap && second == SECOND_POWER && d->is_565 && d->loop.usable)
+        s->rows = d->dither ? dithered_power_rows : plain_power_rows;
+#endif
+}

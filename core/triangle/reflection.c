@@ -162,10 +162,7 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
     if ((highlight && (g->bits > MAGNIFIED || too_sharp(&e, f, s->draw))) || !sheen_quadric_steps(&steps, g))
         return 0;
     s->way = SHEEN_WAY_PHONG_QUADRATIC;
-    s->rows = sheen_quadric_rows;
-    s->detail = highlight ? SECOND_POWER : SECOND_NONE;
-    q->x = (int16_t)g->origin[0];
-    q->y = (int16_t)g->origin[1];
+    sheen_take_quadric_rows(s, g, highlight ? SECOND_POWER : SECOND_NONE);
     sheen_corner_quadric(&q->diffuse, &steps, ((uint32_t)f->ln[0] << 15) + (1u << 14), (f->ln[1] - f->ln[0]) * 2,
                          (f->ln[2] - f->ln[0]) * 2, e.light);
     if (highlight)
