@@ -213,8 +213,10 @@ unsigned sheen_slerp_normal_parts(const struct arc_row *r)
 static void draw_normals(const struct tile *t, struct arc_row *r, const struct part *p)
 {
     const struct setup *s = r->s;
-    struct normal_run run = {.z = plane_at(&s->depth, p->x, r->y), .dz = s->depth.dx};
+    struct normal_run run;
 
+    run.z = plane_at(&s->depth, p->x, r->y);
+    run.dz = s->depth.dx;
     sheen_slerp_normals(r, p, run.n, run.dn);
     draw_normal_run(t, s->draw, p->x, p->x1, r->y, &run);
 }
@@ -260,12 +262,8 @@ static APART void begin_row(const struct tile *t, struct arc_row *r, const struc
         x[side] = cross_edge(r->at, j * other, &arc[j], centre, &r->weight[side], normal[side]);
     }
     sheen_arc_begin(&r->arc, normal[0], normal[1]);
-    for (int side = 0; r->s->way == SHEEN_WAY_SLERP && side < 2; side++) {
-        uint16_t kept[2];
-        sheen_keep_cosines(r->s->draw, normal[side], kept);
-        r->arc.end[side][0] = (int16_t)kept[0];
-        r->arc.end[side][1] = (int16_t)kept[1];
-    }
+    for (int side = 0; r->s->way == SHEEN_WAY_SLERP && side < 2; side++)
+        sheen_keep_cosines(r->s->draw, normal[side], (uint16_t *)r->arc.end[side]);
     r->from = x[0] + t->centre_x * 1024;
     r->width = max32(x[1] - x[0], 1);
     r->up = clz32((uint32_t)r->width);
