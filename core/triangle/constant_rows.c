@@ -6,25 +6,29 @@
 SPECIALISED void constant_rows(const struct tile *t, const struct constant_setup *s, unsigned grey)
 {
     const struct plane depth = s->s.depth;
-    const struct span *span = t->spans, *end = span + t->rows;
-    uint32_t z = depth.base + (uint32_t)t->first_row * depth.dy;
-    uint32_t line = (uint32_t)(t->first_row - t->rect.y0) * t->pitch - (uint32_t)t->rect.x0;
-    const uint16_t pixel = s->pixel;
+    const struct span *span = t->spans, *spans_end = span + t->rows;
+    const uint16_t pixel = s->pixel, pitch = t->pitch;
+    const intptr_t to_pixel = t->to_pixel;
+    uint32_t z_row = depth.base + (uint32_t)t->first_row * depth.dy;
+    uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)pitch - t->rect.x0;
 
     do {
-        int32_t x = span->x0, count = span->x1 - x;
-        uint32_t at_z = z + (uint32_t)x * depth.dx;
-        for (uint32_t at = line + (uint32_t)x; count > 0; count--, at++, at_z += depth.dx) {
-            if (!nearer(t, t->depth + at, at_z))
+        const int32_t x = span->x0;
+        uint16_t *at = line + x;
+        const uint16_t *end = line + span->x1;
+        uint32_t z = z_row + (uint32_t)x * depth.dx;
+        for (; at < end; at++, z += depth.dx) {
+            OPAQUE(end); /* else gcc counts pixels before a row */
+            if (!nearer(t, at, z))
                 continue;
             if (grey)
-                ((uint8_t *)t->pixels)[at] = (uint8_t)pixel;
+                ((uint8_t *)t->pixels)[at - t->depth] = (uint8_t)pixel;
             else
-                ((uint16_t *)t->pixels)[at] = pixel;
+                *pixel_at(at, to_pixel) = pixel;
         }
-        line += t->pitch;
-        z += depth.dy;
-    } while (++span != end);
+        line += pitch;
+        z_row += depth.dy;
+    } while (++span != spans_end);
 }
 
 void sheen_constant_rows(const struct tile *t, const struct setup *s)
