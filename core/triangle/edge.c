@@ -1,5 +1,5 @@
 /*
- * edge.c - where an edge crosses pixel rows, exactly.
+ * edge.c - where edges cross pixel rows, exactly: the spans of a triangle.
  *
  * A crossing is a multiple of 1/(64 height) px, at least 2^-22. It is stepped in 2^-32 px from a start that lies
  * below it by more than nothing and by less than that: the column, the first centre at or right of the crossing, is
@@ -40,22 +40,23 @@ static inline struct course by_division(int32_t width, int32_t height, int32_t r
     return c;
 }
 
-/* The same of a short edge, Q6.25 px. */
-struct short_course {
-    int32_t start, step;
-};
+/* x * 2^n, 1 <= n <= 31: two shifts, of which gcc makes more. */
+static inline int64_t shifted64(int32_t x, unsigned n)
+{
+    return (int64_t)((uint64_t)(uint32_t)asr32(x, 32 - n) << 32 | (uint32_t)x << n);
+}
 
 /*
- * |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in
- * Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits.
+ * The same of a short edge, |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes
+ * near width / height in Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so
+ * their product fits.
  */
-static inline struct short_course course_of(int32_t slope, int32_t more, int32_t rest)
+static inline struct course course_of(int32_t slope, int32_t more, int32_t rest)
 {
-    struct short_course c;
+    const int32_t step = (int32_t)((uint32_t)slope * 32u + (uint32_t)more);
+    const struct course c = {shifted64(asr32(rest * (slope + asr32(more, 5)), SUBPIXEL_BITS) - 4, 12),
+                             shifted64(step, 7)};
 
-    c.step = (int32_t)((uint32_t)slope * 32u + (uint32_t)more);
-    slope += asr32(more, 5);
-    c.start = asr32(rest * slope, SUBPIXEL_BITS) * 32 - 128;
     return c;
 }
 
@@ -64,7 +65,7 @@ static inline struct short_course course_of(int32_t slope, int32_t more, int32_t
  * With the seed of a reciprocal and one residual. Below 1 px of height there is one row at most and a slope that wraps
  * is not used.
  */
-static inline struct short_course short_course(int32_t width, int32_t height, int32_t rest)
+static inline struct course short_course(int32_t width, int32_t height, int32_t rest)
 {
     unsigned up = 21; /* to 31 */
     uint32_t normal = (uint32_t)height << up;
@@ -78,7 +79,7 @@ static inline struct short_course short_course(int32_t width, int32_t height, in
     return course_of(slope, asr32(asr32(left, 2) * (seed >> 1), 39 - up), rest);
 }
 #else
-static inline struct short_course short_course(int32_t width, int32_t height, int32_t rest)
+static inline struct course short_course(int32_t width, int32_t height, int32_t rest)
 {
     int32_t slope = width * (1 << 20) / height, left = width * (1 << 20) - slope * height;
 
@@ -89,70 +90,15 @@ static inline struct short_course short_course(int32_t width, int32_t height, in
 /* The edge's next `rows` columns, one at least, every second int16_t from *column on; returns where it goes on. */
 static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *column)
 {
+    const int16_t *end = column + 2 * rows;
+
     do {
         *column = (int16_t)asr64(at, 32);
         column += 2;
         at += step;
-        OPAQUE(rows); /* else gcc multiplies for what `at` becomes */
-    } while (--rows != 0);
-    return at;
-}
-
-/* The same along a short edge, from column `whole` on. */
-static inline int32_t short_columns(int32_t at, int32_t step, int32_t whole, int32_t rows, int16_t *column)
-{
-    const int16_t *end = column + 2 * rows;
-
-    do {
-        *column = (int16_t)(whole + asr32(at, 25));
-        column += 2;
-        at = (int32_t)((uint32_t)at + (uint32_t)step);
-        OPAQUE(column);
+        OPAQUE(column); /* else gcc multiplies for what `at` becomes */
     } while (column != end);
     return at;
-}
-
-/* An edge on its way. */
-struct edge_job {
-    int32_t x, width, height, rest; /* from the upper end, 1/64 px; rest: down to its first row, 0..63 */
-    int32_t skipped, rows;          /* rows before `to`, and in it */
-    int16_t *column;
-};
-
-/* Its columns; what is left goes to *e, NULL: nothing is. */
-static inline void long_edge(const struct edge_job *j, struct edge *e)
-{
-    struct course c = by_division(j->width, j->height, j->rest);
-
-    c.start += (int64_t)(j->x + SUBPIXEL_HALF) * (1 << 26); /* the whole part is the column */
-    if (j->skipped != 0)
-        c.start += j->skipped * c.step;
-    if (j->rows > 0)
-        c.start = columns(c.start, c.step, j->rows, j->column);
-    if (e != NULL) {
-        e->at = c.start;
-        e->step = c.step;
-    }
-}
-
-static inline void short_edge(const struct edge_job *j, struct edge *e)
-{
-    struct short_course c = short_course(j->width, j->height, j->rest);
-    int32_t x = j->x + SUBPIXEL_HALF, whole = asr32(x, SUBPIXEL_BITS);
-
-    c.start += (x & (SUBPIXEL_ONE - 1)) << 19;
-    c.start += j->skipped * c.step;
-    if (j->rows > 0)
-        c.start = short_columns(c.start, c.step, whole, j->rows, j->column);
-    if (e != NULL) {
-        e->at = (int64_t)whole * ((int64_t)1 << 32);
-        e->step = (int64_t)c.step * 128;
-        if (j->rows > 0) { /* from its last row: below that 32 bits may be too few */
-            e->at += e->step;
-            c.start = (int32_t)((uint32_t)c.start - (uint32_t)c.step);
-        }
-        e->at += (int64_t)c.start * 128;
-    }
 }
 
 /*
@@ -162,48 +108,89 @@ static inline void short_edge(const struct edge_job *j, struct edge *e)
 static inline void edge_begin(struct edge *e, const struct screen_corner *upper, const struct screen_corner *lower,
                               const struct edge_rows *to, int16_t *column)
 {
-    int32_t first = upper->row, end = lower->row, row = to->row;
-    struct edge_job j = {upper->x, lower->x - upper->x, lower->y - upper->y, 0, 0, end - first, NULL};
+    const int32_t first = upper->row, end = lower->row, width = lower->x - upper->x, height = lower->y - upper->y;
+    int32_t row = first, rows = end - first;
 
-    if (to->whole) {
-        e = NULL;
-    } else {
+    if (!to->whole) {
         e->first = (int16_t)first;
         e->end = (int16_t)end;
-        j.skipped = max32(row - first, 0);
-        j.rows = min32(end, to->end) - first - j.skipped;
+        row = max32(first, to->row);
+        rows = min32(end, to->end) - row;
     }
-    if (end <= first + j.skipped)
+    if (end <= row)
         return;
-    j.rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y;
-    j.column = column + 2 * (first + j.skipped - row);
-    if (j.height < SHORT && (uint32_t)(j.width + SHORT - 1) < 2 * SHORT - 1)
-        short_edge(&j, e);
-    else
-        long_edge(&j, e);
+    const int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y; /* 0..63: down to the first row */
+    struct course c = height < SHORT && (uint32_t)(width + SHORT - 1) < 2 * SHORT - 1
+                          ? short_course(width, height, rest)
+                          : by_division(width, height, rest);
+    c.start += shifted64(upper->x + SUBPIXEL_HALF, 26); /* the whole part is the column */
+    if (row != first)
+        c.start += (row - first) * c.step;
+    if (rows > 0)
+        c.start = columns(c.start, c.step, rows, column + 2 * (row - to->row));
+    if (!to->whole) {
+        e->at = c.start;
+        e->step = c.step;
+    }
 }
 
 /* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
-unsigned sheen_edges_begin(struct edge edge[3], const struct screen_corner at[3], const struct edge_rows *to,
+unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], const struct edge_rows *to,
                            struct span *spans)
 {
-    const struct screen_corner *from = &at[2];
+    const struct screen_corner *from = &at[2], *const last = from;
     unsigned right = 0;
 
-    for (unsigned k = 0; k < 3; k++) { /* edges 20, 01, 12 */
-        const struct screen_corner *end = &at[k];
+    for (const struct screen_corner *end = at;; from = end++, edge++) { /* edges 20, 01, 12 */
         unsigned down = end->y > from->y;
-        right |= down << k;
-        edge_begin(&edge[k], down ? from : end, down ? end : from, to, down ? &spans->x1 : &spans->x0);
-        from = end;
+        right = right >> 1 | down << 2;
+        edge_begin(edge, down ? from : end, down ? end : from, to, down ? &spans->x1 : &spans->x0);
+        if (end == last)
+            return right;
     }
-    return right;
 }
 
-void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column)
-{
-    int32_t from = max32(e->first, to->row), rows = min32(e->end, to->end) - from;
+/* ---- rows below ---- */
 
-    if (rows > 0)
-        e->at = columns(e->at, e->step, rows, column + 2 * (from - to->row));
+void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
+{
+    for (unsigned row = 0; row < rows; row++) {
+        spans[row].x0 = (int16_t)max32(spans[row].x0, rect.x0);
+        spans[row].x1 = (int16_t)min32(spans[row].x1, rect.x1);
+    }
+}
+
+void sheen_spans_back(struct setup *s, int32_t row)
+{
+    const int32_t end = s->row;
+    int32_t top = end;
+
+    for (int k = 0; k < 3; k++) {
+        struct edge *e = &s->edge[k];
+        for (int32_t rows = min32(e->end, end) - max32(e->first, row); rows > 0; rows--) {
+            e->at -= e->step;
+            OPAQUE(rows); /* else gcc multiplies */
+        }
+        top = min32(top, e->first);
+    }
+    s->row = (int16_t)max32(row, top);
+}
+
+unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)
+{
+    const int32_t row = s->row, end = min32(s->end_row, rect.y1);
+    struct edge *e = s->edge;
+
+    if (row >= end)
+        return 0;
+    for (unsigned right = s->right | 8u; right != 1; right >>= 1, e++) { /* a bit an edge, and one after the last */
+        const int32_t first = max32(e->first, row), rows = min32(e->end, end) - first;
+        struct span *span = spans + (first - row);
+        if (rows > 0)
+            e->at = columns(e->at, e->step, rows, right & 1 ? &span->x1 : &span->x0);
+    }
+    s->row = (int16_t)end;
+    if (s->beyond)
+        sheen_clip_spans(spans, (unsigned)(end - row), rect);
+    return (unsigned)(end - row);
 }

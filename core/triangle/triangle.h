@@ -237,15 +237,13 @@ struct screen_corner {
 
 /*
  * edge.c: the edges of clockwise corners, columns in `to` written to spans[0], which is row to->row, and on. Returns a
- * bit an edge, 1 where it bounds the right. Then what is left of an edge below, each in every second int16_t from
- * *column on.
+ * bit an edge, 1 where it bounds the right.
  */
-unsigned sheen_edges_begin(struct edge edge[3], const struct screen_corner at[3], const struct edge_rows *to,
+unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], const struct edge_rows *to,
                            struct span *spans);
-void sheen_edge_go_on(struct edge *e, const struct edge_rows *to, int16_t *column);
 
 /*
- * spans.c: the next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row.
+ * The next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row.
  * Before that it may go back to `row`, no farther above where it stands than the screen's `again`.
  */
 void sheen_spans_back(struct setup *s, int32_t row);
