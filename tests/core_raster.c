@@ -35,7 +35,8 @@ unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struc
 {
     const int16_t *parts = corner_parts(&r->mesh, r->draw.shader);
     const int size = r->draw.shader->needs_uvs ? 2 : 3;
-    struct surface_corners c = {.at.triangle = 0};
+    struct lit_facet facet = {.draw = NULL};
+    struct surface_corners c = {.at.triangle = 0, .facet = &facet};
     struct gradients g;
 
     for (int k = 0; k < 3; k++) {

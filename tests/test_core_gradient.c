@@ -106,7 +106,7 @@ static int gradients_of(const struct shape2 *s, struct gradients *g)
         g->to2[i] = at[2] - at[0];
         all |= magnitude32(g->to1[i]) | magnitude32(g->to2[i]);
     }
-    g->bits = 32 - clz32(all);
+    g->bits = (uint16_t)(32 - clz32(all));
     g->area = (uint32_t)s->area;
     return sheen_gradients(g, s->x[0], s->y[0]);
 }

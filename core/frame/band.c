@@ -92,6 +92,7 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
     struct gradients g;
 
     sheen_entry_corners(f, d, e, &c.at);
+    c.facet = &t->facet;
     if (d->as.morph != NULL)
         d->as.morph->morpher->corners(&d->as, &c.at, w);
     s->entry = (uint16_t)e;

@@ -374,6 +374,13 @@ struct span {
     int16_t x0, x1;
 };
 
+/* The facet that was lit last in a tile: triangles of a polygon mostly follow each other. */
+struct lit_facet {
+    const void *draw; /* NULL: none yet */
+    uint32_t facet;
+    uint16_t diffuse, specular; /* as in struct lit */
+};
+
 /* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */
 struct tile {
     struct sheen_rect rect; /* px on the target */
@@ -389,6 +396,7 @@ struct tile {
     const struct span *spans;
     int16_t first_row; /* of the spans */
     uint16_t rows;
+    struct lit_facet facet;
 #if SHEEN_STATS
     uint32_t *shaded;
 #endif

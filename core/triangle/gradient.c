@@ -25,8 +25,8 @@ int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 
     if (zeros + g->bits > FLATTEST)
         return 0;
-    g->exponent = 40 - (int)(zeros + g->bits);
-    g->stretch = (int)(2 * g->bits + zeros) - 32;
+    g->exponent = (uint16_t)(40 - (zeros + g->bits));
+    g->stretch = (int16_t)((int)(2u * g->bits + zeros) - 32);
     g->wide = g->bits > NARROW_BITS || g->stretch > WIDEST_STRETCH;
     g->b1[0] = asr32(g->to2[1] * seed + half, shift);
     g->b1[1] = asr32(half - g->to2[0] * seed, shift);

@@ -49,12 +49,33 @@ void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16
             normal[i] = (int16_t)-max32(normal[i], -32767);
 }
 
+/* Triangles of equal facets have the same normal: the polygon, where it has one that does not change. */
+static uint32_t facet_of(const struct draw *d, uint32_t triangle)
+{
+    const struct sheen_mesh *mesh = d->mesh;
+
+    return mesh->polygons != NULL && mesh->polygon_normals != NULL && d->morph == NULL ? mesh->polygons[triangle]
+                                                                                       : triangle;
+}
+
 void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
 {
+    const struct draw *d = s->draw;
+    struct lit_facet *last = c->facet;
+    const uint32_t facet = 2 * facet_of(d, c->at.triangle) + c->back;
     int16_t normal[3];
 
-    sheen_facet_normal(s->draw, c->at.triangle, c->back, normal);
-    light_normal(&s->draw->light, &s->draw->power, normal, lit);
+    if (last->draw == d && last->facet == facet) {
+        lit->diffuse = last->diffuse;
+        lit->specular = last->specular;
+        return;
+    }
+    sheen_facet_normal(d, c->at.triangle, c->back, normal);
+    light_normal(&d->light, &d->power, normal, lit);
+    last->draw = d;
+    last->facet = facet;
+    last->diffuse = (uint16_t)lit->diffuse;
+    last->specular = (uint16_t)lit->specular;
 }
 
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit)

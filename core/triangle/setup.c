@@ -49,7 +49,7 @@ static void orient(struct surface_corners *c, struct gradients *g)
     g->to1[1] = y1;
     g->to2[0] = x2;
     g->to2[1] = y2;
-    g->bits = 32 - clz32(magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2));
+    g->bits = (uint16_t)(32 - clz32(magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2)));
     if (g->bits <= NARROW_BITS) {
         low = x1 * y2 - y1 * x2;
         c->back = low < 0;

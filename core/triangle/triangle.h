@@ -140,9 +140,10 @@ struct surface_corners {
     struct corners at;
     uint32_t weight[3]; /* sheen_weigh: UQ0.32, proportional to 1/m, the largest in [1/2, 1); all equal where affine */
     const struct screen *screen;
-    uint8_t back;        /* a back face: normals are negated */
-    uint8_t flat;        /* too flat for gradients */
-    uint8_t flat_weight; /* sheen_weigh: all weights are equal */
+    struct lit_facet *facet; /* the tile's */
+    uint8_t back;            /* a back face: normals are negated */
+    uint8_t flat;            /* too flat for gradients */
+    uint8_t flat_weight;     /* sheen_weigh: all weights are equal */
 };
 
 /*
@@ -152,13 +153,13 @@ struct surface_corners {
 struct gradients {
     int32_t to1[2], to2[2]; /* from corner 0 to corners 1 and 2, 1/64 px */
     uint32_t area;          /* twice, 1/4096 px^2; > 0 */
-    unsigned bits;          /* length of the longest difference, 1..16 */
     int32_t b1[2], b2[2];   /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^15 */
-    int exponent;           /* 4..24 */
-    int stretch;            /* logarithm of extent^2 / area, within 1 below and 2 above; a needle's is large */
-    unsigned wide;          /* planes take steps of 31 bits */
     int32_t centre[2];      /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
     int32_t origin[2];      /* the origin pixel: the one that holds corner 0 */
+    uint16_t bits;          /* length of the longest difference, 1..16 */
+    uint16_t exponent;      /* 4..24 */
+    int16_t stretch;        /* logarithm of extent^2 / area, within 1 below and 2 above; a needle's is large */
+    uint16_t wide;          /* planes take steps of 31 bits */
 };
 
 #define NARROW_BITS 14   /* 256 px */
