@@ -8,6 +8,7 @@
  */
 #include <string.h>
 
+#include "../pixel/thumb.h"
 #include "frame.h"
 
 /* ---- pending triangles ---- */
@@ -59,8 +60,12 @@ static void fill(uint64_t *at, size_t count, uint16_t pixel)
     const uint32_t pair = pixel | (uint32_t)pixel << 16;
     const uint64_t four = pair | (uint64_t)pair << 32, *end = at + (count + 3) / 4, *blocks = at + (count / 32) * 8;
 
+#if THUMB_LOOPS
+    at = thumb_fill(at, blocks, pair);
+#else
     for (; at != blocks; at += 8)
         at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = four;
+#endif
     while (at != end)
         *at++ = four;
 }

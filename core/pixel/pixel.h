@@ -258,6 +258,16 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 #endif
 }
 
+/* The same of a value in the high half of a word. */
+static inline uint16_t high_order(uint32_t value, unsigned swap)
+{
+#ifdef __GNUC__
+    if (swap)
+        return (uint16_t)__builtin_bswap32(value);
+#endif
+    return pixel_order(value >> 16, swap);
+}
+
 /*
  * What is added before the one rounding: thresholds (B + 1/2) / 64 of the 8x8
  * Bayer matrix, in 1/128, row y mod 8; the ninth row is 1/2 throughout, no dither.
@@ -462,12 +472,16 @@ static inline const uint8_t *threshold_row(const struct tile *t, unsigned dither
 #define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
 #endif
 
-/* Blue's whole levels come down to bits 0 to 4; what red leaves above bit 15 is cut. */
+/* The pixel in the high half, where red's whole levels stand; blue's go up to it, and what red has there leaves. */
 SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
 {
-    uint32_t red_blue = p.red_blue & 0xf800f800u;
+    const uint32_t red_blue = p.red_blue & 0xf800f800u, green = (p.green >> 26) << 21;
 
-    return pixel_order((red_blue >> 16 | red_blue >> 11 | (p.green >> 26) << 5) & 0xffffu, swap);
+#if defined(__ARM_ARCH_6M__) /* in two registers */
+    return high_order(green | red_blue | red_blue << 5, swap);
+#else
+    return high_order(red_blue | red_blue << 5 | green, swap);
+#endif
 }
 
 /* pair: of the pixel, threshold_pair's. */

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "../pixel/thumb.h"
 #include "triangle.h"
 
 SETUP_FITS(struct linear_setup);
@@ -30,11 +31,17 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
     return most >> 6 <= (least >> 6) * unit;
 }
 
+/* Steps of 11 fraction bits do for 64 px: corners lie on both sides of corner 0. */
+static int packable(const struct gradients *g)
+{
+    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS;
+}
+
 void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
     struct shades_setup *r = (struct shades_setup *)s;
 
-    s->rows = sheen_shades_rows;
+    s->rows = THUMB_LOOPS && !packable(g) ? sheen_wide_shades_rows : sheen_shades_rows;
     r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 
@@ -51,12 +58,6 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
             leave |= f[k] < margin || f[k] > terms->top[i] - margin;
     }
     return leave != 0;
-}
-
-/* Steps of 11 fraction bits do for 64 px: corners lie on both sides of corner 0. */
-static int packable(const struct gradients *g)
-{
-    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS;
 }
 
 /*

@@ -5,14 +5,9 @@
  * pixels come from the draw's shades. Else colour is linear in the intensities, so the channels are stepped, in levels,
  * and rounded once a pixel.
  */
-#include "packed_rows.h"
+#include "thumb_runs.h"
 
 /* ---- one number and finished pixels ---- */
-
-/* What changes along a run, and its steps. */
-struct shades_at {
-    uint32_t z, f;
-};
 
 SPECIALISED void shades_pixel(const struct tile *t, uint16_t *depth, intptr_t to_pixel, struct shades_at *at,
                               struct shades_at step, const uint16_t *shades)
@@ -54,6 +49,25 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
     } while (++span != end);
 }
 
+#if THUMB_LOOPS
+void sheen_wide_shades_rows(const struct tile *t, const struct setup *s)
+{
+    const struct shades_setup *r = (const struct shades_setup *)s;
+    struct thumb_shades run = {
+        .step = {s->depth.dx, r->diffuse.dx}, .to_pixel = t->to_pixel, .shades = s->draw->shades->pixel};
+    const struct span *span = t->spans;
+
+    for (int32_t y = t->first_row, end = y + t->rows; y != end; y++, span++) {
+        run.depth = t->depth + tile_offset(t, span->x0, y);
+        run.count = span->x1 - span->x0;
+        run.at.z = plane_at(&s->depth, span->x0, y);
+        run.at.f = plane_at(&r->diffuse, span->x0, y);
+        if (run.count > 0)
+            thumb_shades_run(&run);
+    }
+}
+#endif
+
 /* ---- three channels in two words ---- */
 
 SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s, unsigned dither, unsigned swap)
@@ -92,6 +106,20 @@ void sheen_packed_rows(const struct tile *t, const struct setup *s)
         swap ? packed_rows(t, p, 0, 1) : packed_rows(t, p, 0, 0);
 }
 
+/* packed_run, written for where it counts. */
+SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, struct packed_at at,
+                          struct packed_at step, struct packed_way way, const threshold_t *thresholds)
+{
+#if THUMB_LOOPS
+    if (way.swap && !way.dither) {
+        const struct thumb_packed run = {step, depth, count, way.to_pixel, at};
+        thumb_packed_run(&run);
+        return;
+    }
+#endif
+    packed_run(t, depth, count, at, step, way, thresholds);
+}
+
 /* Wide triangles: packed anew every COLUMN px. */
 SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
 {
@@ -100,16 +128,22 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
     const uint32_t steps[3] = {c[0].dx, c[1].dx, c[2].dx}, half = dither ? 0 : 1u << (fraction - 1);
     const struct packed_at step = {l->s.depth.dx, pack_channels(steps, fraction)};
     const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
+    const struct span *span = t->spans;
 
-    for (unsigned row = 0; row < t->rows; row++) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        while (x < x1) {
-            int32_t end = min32(x1, (x | (COLUMN - 1)) + 1);
-            uint32_t channel[3] = {plane_at(&c[0], x, y) + half, plane_at(&c[1], x, y) + half,
-                                   plane_at(&c[2], x, y) + half};
-            const struct packed_at at = {plane_at(&l->s.depth, x, y), pack_channels(channel, fraction)};
-            packed_run(t, t->depth + tile_offset(t, x, y), end - x, at, step, way, t->dither_rows[y & 7]);
-            x = end;
+    for (int32_t y = t->first_row, end = y + t->rows; y != end; y++, span++) {
+        int32_t x = span->x0, left = span->x1 - x;
+        uint32_t channel[3] = {plane_at(&c[0], x, y) + half, plane_at(&c[1], x, y) + half,
+                               plane_at(&c[2], x, y) + half};
+        struct packed_at at = {plane_at(&l->s.depth, x, y), {0, 0}};
+        uint16_t *depth = t->depth + tile_offset(t, x, y);
+        for (int32_t n = COLUMN - (x & (COLUMN - 1)); left > 0; left -= n, n = COLUMN) {
+            n = min32(n, left);
+            at.colour = pack_channels(channel, fraction);
+            long_run(t, depth, n, at, step, way, t->dither_rows[y & 7]);
+            depth += n;
+            at.z += (uint32_t)n * step.z;
+            for (int k = 0; k < 3; k++)
+                channel[k] += (uint32_t)n * steps[k];
         }
     }
 }
@@ -145,10 +179,10 @@ void sheen_linear_rows(const struct tile *t, const struct setup *s)
 
     if (!s->fast)
         FAST_LOOPS && !t->format->grey ? clamped_rows(t, l, 0) : clamped_rows(t, l, t->format->grey);
-    else if (!FAST_LOOPS)
+    else if (!FAST_LOOPS || !swap)
         column_rows(t, l, t->dither, swap);
     else if (t->dither)
-        swap ? column_rows(t, l, 1, 1) : column_rows(t, l, 1, 0);
+        column_rows(t, l, 1, 1);
     else
-        swap ? column_rows(t, l, 0, 1) : column_rows(t, l, 0, 0);
+        column_rows(t, l, 0, 1);
 }

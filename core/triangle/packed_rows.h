@@ -12,6 +12,11 @@ struct packed_at {
     struct packed colour;
 };
 
+/* The same of shades: see linear_rows.c. */
+struct shades_at {
+    uint32_t z, f;
+};
+
 /* Without dither rounding is in the words. */
 struct packed_way {
     intptr_t to_pixel;

@@ -309,6 +309,7 @@ int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t dif
 void sheen_linear_rows(const struct tile *t, const struct setup *s);
 void sheen_packed_rows(const struct tile *t, const struct setup *s);
 void sheen_shades_rows(const struct tile *t, const struct setup *s);
+void sheen_wide_shades_rows(const struct tile *t, const struct setup *s); /* where there are THUMB_LOOPS */
 
 /* Of channels below 2^31, in 2^16 steps: STEEPEST_DIFFERENCE at the most. */
 static inline int32_t cut_difference(uint32_t f, uint32_t f0)

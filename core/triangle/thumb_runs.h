@@ -1,0 +1,99 @@
+/*
+ * thumb_runs.h - private: loops of long runs for Cortex-M, four pixels a turn. Compilers keep neither the steps in the
+ * upper registers nor four pixels apart. What they do in C is packed_run and shades_run.
+ */
+#ifndef SHEEN_THUMB_RUNS_H
+#define SHEEN_THUMB_RUNS_H
+
+#include "../pixel/thumb.h"
+#include "packed_rows.h"
+
+#if THUMB_LOOPS
+
+/* What a run is of, in the order in which it is loaded; count: at least 1. */
+struct thumb_packed {
+    struct packed_at step;
+    uint16_t *depth;
+    int32_t count;
+    intptr_t to_pixel;
+    struct packed_at at;
+};
+
+struct thumb_shades {
+    struct shades_at step;
+    uint16_t *depth;
+    int32_t count;
+    intptr_t to_pixel;
+    struct shades_at at;
+    const uint16_t *shades;
+};
+
+/* Of n pixels it starts with the one of four that is -n & 3; n: the register of -n, whose low bits become N and C. */
+#define THUMB_FOURS(PIXEL, n, next)                                                                                    \
+    "lsls " n ", " n ", #31\n bcs 5f\n bmi 2f\n"                                                                       \
+    "1:\n" PIXEL("0") "2:\n" PIXEL("2") "3:\n" PIXEL("4") "4:\n" PIXEL("6") next "bne 1b\n b 6f\n"                     \
+                                                                                 "5: bpl 3b\n b 4b\n"                  \
+                                                                                 "6:\n"
+
+#ifdef __thumb2__
+
+/* Free: r0, r12. r4: depth, r6: from behind it to the pixel, r8: z. */
+#define THUMB_DEPTH "ldrh r0, [r4], #2\n cmp r0, r8, lsr #16\n bhs 9f\n lsr r0, r8, #16\n strh r0, [r4, #-2]\n"
+#define THUMB_RUN(PIXEL) "negs r0, r5\n add r5, r4, r5, lsl #1\n subs r6, #2\n" THUMB_FOURS(PIXEL, "r0", "cmp r4, r5\n")
+
+#define PACKED_LOAD "ldm r0, {r1-r6, r8, r10, r11}\n"
+#define PACKED_PIXEL(k)                                                                                                \
+    THUMB_DEPTH "and r0, r10, #0xf800f800\n lsr r12, r11, #26\n orr r0, r0, r0, lsl #5\n orr r0, r0, r12, lsl #21\n"   \
+                "rev r0, r0\n strh r0, [r4, r6]\n"                                                                     \
+                "9: add r8, r1\n add r10, r2\n add r11, r3\n"
+#define SHADES_LOAD "ldm r0, {r1, r2, r4-r6, r8, r10, r11}\n"
+#define SHADES_PIXEL(k)                                                                                                \
+    THUMB_DEPTH "lsr r0, r10, #20\n ldrh r0, [r11, r0, lsl #1]\n strh r0, [r4, r6]\n"                                  \
+                "9: add r8, r1\n add r10, r2\n"
+
+#else
+
+/* Free: r0, r2. r1: depth, r3: pixel, both of the first of four, r4: z. */
+#define THUMB_DEPTH(k) "ldrh r0, [r1, #" k "]\n lsrs r2, r4, #16\n cmp r2, r0\n bls 9f\n strh r2, [r1, #" k "]\n"
+#define THUMB_RUN(PIXEL)                                                                                               \
+    "lsls r0, r2, #1\n add r0, r1\n mov r12, r0\n negs r2, r2\n lsls r0, r2, #30\n lsrs r0, r0, #29\n subs r1, r0\n"   \
+    "add r3, r1\n" THUMB_FOURS(PIXEL, "r2", "adds r1, #8\n adds r3, #8\n cmp r1, r12\n")
+
+#define PACKED_LOAD                                                                                                    \
+    "movs r1, #0xf8\n lsls r1, r1, #8\n lsls r2, r1, #16\n orrs r1, r2\n mov lr, r1\n"                                 \
+    "ldm r0!, {r1-r3}\n mov r8, r1\n mov r10, r2\n mov r11, r3\n ldm r0!, {r1-r6}\n"
+#define PACKED_PIXEL(k)                                                                                                \
+    THUMB_DEPTH(k)                                                                                                     \
+    "mov r2, lr\n ands r2, r5\n lsrs r0, r6, #26\n lsls r0, r0, #21\n orrs r0, r2\n lsls r2, r2, #5\n orrs r0, r2\n"   \
+    "rev r0, r0\n strh r0, [r3, #" k "]\n"                                                                             \
+    "9: add r4, r8\n add r5, r10\n add r6, r11\n"
+#define SHADES_LOAD "ldm r0!, {r1, r2}\n mov r8, r1\n mov r10, r2\n ldm r0!, {r1-r6}\n"
+#define SHADES_PIXEL(k)                                                                                                \
+    THUMB_DEPTH(k)                                                                                                     \
+    "lsrs r0, r5, #20\n lsls r0, r0, #1\n ldrh r0, [r6, r0]\n strh r0, [r3, #" k "]\n"                                 \
+    "9: add r4, r8\n add r5, r10\n"
+
+#endif
+
+/* r7 and r9 may be the compiler's own. */
+#define THUMB_LOOP(run, LOAD, PIXEL)                                                                                   \
+    register const void *at __asm__("r0") = (run);                                                                     \
+    __asm__ volatile(".syntax unified\n" LOAD THUMB_RUN(PIXEL)                                                         \
+                     : "+r"(at)                                                                                        \
+                     :                                                                                                 \
+                     : "r1", "r2", "r3", "r4", "r5", "r6", "r8", "r10", "r11", "r12", "lr", "cc", "memory")
+
+/* Not dithered, into a target of the other byte order. */
+SPECIALISED void thumb_packed_run(const struct thumb_packed *run)
+{
+    THUMB_LOOP(run, PACKED_LOAD, PACKED_PIXEL);
+}
+
+SPECIALISED void thumb_shades_run(const struct thumb_shades *run)
+{
+    THUMB_LOOP(run, SHADES_LOAD, SHADES_PIXEL);
+}
+
+#endif
+
+#endif
