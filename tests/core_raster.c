@@ -44,7 +44,7 @@ unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struc
         c.at.v[k] = &r->vertex[corner];
         c.at.normal[k] = parts != NULL ? parts + size * corner : NULL;
     }
-    if (twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) == 0)
+    if (sheen_twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) == 0)
         return 0; /* such triangles are never listed */
     to->s.draw = &r->draw;
     unsigned rows = sheen_triangle_begin(&r->screen, rect, spans, &c, &g, &to->s);

@@ -135,7 +135,7 @@ static int random_scene(struct scene *s, struct core_raster *r, uint32_t *state,
         r->vertex[k].z = 20000;
         r->vertex[k].flags = 0;
     }
-    return twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) < -64 * 64 * 200;
+    return sheen_twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) < -64 * 64 * 200;
 }
 
 static void begin(struct core_raster *r, struct scene *s, const struct sheen_shader *shader)

@@ -29,29 +29,23 @@ static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
 
 /* ---- the tile ---- */
 
-/* Outwards to multiples of the alignment, inside the viewport, whose edges are aligned. */
-static struct sheen_rect align_rect(const struct sheen_frame *f, struct sheen_rect r)
-{
-    int32_t x = f->target->align_x > 1 ? f->target->align_x : 1, y = f->target->align_y > 1 ? f->target->align_y : 1;
-    struct sheen_rect aligned = {(int16_t)(r.x0 & -x), (int16_t)(r.y0 & -y), (int16_t)((r.x1 + x - 1) & -x),
-                                 (int16_t)((r.y1 + y - 1) & -y)};
-
-    return sheen_rect_intersection(aligned, f->viewport);
-}
-
-/* What of band b is cleared, drawn and sent. */
-static struct sheen_rect band_rect(const struct sheen_frame *f, unsigned b)
+/*
+ * What of band b is cleared, drawn and sent; 0 where nothing is. Cover and stale either hold nothing or reach into the
+ * band: so it is enough to cut what holds both. It grows outwards to multiples of the alignment, where bands have
+ * their edges, or the target its own.
+ */
+static int band_rect(const struct sheen_frame *f, unsigned b, struct sheen_rect *rect)
 {
     const struct band *band = &f->band[b];
-    struct sheen_rect strip = f->viewport;
+    struct sheen_rect r = band->cover;
 
-    strip.y0 = (int16_t)(f->viewport.y0 + (int32_t)b * f->config.band_rows);
-    strip.y1 = (int16_t)min32(strip.y0 + f->config.band_rows, f->viewport.y1);
-    if (f->send_all)
-        return strip;
-    struct sheen_rect r =
-        sheen_rect_union(sheen_rect_intersection(band->cover, strip), sheen_rect_intersection(band->stale, strip));
-    return rect_empty(r) ? r : sheen_rect_intersection(align_rect(f, r), strip);
+    sheen_band_strip(f, b, rect);
+    if (!f->send_all) {
+        sheen_rect_unite(&r, &band->stale);
+        sheen_rect_align(&r, f->target);
+        sheen_rect_cut(rect, &r);
+    }
+    return !rect_empty(*rect);
 }
 
 /* count pixels of two bytes, and up to three more: stores are whole multiples of 8 B. */
@@ -70,14 +64,22 @@ static void fill(uint64_t *at, size_t count, uint16_t pixel)
         *at++ = four;
 }
 
+/* The user's own 2D on the tile. */
+static APART void paint(const struct sheen_frame *f, const struct tile *t,
+                        void (*painter)(void *ctx, const struct sheen_canvas *canvas))
+{
+    const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
+
+    painter(f->view.ctx, &canvas);
+}
+
 static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 {
     size_t count = (size_t)t->pitch * (size_t)(t->rect.y1 - t->rect.y0);
 
     fill((uint64_t *)(void *)t->depth, count, DEPTH_FAR);
     if (f->view.underlay != NULL) {
-        const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
-        f->view.underlay(f->view.ctx, &canvas);
+        paint(f, t, f->view.underlay);
         return;
     }
     uint16_t background = sheen_colour_bytes(t->format, f->view.background);
@@ -129,49 +131,51 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
         SHEEN_TAP_ROWS(t, s);
 }
 
-/*
- * Draw entry e's rows in the tile. *link is the carried list's place for e.
- * Returns the link for the next entry; clears *going_on when the triangle is done.
- */
-static uint8_t *draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
-                           const struct draw_record *d, uint8_t *link, int *going_on)
+/* The slot at *from, the head of a list or a link in one, goes to *to. */
+static void move_slot(struct worker *w, uint8_t *from, uint8_t *to)
 {
-    struct setup *s = slot_of(w, f->config.max_carried); /* the spare one, where no slot is free */
-    uint8_t slot = *link;
-    int carried = slot != NO_SLOT && slot_of(w, slot)->entry == e;
+    const uint8_t slot = *from;
+    struct setup *s = slot_of(w, slot);
+
+    *from = s->next;
+    s->next = *to;
+    *to = slot;
+}
+
+/*
+ * Draw entry e's rows in the tile: 0 when the triangle is done. *link: the carried list's place for e, which becomes
+ * the next entry's.
+ */
+static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
+                      const struct draw_record *d, uint8_t **link)
+{
+    uint8_t *place = *link, slot = *place;
+    struct setup *s = slot_of(w, slot);
+    const int carried = s->entry == e;
 
     SHEEN_TAP(CARRIED, carried);
     if (carried) {
-        s = slot_of(w, slot);
         t->first_row = s->row;
         t->rows = (uint16_t)sheen_spans(s, t->rect, w->spans);
     } else {
         slot = w->first_free;
-        uint8_t next_free = NO_SLOT;
-        if (slot != NO_SLOT) {
-            s = slot_of(w, slot);
-            next_free = s->next;
-        }
-        *going_on = set_up(f, w, t, d, e, s);
-        s->next = next_free; /* set-up leaves the slot where it was: free */
-        if (!*going_on)
-            return link;
-        w->stats.setups++;
+        s = slot_of(w, slot);
+        if (!set_up(f, w, t, d, e, s))
+            return 0;
         w->by_way[s->way]++;
     }
     draw_rows(f, w, t, &d->as, s);
-    *going_on = s->end_row > t->rect.y1 - (f->edges != NULL ? 2 * LINE_APRON : 0);
-    if (*going_on && !carried && slot != NO_SLOT) { /* free list -> carried list */
-        w->first_free = s->next;
-        s->next = *link;
-        *link = slot;
-    } else if (!*going_on && carried) { /* carried list -> free list */
-        *link = s->next;
-        s->next = w->first_free;
-        w->first_free = slot;
-        return link;
+    if (s->end_row <= t->rect.y1 - f->screen.again) {
+        if (carried)
+            move_slot(w, place, &w->first_free);
+        return 0;
     }
-    return *going_on && slot != NO_SLOT ? &s->next : link;
+    if (slot == f->config.max_carried)
+        return 1;
+    if (!carried)
+        move_slot(w, &w->first_free, place);
+    *link = &s->next;
+    return 1;
 }
 
 static void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
@@ -179,46 +183,53 @@ static void draw_pending(const struct sheen_frame *f, struct worker *w, struct t
     const struct draw_record *d = f->draw;
     uint8_t *link = &w->first_carried;
 
-    for (uint32_t word = 0; 32 * word < f->entries; word++) {
-        uint32_t bits = w->pending[word], done = 0;
-        while (bits != 0) {
-            uint32_t lowest = bits & (0u - bits), e = 32 * word + 31 - clz32(lowest);
-            int going_on = 1;
-            bits ^= lowest;
+    slot_of(w, f->config.max_carried)->entry = NONE; /* the spare one carries nothing */
+    for (uint32_t first = 0; first < f->entries; first += 32) {
+        uint32_t bits = w->pending[first / 32], left = bits;
+        for (; bits != 0; bits &= bits - 1) {
+            const uint32_t lowest = bits & (0u - bits), e = first + 31 - clz32(lowest);
             while (e >= d->end_entry)
                 d++;
-            link = draw_entry(f, w, t, e, d, link, &going_on);
-            done |= going_on ? 0 : lowest;
+            if (!draw_entry(f, w, t, e, d, &link))
+                left ^= bits & (0u - bits);
         }
-        w->pending[word] &= ~done;
+        w->pending[first / 32] = left;
     }
 }
 
 /* ---- a band ---- */
 
-/* Draw into the worker's free buffer and send. */
-static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, struct sheen_rect rect)
+static void tile_begin(const struct sheen_frame *f, struct worker *w, struct tile *t)
 {
-    struct worker *w = &f->worker[worker];
-    int error = sheen_free_buffer(f, worker);
-
-    if (error < 0)
-        return error;
-    struct tile t = {.rect = rect,
-                     .pitch = (uint16_t)(rect.x1 - rect.x0),
-                     .pixels = w->pixels[w->buffer],
-                     .depth = w->depth,
-                     .to_pixel = (char *)w->pixels[w->buffer] - (char *)w->depth,
-                     .format = &f->format,
-                     .dither = f->view.dither,
-                     .thresholds = sheen_thresholds,
-                     .dither_rows = w->dither_rows,
-                     .centre_x = target_x(f, 0),
-                     .centre_y = target_y(f, 0),
-                     .spans = w->spans};
+    t->pitch = (uint16_t)(t->rect.x1 - t->rect.x0);
+    t->dither = f->view.dither;
+    t->pixels = w->pixels[w->buffer];
+    t->depth = w->depth;
+    t->to_pixel = (char *)t->pixels - (char *)t->depth;
+    t->format = &f->format;
+    t->thresholds = sheen_thresholds;
+    t->dither_rows = w->dither_rows;
+    t->centre_x = f->screen.centre_x;
+    t->centre_y = f->screen.centre_y;
+    t->spans = w->spans;
 #if SHEEN_STATS
-    t.shaded = &w->stats.shaded;
+    t->shaded = &w->stats.shaded;
 #endif
+}
+
+int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
+{
+    struct tile t;
+    int error = sheen_claim_band(f, worker, b);
+
+    /* where nothing crosses this band, nothing is pending below it either */
+    if (error < 0 || !band_rect(f, b, &t.rect))
+        return error;
+    if ((error = sheen_free_buffer(f, worker)) < 0)
+        return error;
+    struct worker *w = &f->worker[worker];
+    const struct sheen_rect rect = t.rect;
+    tile_begin(f, w, &t);
     if (f->edges != NULL)
         f->edges->begin(f, w, &t, b);
     sheen_dither_begin(&t, w->dither_rows);
@@ -227,22 +238,9 @@ static int draw_and_send(struct sheen_frame *f, unsigned worker, unsigned b, str
     draw_pending(f, w, &t);
     if (f->edges != NULL)
         f->edges->draw(f, w, &t, rect);
-    if (f->view.overlay != NULL) {
-        const struct sheen_canvas canvas = {rect, t.pitch, t.pixels, t.depth};
-        f->view.overlay(f->view.ctx, &canvas);
-    }
+    if (f->view.overlay != NULL)
+        paint(f, &t, f->view.overlay);
     if (f->format.grey)
-        sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(rect.y1 - rect.y0));
+        sheen_pack_grey(&f->format, t.pixels, t.pitch, (unsigned)(t.rect.y1 - t.rect.y0));
     return sheen_send_tile(f, worker, &t);
-}
-
-int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
-{
-    int error = sheen_claim_band(f, worker, b);
-
-    if (error < 0)
-        return error;
-    struct sheen_rect rect = band_rect(f, b);
-    /* where nothing crosses this band, nothing is pending below it either */
-    return rect_empty(rect) ? SHEEN_OK : draw_and_send(f, worker, b, rect);
 }

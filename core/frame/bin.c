@@ -6,22 +6,39 @@
  */
 #include "frame.h"
 
-struct sheen_rect sheen_rect_union(struct sheen_rect a, struct sheen_rect b)
+void sheen_rect_unite(struct sheen_rect *r, const struct sheen_rect *with)
 {
-    if (rect_empty(a))
-        return b;
-    if (rect_empty(b))
-        return a;
-    struct sheen_rect r = {(int16_t)min32(a.x0, b.x0), (int16_t)min32(a.y0, b.y0), (int16_t)max32(a.x1, b.x1),
-                           (int16_t)max32(a.y1, b.y1)};
-    return r;
+    r->x0 = (int16_t)min32(r->x0, with->x0);
+    r->y0 = (int16_t)min32(r->y0, with->y0);
+    r->x1 = (int16_t)max32(r->x1, with->x1);
+    r->y1 = (int16_t)max32(r->y1, with->y1);
 }
 
-struct sheen_rect sheen_rect_intersection(struct sheen_rect a, struct sheen_rect b)
+void sheen_rect_cut(struct sheen_rect *r, const struct sheen_rect *by)
 {
-    struct sheen_rect r = {(int16_t)max32(a.x0, b.x0), (int16_t)max32(a.y0, b.y0), (int16_t)min32(a.x1, b.x1),
-                           (int16_t)min32(a.y1, b.y1)};
-    return r;
+    r->x0 = (int16_t)max32(r->x0, by->x0);
+    r->y0 = (int16_t)max32(r->y0, by->y0);
+    r->x1 = (int16_t)min32(r->x1, by->x1);
+    r->y1 = (int16_t)min32(r->y1, by->y1);
+}
+
+void sheen_rect_align(struct sheen_rect *r, const struct sheen_target *target)
+{
+    const int x = (int)or_default(target->align_x, 1), y = (int)or_default(target->align_y, 1);
+
+    r->x0 = (int16_t)(r->x0 & -x);
+    r->y0 = (int16_t)(r->y0 & -y);
+    r->x1 = (int16_t)((r->x1 + x - 1) & -x);
+    r->y1 = (int16_t)((r->y1 + y - 1) & -y);
+}
+
+void sheen_band_strip(const struct sheen_frame *f, unsigned b, struct sheen_rect *strip)
+{
+    const int32_t rows = f->config.band_rows;
+
+    *strip = f->viewport;
+    strip->y0 = (int16_t)(strip->y0 + (int32_t)b * rows);
+    strip->y1 = (int16_t)min32(strip->y0 + rows, strip->y1);
 }
 
 /* Columns and rows, [x0, x1) by [y0, y1). */
@@ -121,12 +138,10 @@ void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect)
 /* No triangle yet; what the last frame touched is kept. */
 void sheen_bin_clear(struct sheen_frame *f)
 {
-    const struct sheen_rect none = {INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN};
-
     for (unsigned b = 0; b < f->bands; b++) {
         f->band[b].first = NONE;
         f->band[b].back = 0;
-        f->band[b].cover = none;
+        f->band[b].cover = NO_RECT;
     }
 }
 

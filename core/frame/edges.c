@@ -204,7 +204,7 @@ static void edges_draw(const struct sheen_frame *f, struct worker *w, struct til
     draw_all_lines(f, w, t, rect.y0, rect.y1);
     if (rect.y1 != strip_end) /* what goes on does so below these rows alone */
         w->last_band = -2;
-    for (unsigned slot = w->first_carried; slot != NO_SLOT; slot = slot_of(w, slot)->next)
+    for (unsigned slot = w->first_carried; slot != f->config.max_carried; slot = slot_of(w, slot)->next)
         sheen_spans_back(slot_of(w, slot), t->rect.y1 - f->screen.again);
     t->depth += above;
     t->pixels = (char *)t->pixels + above * (t->format->grey ? 1 : 2);

@@ -6,38 +6,44 @@
 #include "../math/pose.h"
 #include "frame.h"
 
-/* ---- begin ---- */
+/*
+ * What a frame counts, from 0 on: `edges` up to `bands`. A draw that fails leaves it as it was.
+ */
+#define COUNTED_AT offsetof(struct sheen_frame, edges)
+#define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - COUNTED_AT)
 
-static int same_rect(struct sheen_rect a, struct sheen_rect b)
+static void *counted(struct sheen_frame *f)
 {
-    return a.x0 == b.x0 && a.y0 == b.y0 && a.x1 == b.x1 && a.y1 == b.y1;
+    return (char *)f + COUNTED_AT;
 }
 
-static int same_colour(const uint8_t a[3], const uint8_t b[3])
+/* ---- begin ---- */
+
+static int same_rect(const struct sheen_rect *a, const struct sheen_rect *b)
 {
-    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+    return a->x0 == b->x0 && a->y0 == b->y0 && a->x1 == b->x1 && a->y1 == b->y1;
 }
 
 /* What is under the triangles, and a user's own 2D with it. */
-static int same_background(const struct sheen_view *a, const struct sheen_view *b)
+static APART int same_background(const struct sheen_view *a, const struct sheen_view *b)
 {
-    return same_colour(a->background, b->background) && a->underlay == b->underlay && a->overlay == b->overlay &&
+    for (int k = 0; k < 3; k++)
+        if (a->background[k] != b->background[k])
+            return 0;
+    return a->underlay == b->underlay && a->overlay == b->overlay &&
            (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
-/* The viewport asked for; its edges have to be on the target's alignment, for what is pushed is. */
-static int viewport_of(const struct sheen_target *t, struct sheen_rect asked, struct sheen_rect *viewport)
+/* The viewport asked for, 0 where it cannot be; its edges have to be on the target's alignment, for what is pushed is. */
+static int viewport_of(const struct sheen_target *t, const struct sheen_rect *asked, struct sheen_rect *viewport)
 {
     const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
-    int x = (int)or_default(t->align_x, 1) - 1, y = (int)or_default(t->align_y, 1) - 1; /* powers of two, less 1 */
+    struct sheen_rect aligned;
 
-    *viewport = rect_empty(asked) ? all : asked;
-    if (!same_rect(sheen_rect_intersection(*viewport, all), *viewport))
-        return SHEEN_ERR_ARGUMENT;
-    int aligned = (viewport->x0 & x) == 0 && (viewport->y0 & y) == 0 &&
-                  ((viewport->x1 & x) == 0 || viewport->x1 == all.x1) &&
-                  ((viewport->y1 & y) == 0 || viewport->y1 == all.y1);
-    return aligned ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    *viewport = aligned = rect_empty(*asked) ? all : *asked;
+    sheen_rect_align(&aligned, t);
+    sheen_rect_cut(&aligned, &all);
+    return same_rect(&aligned, viewport);
 }
 
 static void workers_begin(struct sheen_frame *f)
@@ -45,8 +51,7 @@ static void workers_begin(struct sheen_frame *f)
     for (unsigned i = 0; i < f->config.workers; i++) {
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* no band's pending triangles are at hand */
-        memset(&w->stats, 0, sizeof w->stats);
-        memset(w->by_way, 0, sizeof w->by_way);
+        memset(&w->stats, 0, sizeof *w - offsetof(struct worker, stats));
     }
 }
 
@@ -61,49 +66,51 @@ static void bands_begin(struct sheen_frame *f)
     f->band_scale = ((1u << 20) + rows - 1) / rows;
     memset(f->done, 0, (f->max_bands + 31u) / 32 * sizeof *f->done);
     for (unsigned b = 0; b < f->bands; b++)
-        f->band[b].stale = f->send_all ? (struct sheen_rect){0, 0, 0, 0} : f->band[b].cover;
+        f->band[b].stale = f->send_all ? NO_RECT : f->band[b].cover;
     sheen_bin_clear(f);
+}
+
+/* What the screen and the fog are by the view, which is checked; what is wrong with it. */
+static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct sheen_view *view)
+{
+    struct projection *p = &f->projection;
+    struct screen *screen = &f->screen;
+    struct sheen_rect *viewport = &screen->viewport;
+    const struct sheen_fog *fog = view->fog;
+
+    if (!viewport_of(f->target, &view->viewport, viewport))
+        return SHEEN_ABOUT_VIEWPORT;
+    if (!sheen_pose_valid(&view->pose))
+        return SHEEN_ABOUT_POSE;
+    if (sheen_project_begin(p, view, (unsigned)(viewport->x1 - viewport->x0),
+                            (unsigned)(viewport->y1 - viewport->y0)) < 0)
+        return sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS;
+    if (fog != NULL && (fog->mixer == NULL || fog->mixer->begin(&f->fog, fog, p, &f->format) < 0))
+        return SHEEN_ABOUT_FOG;
+    screen->centre_x = SUBPIXEL_HALF * (viewport->x0 + viewport->x1);
+    screen->centre_y = SUBPIXEL_HALF * (viewport->y0 + viewport->y1);
+    screen->weight_offset = p->weight_offset;
+    screen->weight_shift = (uint8_t)p->weight_shift;
+    screen->flat_weight = view->affine || p->orthographic != 0;
+    screen->again = 0;
+    return SHEEN_ABOUT_NOTHING;
 }
 
 int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 {
-    struct sheen_rect viewport;
-    struct projection projection;
-
     if (f->state != IDLE)
         return SHEEN_ERR_STATE;
     int error = sheen_wait(f);
     if (error < 0)
         return error;
-    if (viewport_of(f->target, view->viewport, &viewport) < 0)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_VIEWPORT, 0);
-    if (!sheen_pose_valid(&view->pose))
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
-    if (sheen_project_begin(&projection, view, (unsigned)(viewport.x1 - viewport.x0),
-                            (unsigned)(viewport.y1 - viewport.y0)) < 0)
-        return refuse(f, SHEEN_ERR_ARGUMENT, sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS, 0);
-
-    if (view->fog != NULL &&
-        (view->fog->mixer == NULL || view->fog->mixer->begin(&f->fog, view->fog, &projection, &f->format) < 0))
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_FOG, 0);
-
-    f->send_all = f->send_all_next || !same_rect(viewport, f->viewport) || !same_background(view, &f->view);
+    const enum sheen_subject problem = view_begin(f, view);
+    if (problem != SHEEN_ABOUT_NOTHING)
+        return refuse(f, SHEEN_ERR_ARGUMENT, problem, 0);
+    f->send_all = f->send_all_next || !same_rect(&f->screen.viewport, &f->viewport) || !same_background(view, &f->view);
     f->send_all_next = 0;
-    f->error = 0;
     f->view = *view;
-    f->viewport = viewport;
-    f->projection = projection;
-    f->screen = (struct screen){.viewport = viewport,
-                                .centre_x = SUBPIXEL_HALF * (viewport.x0 + viewport.x1),
-                                .centre_y = SUBPIXEL_HALF * (viewport.y0 + viewport.y1),
-                                .weight_offset = projection.weight_offset,
-                                .weight_shift = (uint8_t)projection.weight_shift,
-                                .flat_weight = view->affine || projection.orthographic != 0,
-                                .again = 0};
-    f->vertices = f->used = f->entries = f->pieces = f->draws = 0;
-    f->shaded_colors = 0;
-    f->edges = NULL;
-    memset(&f->stats, 0, sizeof f->stats);
+    f->viewport = f->screen.viewport;
+    memset(counted(f), 0, COUNTED_BYTES);
     workers_begin(f);
     bands_begin(f);
     f->state = OPEN;
@@ -116,21 +123,24 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 static APART int use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                              const uint32_t index[3])
 {
+    const uint32_t none = f->config.max_used;
     int16_t store[3];
     int all = 1;
 
     for (int k = 0; k < 3; k++) {
         uint16_t *place = &f->place[d->first_vertex + index[k]];
-        if (*place == NO_PLACE && f->used < f->config.max_used) {
+        if (*place < none)
+            continue;
+        if (*place == NO_PLACE && f->used < none) {
             const int16_t *position = position_of(&d->as, d->as.mesh->positions + 3 * index[k], store);
             struct point point = sheen_transform_point(t, position);
             sheen_project(&f->projection, t->screen_shift, &point, &f->vertex[f->used]);
             *place = (uint16_t)f->used++;
-        } else if (*place == NO_PLACE) {
-            *place = f->config.max_used;
-            f->used_short++;
+            continue;
         }
-        all &= *place < f->config.max_used;
+        f->used_short += *place == NO_PLACE;
+        *place = (uint16_t)none;
+        all = 0;
     }
     return all;
 }
@@ -168,7 +178,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
             sheen_cut_triangle(f, d, t, (uint16_t)triangle);
         return;
     }
-    int64_t area = (any & OFF_VIEW) == 0 ? small_twice_area(v[0], v[1], v[2]) : twice_area(v[0], v[1], v[2]);
+    int64_t area = (any & OFF_VIEW) == 0 ? small_twice_area(v[0], v[1], v[2]) : sheen_twice_area(v[0], v[1], v[2]);
     if (area >= 0 && (area == 0 || !d->as.two_sided))
         return;
     f->stats.front++;
@@ -176,56 +186,41 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
         light_corners(f, d, index);
 }
 
-/* What is wrong with a material, SHEEN_ABOUT_NOTHING if nothing is. */
-static enum sheen_subject material_problem(const struct sheen_material *m)
+/* What of an object is missing or out of range, or SHEEN_ABOUT_NOTHING. */
+static APART enum sheen_subject object_problem(const struct sheen_object *o)
 {
-    const sheen_q16_t most = 4 << 16;
+    const uint32_t most = 4 << 16; /* of intensities, none of which is negative */
+    const struct sheen_mesh *mesh = o->mesh;
+    const struct sheen_material *m = o->material;
+    const struct sheen_shader *shader = o->shader;
 
-    if (m == NULL || m->ambient < 0 || m->ambient > most || m->diffuse < 0 || m->diffuse > most || m->specular < 0 ||
-        m->specular > most)
+    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
+        return SHEEN_ABOUT_MESH;
+    if (m == NULL || (uint32_t)m->ambient > most || (uint32_t)m->diffuse > most || (uint32_t)m->specular > most)
         return SHEEN_ABOUT_MATERIAL;
     if (m->shine == NULL ? m->specular > 0 : m->shine->shininess == 0 || m->shine->shift > 3)
         return SHEEN_ABOUT_SHINE;
     if (m->ramp != NULL && m->ramp->reader == NULL)
         return SHEEN_ABOUT_RAMP;
+    if (shader == NULL)
+        return SHEEN_ABOUT_SHADER;
+    if (mesh->normals == NULL && shader->needs_normals)
+        return SHEEN_ABOUT_NORMALS;
+    if ((mesh->uvs == NULL || mesh->uv_bits > 15) && shader->needs_uvs)
+        return SHEEN_ABOUT_UVS;
+    if (shader->takes != NULL && !shader->takes(m->texture))
+        return SHEEN_ABOUT_TEXTURE;
+    if (o->depth_bias < -4096 || o->depth_bias > 4095)
+        return SHEEN_ABOUT_DEPTH_BIAS;
+    if (o->morph != NULL && (o->morph->morpher == NULL || !o->morph->morpher->fits(o)))
+        return SHEEN_ABOUT_MORPH;
     return SHEEN_ABOUT_NOTHING;
 }
 
-/* What a shader needs and the object has not, SHEEN_ABOUT_NOTHING if nothing is. */
-static enum sheen_subject shader_problem(const struct sheen_object *o)
+/* SHEEN_OK, or SHEEN_ERR_CAPACITY where `most` are fewer than needed. */
+static int room_for(struct sheen_frame *f, uint32_t needed, uint32_t most, enum sheen_subject subject)
 {
-    const struct sheen_mesh *mesh = o->mesh;
-
-    if (o->shader == NULL)
-        return SHEEN_ABOUT_SHADER;
-    if (mesh->normals == NULL && o->shader->needs_normals)
-        return SHEEN_ABOUT_NORMALS;
-    if ((mesh->uvs == NULL || mesh->uv_bits > 15) && o->shader->needs_uvs)
-        return SHEEN_ABOUT_UVS;
-    return o->shader->takes != NULL && !o->shader->takes(o->material->texture) ? SHEEN_ABOUT_TEXTURE
-                                                                               : SHEEN_ABOUT_NOTHING;
-}
-
-static int object_valid(struct sheen_frame *f, const struct sheen_object *o)
-{
-    const struct sheen_mesh *mesh = o->mesh;
-    enum sheen_subject material = material_problem(o->material), shader;
-
-    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH, 0);
-    if (material != SHEEN_ABOUT_NOTHING)
-        return refuse(f, SHEEN_ERR_ARGUMENT, material, 0);
-    if ((shader = shader_problem(o)) != SHEEN_ABOUT_NOTHING)
-        return refuse(f, SHEEN_ERR_ARGUMENT, shader, 0);
-    if (o->depth_bias < -4096 || o->depth_bias > 4095)
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_DEPTH_BIAS, 0);
-    if (o->morph != NULL && (o->morph->morpher == NULL || !o->morph->morpher->fits(o)))
-        return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MORPH, 0);
-    if (f->draws == f->config.max_draws)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_DRAWS, f->draws + 1);
-    if (f->vertices + mesh->vertices > f->config.max_vertices)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_VERTICES, f->vertices + mesh->vertices);
-    return SHEEN_OK;
+    return needed <= most ? SHEEN_OK : refuse(f, SHEEN_ERR_CAPACITY, subject, needed);
 }
 
 /* Model to eye, lights in the model's space: what a draw's vertices and normals go by. viewpoint->a_warp 0: no test. */
@@ -252,27 +247,25 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
  * Every triangle that may face the eye, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. Where
  * vertices are short, what they would have made is not known.
  */
-static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                          const struct viewpoint *viewpoint)
+static APART int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                                const struct viewpoint *viewpoint)
 {
     const struct sheen_mesh *mesh = d->as.mesh;
     uint32_t faces = UINT32_MAX, end = mesh->triangles;
 
-    f->used_short = f->entries_short = f->pieces_short = 0;
     memset(f->place + d->first_vertex, 0xff, mesh->vertices * sizeof *f->place);
     for (uint32_t i = 0; i < end; i++) {
-        int known = mesh->polygons != NULL && mesh->polygons[i] == faces;
-        if (viewpoint->a_warp != 0 && !known && (i = sheen_next_facing(viewpoint, mesh, i, &faces)) == end)
+        if (viewpoint->a_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces) &&
+            (i = sheen_next_facing(viewpoint, mesh, i, &faces)) == end)
             break;
         draw_triangle(f, d, t, i);
     }
     if (f->used_short > 0)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_USED, f->config.max_used + f->used_short);
-    if (f->pieces_short > 0)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_CLIPPED, f->config.max_clipped + f->pieces_short);
-    if (f->entries_short > 0)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_TRIANGLES, f->config.max_triangles + f->entries_short);
-    return SHEEN_OK;
+        return room_for(f, f->config.max_used + f->used_short, f->config.max_used, SHEEN_ABOUT_MAX_USED);
+    int error = room_for(f, f->pieces + f->pieces_short, f->config.max_clipped, SHEEN_ABOUT_MAX_CLIPPED);
+    if (error == SHEEN_OK)
+        error = room_for(f, f->entries + f->entries_short, f->config.max_triangles, SHEEN_ABOUT_MAX_TRIANGLES);
+    return error;
 }
 
 /* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
@@ -299,7 +292,7 @@ static const struct shades *shades_of(struct sheen_frame *f, const struct draw *
 }
 
 /* What a draw keeps of its material and how it is lit, where its lights are known. */
-static APART void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
+static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
 {
     const struct sheen_material *m = object->material;
     struct sheen_material by_ramp;
@@ -321,56 +314,69 @@ static APART void begin_colours(struct sheen_frame *f, struct draw *d, const str
         f->fog.mixer->draw(d, &f->fog);
 }
 
+/* What a draw's triangles need, their vertices and where the eye is. */
+static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *object, struct draw *d,
+                            struct transform *t, struct viewpoint *viewpoint)
+{
+    int error = place_object(f, object, d, t, viewpoint);
+
+    if (error < 0)
+        return error;
+    d->mesh = object->mesh;
+    d->morph = object->morph;
+    d->shader = object->shader;
+    d->two_sided = object->two_sided;
+    d->dither = f->view.dither != 0;
+    d->is_565 = !f->format.grey;
+    d->swap = f->format.swap;
+    d->early = FAST_LOOPS && d->is_565 && !d->dither;
+    d->forced = f->forced;
+    d->stippled = STIPPLED_NOT;
+    d->depth_bias = object->depth_bias;
+    begin_colours(f, d, object);
+    if (object->transparency != 0) {
+        f->stipple = object->stipple;
+        if (f->stipple == NULL || f->stipple->begin(d, object) < 0)
+            return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_TRANSPARENCY, 0);
+    }
+    return SHEEN_OK;
+}
+
 int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
     struct viewpoint viewpoint;
-    uint32_t entries = f->entries, pieces = f->pieces, used = f->used, front = f->stats.front,
-             clipped = f->stats.clipped;
-    unsigned shaded = f->shaded_colors;
+    char before[COUNTED_BYTES];
+    const uint32_t entries = f->entries;
     struct draw_record *d = &f->draw[f->draws];
 
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
-    int error = object_valid(f, object);
+    enum sheen_subject problem = object_problem(object);
+    if (problem != SHEEN_ABOUT_NOTHING)
+        return refuse(f, SHEEN_ERR_ARGUMENT, problem, 0);
+    const uint32_t draws = f->draws + 1, vertices = f->vertices + object->mesh->vertices;
+    memcpy(before, counted(f), COUNTED_BYTES);
+    int error = room_for(f, draws, f->config.max_draws, SHEEN_ABOUT_MAX_DRAWS);
     if (error == SHEEN_OK)
-        error = place_object(f, object, &d->as, &t, &viewpoint);
+        error = room_for(f, vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
+    if (error == SHEEN_OK)
+        error = begin_draw(f, object, &d->as, &t, &viewpoint);
     if (error < 0)
         return error;
-    d->as.mesh = object->mesh;
-    d->as.morph = object->morph;
-    d->as.shader = object->shader;
-    d->as.two_sided = object->two_sided;
-    d->as.dither = f->view.dither != 0;
-    d->as.is_565 = !f->format.grey;
-    d->as.swap = f->format.swap;
-    d->as.early = FAST_LOOPS && !f->format.grey && !f->view.dither;
-    d->as.forced = f->forced;
-    d->as.stippled = STIPPLED_NOT;
-    d->as.depth_bias = object->depth_bias;
     d->first_vertex = f->vertices;
-    begin_colours(f, &d->as, object);
-    if (object->transparency != 0) {
-        f->stipple = object->stipple;
-        if (f->stipple == NULL || f->stipple->begin(&d->as, object) < 0)
-            return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_TRANSPARENCY, 0);
-    }
-    error = draw_triangles(f, d, &t, &viewpoint);
     d->edges = object->edges;
-    if (error == SHEEN_OK && object->edges != NULL)
-        error = object->edges->list(f, d, object, &t);
+    error = draw_triangles(f, d, &t, &viewpoint);
+    if (error == SHEEN_OK && d->edges != NULL)
+        error = d->edges->list(f, d, object, &t);
     if (error < 0) {
-        f->pieces = pieces;
-        f->shaded_colors = shaded;
-        f->used = used;
-        f->stats.front = front;
-        f->stats.clipped = clipped;
+        memcpy(counted(f), before, COUNTED_BYTES);
         sheen_bin_rollback(f, entries);
         return error;
     }
     d->end_entry = f->entries;
-    f->vertices += object->mesh->vertices;
-    f->draws++;
+    f->vertices = vertices;
+    f->draws = draws;
     f->stats.triangles += object->mesh->triangles;
     f->stats.drawn += f->entries - entries;
     return SHEEN_OK;
@@ -380,14 +386,12 @@ int sheen_mark(struct sheen_frame *f, struct sheen_rect rect)
 {
     if (f->state != OPEN)
         return SHEEN_ERR_STATE;
-    int32_t rows = f->config.band_rows;
     for (unsigned b = 0; b < f->bands; b++) {
-        struct sheen_rect strip = f->viewport;
-        strip.y0 = (int16_t)(f->viewport.y0 + (int32_t)b * rows);
-        strip.y1 = (int16_t)min32(strip.y0 + rows, f->viewport.y1);
-        strip = sheen_rect_intersection(strip, rect);
+        struct sheen_rect strip;
+        sheen_band_strip(f, b, &strip);
+        sheen_rect_cut(&strip, &rect);
         if (!rect_empty(strip))
-            f->band[b].stale = sheen_rect_union(f->band[b].stale, strip);
+            sheen_rect_unite(&f->band[b].stale, &strip);
     }
     return SHEEN_OK;
 }

@@ -22,9 +22,9 @@
 
 /* What a draw call left behind for the bands. */
 struct draw_record {
-    struct draw as;                  /* what its triangles need */
     uint32_t first_vertex;           /* of the mesh in the frame's `place` */
     uint32_t end_entry;              /* entries of this draw end here */
+    struct draw as;                  /* what its triangles need */
     const struct sheen_edges *edges; /* NULL: it has none */
     uint16_t end_line, line;         /* lines of this draw end here; their pixel, in the target's form */
 };
@@ -58,13 +58,13 @@ struct worker {
     uint16_t *depth;
     struct span *spans;                /* band_rows, and those of the apron; then what smoothing keeps */
     uint32_t *pending;                 /* a bit an entry: begun, not done */
-    const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
-    uint8_t *carried;                  /* SETUP_BYTES each: max_carried slots and a spare one */
+    uint8_t *carried; /* SETUP_BYTES each: max_carried slots, and a spare one that both lists of them end in */
     uint8_t first_carried, first_free;
     uint8_t buffer;    /* the one to draw into next */
     int32_t last_band; /* -2 before the first */
-    struct sheen_stats stats;
-    uint32_t by_way[SHEEN_WAYS]; /* set-ups */
+    const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
+    struct sheen_stats stats;          /* from here on counters, 0 when a frame begins */
+    uint32_t by_way[SHEEN_WAYS];       /* set-ups */
 };
 
 /* SHEEN_BYTES_CLIPPING before `carried`: while the worker draws a band, a struct stippled_rows. */
@@ -80,7 +80,6 @@ enum frame_state {
 };
 
 #define NOBODY MAX_WORKERS
-#define NO_SLOT 255
 
 static inline struct setup *slot_of(const struct worker *w, unsigned slot)
 {
@@ -97,7 +96,6 @@ struct sheen_frame {
     uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
     struct sheen_config config;
     const struct sheen_target *target;
-    uint32_t vertices, used, entries, pieces, draws;
     uint16_t *place; /* of each vertex of the drawn meshes its place in `vertex`; config.max_used and more: none */
     struct vertex *vertex; /* the used ones: transformed */
     struct entry *entry;
@@ -105,27 +103,28 @@ struct sheen_frame {
     struct piece *piece;
     struct draw_record *draw;
     struct band *band;
-    struct worker *worker;           /* config.workers */
-    const struct sheen_edges *edges; /* NULL: no draw has any yet; else the first one's */
-    int error;                       /* the first of this frame's pushes and waits */
-    unsigned bands, bands_left;
-    uint32_t *done;      /* a bit a band of this frame that has begun */
-    uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
+    struct worker *worker; /* config.workers */
+    uint32_t band_scale;   /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
     struct sheen_rect viewport;
+    unsigned max_bands;
+    const struct sheen_edges *edges; /* NULL: no draw has any yet; else the first one's. From here on: COUNTED_BYTES */
+    uint32_t vertices, used, entries, pieces, draws;
+    int error;              /* the first of this frame's pushes and waits */
+    unsigned shaded_colors; /* of `shades`, which have this frame's */
+    struct sheen_stats stats;
+    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
+    unsigned bands, bands_left;
+    uint32_t *done; /* a bit a band of this frame that has begun */
     struct pixel_format format;
     struct screen screen;
     struct projection projection;
     struct sheen_view view;
-    uint32_t needed; /* how much would have done, for the last error */
-    unsigned max_bands;
-    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
-    void *scratch;                                    /* of worker 0: two polygons of MAX_CLIP_CORNERS */
-    struct shades *shades; /* config.max_shades; the first `shaded_colors` have this frame's */
-    unsigned shaded_colors;
+    uint32_t needed;                     /* how much would have done, for the last error */
+    void *scratch;                       /* of worker 0: two polygons of MAX_CLIP_CORNERS */
+    struct shades *shades;               /* config.max_shades */
     struct fog_terms fog;                /* of the view */
     const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
     struct line *line;                   /* config.max_edges, the first stats.edges are listed */
-    struct sheen_stats stats;
     size_t arena_bytes;
 };
 
@@ -171,10 +170,10 @@ static inline void pending_clear(const struct sheen_frame *f, struct worker *w)
     const unsigned slots = f->config.max_carried;
 
     memset(w->pending, 0, (f->entries + 31) / 32 * sizeof(uint32_t));
-    w->first_carried = NO_SLOT;
+    w->first_carried = (uint8_t)slots;
     w->first_free = 0;
     for (unsigned i = 0; i < slots; i++)
-        slot_of(w, i)->next = (uint8_t)(i + 1 < slots ? i + 1 : NO_SLOT);
+        slot_of(w, i)->next = (uint8_t)(i + 1);
 }
 
 /* Notes what an error is about, and returns it. */
@@ -216,8 +215,17 @@ int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], u
 void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect);
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c);
-struct sheen_rect sheen_rect_union(struct sheen_rect a, struct sheen_rect b);
-struct sheen_rect sheen_rect_intersection(struct sheen_rect a, struct sheen_rect b);
+
+/* Holds nothing, and united with another is that. */
+#define NO_RECT ((struct sheen_rect){INT16_MAX, INT16_MAX, INT16_MIN, INT16_MIN})
+
+/* r becomes what holds both, or what is in both. */
+void sheen_rect_unite(struct sheen_rect *r, const struct sheen_rect *with);
+void sheen_rect_cut(struct sheen_rect *r, const struct sheen_rect *by);
+/* Outwards to multiples of the target's alignment. */
+void sheen_rect_align(struct sheen_rect *r, const struct sheen_target *target);
+/* Band b's rows of the viewport. */
+void sheen_band_strip(const struct sheen_frame *f, unsigned b, struct sheen_rect *strip);
 
 static inline int rect_empty(struct sheen_rect r)
 {

@@ -71,13 +71,21 @@ static void piece_corner(const struct clip_corner *from, const struct attributes
         v->kept[i] = (uint16_t)max32(0, shared(from->share, a->lit[0][i], a->lit[1][i], a->lit[2][i]));
 }
 
-/* Twice the area of what is left, as twice_area; 0 where nothing is. */
+/* Twice the area of triangle i >= 1 of the fan that the polygon is. */
+static APART int64_t fan_area(const struct clip_job *job, unsigned i)
+{
+    const struct clip_corner *p = job->polygon;
+
+    return sheen_twice_area(&p[0].v, &p[i].v, &p[i + 1].v);
+}
+
+/* Twice the area of what is left; 0 where nothing is. */
 static int64_t area_left(const struct clip_job *job)
 {
     int64_t area = 0;
 
     for (unsigned i = 1; i + 1 < job->count; i++)
-        area += twice_area(&job->polygon[0].v, &job->polygon[i].v, &job->polygon[i + 1].v);
+        area += fan_area(job, i);
     return area;
 }
 
@@ -91,7 +99,7 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
     for (unsigned i = 1; i + 1 < job->count; i++) {
         const struct clip_corner *fan[3] = {&job->polygon[0], &job->polygon[i], &job->polygon[i + 1]};
         const struct vertex *const v[3] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
-        int64_t area = twice_area(v[0], v[1], v[2]);
+        int64_t area = fan_area(job, i);
         if (area == 0 || (area > 0) != (whole > 0))
             continue;
         if (f->pieces == f->config.max_clipped) {

@@ -14,7 +14,8 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     stats->used = f->used;
     for (unsigned i = 0; i < c->workers; i++) {
         const struct sheen_stats *w = &f->worker[i].stats;
-        stats->setups += w->setups;
+        for (unsigned way = 0; way < SHEEN_WAYS; way++)
+            stats->setups += f->worker[i].by_way[way];
         stats->spans += w->spans;
         stats->covered += w->covered;
         stats->shaded += w->shaded;

@@ -140,7 +140,7 @@ static int faces_eye(const struct line_list *l, uint32_t triangle)
     unsigned any = a->flags | b->flags | c->flags;
     if ((any & OUTSIDE) != 0)
         return outside_in_front(l, first);
-    return (any & OFF_VIEW) == 0 ? small_twice_area(a, b, c) <= 0 : twice_area(a, b, c) <= 0;
+    return (any & OFF_VIEW) == 0 ? small_twice_area(a, b, c) <= 0 : sheen_twice_area(a, b, c) <= 0;
 }
 
 void sheen_list_edges(struct line_list *l, const struct line_kind *which)

@@ -146,6 +146,16 @@ void sheen_clip(struct clip_job *job, unsigned first, unsigned end)
     }
 }
 
+int64_t sheen_twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
+{
+    int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
+
+    if ((((uint32_t)(x1 + 32768) | (uint32_t)(y1 + 32768) | (uint32_t)(x2 + 32768) | (uint32_t)(y2 + 32768)) >> 16) ==
+        0)
+        return x1 * y2 - y1 * x2; /* spans under 512 px: products < 2^30 */
+    return (int64_t)x1 * y2 - (int64_t)y1 * x2;
+}
+
 int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2])
 {
     for (unsigned plane = 0; plane < CLIP_PLANES; plane++) {

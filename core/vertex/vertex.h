@@ -96,22 +96,14 @@ struct point sheen_transform_point(const struct transform *t, const int16_t posi
 /* screen_shift: of the point's transform. */
 void sheen_project(const struct projection *p, int screen_shift, const struct point *point, struct vertex *v);
 
-/* As twice_area, where no corner is OFF_VIEW: differences fit 16 bits, products 31. */
+/* As sheen_twice_area, where no corner is OFF_VIEW: differences fit 16 bits, products 31. */
 static inline int32_t small_twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
 {
     return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
 }
 
-/* Twice the signed area, 1/4096 px^2, positive where clockwise on the screen (y down). Range: < 2^33. */
-static inline int64_t twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c)
-{
-    int32_t x1 = b->x - a->x, y1 = b->y - a->y, x2 = c->x - a->x, y2 = c->y - a->y;
-
-    if ((((uint32_t)(x1 + 32768) | (uint32_t)(y1 + 32768) | (uint32_t)(x2 + 32768) | (uint32_t)(y2 + 32768)) >> 16) ==
-        0)
-        return x1 * y2 - y1 * x2; /* spans under 512 px: products < 2^30 */
-    return (int64_t)x1 * y2 - (int64_t)y1 * x2;
-}
+/* clip.c: twice the signed area, 1/4096 px^2, positive where clockwise on the screen (y down). Range: < 2^33. */
+int64_t sheen_twice_area(const struct vertex *a, const struct vertex *b, const struct vertex *c);
 
 /* First pixel whose centre is at or after a coordinate of 1/64 px: ceil(v - 1/2). */
 static inline int32_t first_centre(int32_t v)
