@@ -58,12 +58,18 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
 
-/* A piece of the arena, aligned to 8; base NULL: only counts. */
-static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
-{
-    void *piece = base != NULL ? base + *used : NULL;
+/* An arena, and how much of it is taken; base NULL: only counts. */
+struct arena {
+    uint8_t *base;
+    size_t used;
+};
 
-    *used += (count * bytes + 7) & ~(size_t)7;
+/* A piece of it, aligned to 8. */
+static APART void *take(struct arena *a, size_t count, size_t bytes)
+{
+    void *piece = a->base != NULL ? a->base + a->used : NULL;
+
+    a->used += (count * bytes + 7) & ~(size_t)7;
     return piece;
 }
 
@@ -71,37 +77,38 @@ static void *take(uint8_t *base, size_t *used, size_t count, size_t bytes)
 static size_t lay_out(struct sheen_frame *f, uint8_t *base)
 {
     const struct sheen_config *c = &f->config;
-    size_t used = 0, bits = ((size_t)c->max_triangles + 31) / 32, width = c->target->width;
+    struct arena arena = {base, 0};
+    size_t bits = ((size_t)c->max_triangles + 31) / 32, width = c->target->width;
     size_t rows = c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0), tile = width * rows;
     size_t marks = c->smooth * (MARK_PITCH(width) / 4) * (c->band_rows + MARK_ROWS);
 
-    (void)take(base, &used, 1, SHEEN_BYTES_FRAME);
+    (void)take(&arena, 1, SHEEN_BYTES_FRAME);
     f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
-    f->band = take(base, &used, f->max_bands, SHEEN_BYTES_BAND);
-    f->done = take(base, &used, (f->max_bands + 31u) / 32, sizeof(uint32_t));
-    f->draw = take(base, &used, c->max_draws, SHEEN_BYTES_DRAW);
-    f->shades = take(base, &used, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_shades, SHEEN_BYTES_SHADES);
-    f->place = take(base, &used, c->max_vertices, sizeof *f->place);
-    f->vertex = take(base, &used, c->max_used, SHEEN_BYTES_VERTEX);
-    f->entry = take(base, &used, c->max_triangles, SHEEN_BYTES_ENTRY);
-    f->piece = take(base, &used, c->max_clipped, SHEEN_BYTES_PIECE);
-    f->cut = take(base, &used, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
+    f->band = take(&arena, f->max_bands, SHEEN_BYTES_BAND);
+    f->done = take(&arena, (f->max_bands + 31u) / 32, sizeof(uint32_t));
+    f->draw = take(&arena, c->max_draws, SHEEN_BYTES_DRAW);
+    f->shades = take(&arena, c->target->pixel > SHEEN_RGB565_LE ? 0 : c->max_shades, SHEEN_BYTES_SHADES);
+    f->place = take(&arena, c->max_vertices, sizeof *f->place);
+    f->vertex = take(&arena, c->max_used, SHEEN_BYTES_VERTEX);
+    f->entry = take(&arena, c->max_triangles, SHEEN_BYTES_ENTRY);
+    f->piece = take(&arena, c->max_clipped, SHEEN_BYTES_PIECE);
+    f->cut = take(&arena, c->max_clipped > 0 ? bits : 0, sizeof(uint32_t));
     if (c->max_clipped == 0)
         f->cut = NULL;
-    f->line = take(base, &used, c->max_edges, SHEEN_BYTES_EDGE);
-    f->worker = take(base, &used, c->workers, SHEEN_BYTES_WORKER);
+    f->line = take(&arena, c->max_edges, SHEEN_BYTES_EDGE);
+    f->worker = take(&arena, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
-        void *scratch = take(base, &used, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
+        void *scratch = take(&arena, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
         f->scratch = i == 0 ? scratch : f->scratch;
-        w->carried = take(base, &used, c->max_carried + 1u, SHEEN_BYTES_SETUP);
-        w->pending = take(base, &used, bits, sizeof(uint32_t));
-        w->spans = take(base, &used, rows + marks, SHEEN_BYTES_SPAN);
-        w->depth = take(base, &used, tile, sizeof(uint16_t));
+        w->carried = take(&arena, c->max_carried + 1u, SHEEN_BYTES_SETUP);
+        w->pending = take(&arena, bits, sizeof(uint32_t));
+        w->spans = take(&arena, rows + marks, SHEEN_BYTES_SPAN);
+        w->depth = take(&arena, tile, sizeof(uint16_t));
         for (unsigned k = 0; k < c->buffers; k++)
-            w->pixels[k] = take(base, &used, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);
+            w->pixels[k] = take(&arena, tile, c->target->pixel > SHEEN_RGB565_LE ? 1 : 2);
     }
-    return used;
+    return arena.used;
 }
 
 size_t sheen_arena_size(const struct sheen_config *config)

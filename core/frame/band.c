@@ -91,9 +91,9 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 
 /* ---- drawing ---- */
 
-/* Prepare entry e, from the tile's rows on: its spans there; 0 where it has none. */
-static int set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t, const struct draw_record *d,
-                  uint32_t e, struct setup *s)
+/* Prepare entry e from the tile's rows on: how many it has there. */
+static unsigned set_up(const struct sheen_frame *f, const struct worker *w, const struct tile *t,
+                       const struct draw_record *d, uint32_t e, struct setup *s)
 {
     struct surface_corners c;
     struct gradients g;
@@ -104,26 +104,27 @@ static int set_up(const struct sheen_frame *f, const struct worker *w, struct ti
         d->as.morph->morpher->corners(&d->as, &c.at, w);
     s->entry = (uint16_t)e;
     s->draw = &d->as;
-    t->rows = (uint16_t)sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);
-    if (t->rows == 0)
+    const unsigned rows = sheen_triangle_begin(&f->screen, t->rect, w->spans, &c, &g, s);
+    if (rows == 0)
         return 0;
-    t->first_row = (int16_t)(s->row - (int32_t)t->rows);
     d->as.shader->setup(s, &c, c.flat ? NULL : &g);
     if (d->as.fog != NULL)
         d->as.fog->mixer->setup(s);
     SHEEN_TAP_SETUP(&c, &g);
     SHEEN_TAP(PARTIAL, s->row < s->end_row);
-    return 1;
+    return rows;
 }
 
-static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, const struct draw *d,
+static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile *t, unsigned rows,
                       const struct setup *s)
 {
-    w->stats.spans += t->rows;
-    for (unsigned i = 0; SHEEN_STATS && i < t->rows; i++)
+    t->rows = (uint16_t)rows;
+    t->first_row = (int16_t)(s->row - (int32_t)rows);
+    w->stats.spans += rows;
+    for (unsigned i = 0; SHEEN_STATS && i < rows; i++)
         if (w->spans[i].x1 > w->spans[i].x0)
             w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
-    if (!d->stippled) {
+    if (!s->draw->stippled) {
         SHEEN_TAP_ROWS(t, s);
         return;
     }
@@ -149,36 +150,37 @@ static void move_slot(struct worker *w, uint8_t *from, uint8_t *to)
 static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
                       const struct draw_record *d, uint8_t **link)
 {
-    uint8_t *place = *link, slot = *place;
-    struct setup *s = slot_of(w, slot);
+    uint8_t *place = *link;
+    struct setup *s = slot_of(w, *place);
     const int carried = s->entry == e;
+    unsigned rows;
 
     SHEEN_TAP(CARRIED, carried);
     if (carried) {
-        t->first_row = s->row;
-        t->rows = (uint16_t)sheen_spans(s, t->rect, w->spans);
+        rows = sheen_spans(s, t->rect, w->spans);
     } else {
-        slot = w->first_free;
-        s = slot_of(w, slot);
-        if (!set_up(f, w, t, d, e, s))
+        s = slot_of(w, w->first_free);
+        rows = set_up(f, w, t, d, e, s);
+        if (rows == 0)
             return 0;
         w->by_way[s->way]++;
     }
-    draw_rows(f, w, t, &d->as, s);
+    draw_rows(f, w, t, rows, s);
     if (s->end_row <= t->rect.y1 - f->screen.again) {
         if (carried)
             move_slot(w, place, &w->first_free);
         return 0;
     }
-    if (slot == f->config.max_carried)
-        return 1;
-    if (!carried)
+    if (!carried) {
+        if (w->first_free == f->config.max_carried)
+            return 1;
         move_slot(w, &w->first_free, place);
+    }
     *link = &s->next;
     return 1;
 }
 
-static void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
+static APART void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
 {
     const struct draw_record *d = f->draw;
     uint8_t *link = &w->first_carried;

@@ -88,15 +88,9 @@ static inline void cover(struct sheen_rect *r, struct box b)
         r->y1 = (int16_t)b.y1;
 }
 
-/* 1 where a triangle covers the centre of some pixel's column and row. */
-int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3])
-{
-    return !box_empty(covered(f, v));
-}
-
 /*
- * Link a triangle into the band where its box begins, and grow the bands it crosses. 1: listed; 0: covers no pixel
- * centre, or no entry is left, and f->entries_short counts it.
+ * Link a triangle into the band where its box begins, and grow the bands it crosses; where no entry is left
+ * f->entries_short counts it. 0: it covers no pixel's centre.
  */
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece)
 {
@@ -107,7 +101,7 @@ int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], u
         return 0;
     if (e == f->config.max_triangles) {
         f->entries_short++;
-        return 0;
+        return 1;
     }
     f->entries = e + 1;
     if (f->cut != NULL) {

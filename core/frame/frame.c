@@ -6,16 +6,9 @@
 #include "../math/pose.h"
 #include "frame.h"
 
-/*
- * What a frame counts, from 0 on: `edges` up to `bands`. A draw that fails leaves it as it was.
- */
-#define COUNTED_AT offsetof(struct sheen_frame, edges)
-#define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - COUNTED_AT)
-
-static void *counted(struct sheen_frame *f)
-{
-    return (char *)f + COUNTED_AT;
-}
+/* What is 0 when a frame begins, and what of it a draw takes, which fails as a whole; both a run of the frame's fields. */
+#define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - offsetof(struct sheen_frame, edges))
+#define TAKEN_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
 
 /* ---- begin ---- */
 
@@ -82,8 +75,8 @@ static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct s
         return SHEEN_ABOUT_VIEWPORT;
     if (!sheen_pose_valid(&view->pose))
         return SHEEN_ABOUT_POSE;
-    if (sheen_project_begin(p, view, (unsigned)(viewport->x1 - viewport->x0),
-                            (unsigned)(viewport->y1 - viewport->y0)) < 0)
+    if (sheen_project_begin(p, view, (unsigned)(viewport->x1 - viewport->x0), (unsigned)(viewport->y1 - viewport->y0)) <
+        0)
         return sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS;
     if (fog != NULL && (fog->mixer == NULL || fog->mixer->begin(&f->fog, fog, p, &f->format) < 0))
         return SHEEN_ABOUT_FOG;
@@ -110,7 +103,7 @@ int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     f->send_all_next = 0;
     f->view = *view;
     f->viewport = f->screen.viewport;
-    memset(counted(f), 0, COUNTED_BYTES);
+    memset((char *)f + offsetof(struct sheen_frame, edges), 0, COUNTED_BYTES);
     workers_begin(f);
     bands_begin(f);
     f->state = OPEN;
@@ -346,7 +339,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
     struct viewpoint viewpoint;
-    char before[COUNTED_BYTES];
+    char *const taken = (char *)f + offsetof(struct sheen_frame, used_short), before[TAKEN_BYTES];
     const uint32_t entries = f->entries;
     struct draw_record *d = &f->draw[f->draws];
 
@@ -356,7 +349,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     if (problem != SHEEN_ABOUT_NOTHING)
         return refuse(f, SHEEN_ERR_ARGUMENT, problem, 0);
     const uint32_t draws = f->draws + 1, vertices = f->vertices + object->mesh->vertices;
-    memcpy(before, counted(f), COUNTED_BYTES);
+    memcpy(before, taken, TAKEN_BYTES);
     int error = room_for(f, draws, f->config.max_draws, SHEEN_ABOUT_MAX_DRAWS);
     if (error == SHEEN_OK)
         error = room_for(f, vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
@@ -370,7 +363,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     if (error == SHEEN_OK && d->edges != NULL)
         error = d->edges->list(f, d, object, &t);
     if (error < 0) {
-        memcpy(counted(f), before, COUNTED_BYTES);
+        memcpy(taken, before, TAKEN_BYTES);
         sheen_bin_rollback(f, entries);
         return error;
     }

@@ -56,12 +56,12 @@ struct band {
 struct worker {
     void *pixels[2];
     uint16_t *depth;
-    struct span *spans;                /* band_rows, and those of the apron; then what smoothing keeps */
-    uint32_t *pending;                 /* a bit an entry: begun, not done */
-    uint8_t *carried; /* SETUP_BYTES each: max_carried slots, and a spare one that both lists of them end in */
+    struct span *spans; /* band_rows, and those of the apron; then what smoothing keeps */
+    uint32_t *pending;  /* a bit an entry: begun, not done */
+    uint8_t *carried;   /* SETUP_BYTES each: max_carried slots, and a spare one that both lists of them end in */
     uint8_t first_carried, first_free;
-    uint8_t buffer;    /* the one to draw into next */
-    int32_t last_band; /* -2 before the first */
+    uint8_t buffer;                    /* the one to draw into next */
+    int32_t last_band;                 /* -2 before the first */
     const threshold_t *dither_rows[8]; /* of the tile that is drawn, where something dithers */
     struct sheen_stats stats;          /* from here on counters, 0 when a frame begins */
     uint32_t by_way[SHEEN_WAYS];       /* set-ups */
@@ -108,11 +108,12 @@ struct sheen_frame {
     struct sheen_rect viewport;
     unsigned max_bands;
     const struct sheen_edges *edges; /* NULL: no draw has any yet; else the first one's. From here on: COUNTED_BYTES */
-    uint32_t vertices, used, entries, pieces, draws;
-    int error;              /* the first of this frame's pushes and waits */
+    uint32_t vertices, draws;
+    int error;                                        /* the first of this frame's pushes and waits */
+    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room. From here on: TAKEN_BYTES */
+    uint32_t used, entries, pieces;
     unsigned shaded_colors; /* of `shades`, which have this frame's */
     struct sheen_stats stats;
-    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room */
     unsigned bands, bands_left;
     uint32_t *done; /* a bit a band of this frame that has begun */
     struct pixel_format format;
@@ -209,7 +210,6 @@ static inline uint32_t or_default(uint32_t value, uint32_t fallback)
 
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);
-int sheen_bin_would_list(const struct sheen_frame *f, const struct vertex *const v[3]);
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece);
 /* Grow the bands that a rectangle within the viewport, not empty, crosses. */
 void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect);

@@ -102,12 +102,12 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
         int64_t area = fan_area(job, i);
         if (area == 0 || (area > 0) != (whole > 0))
             continue;
-        if (f->pieces == f->config.max_clipped) {
-            f->pieces_short += (uint32_t)sheen_bin_would_list(f, v);
-            continue;
-        }
         if (!sheen_bin_triangle(f, v, f->pieces, 1))
             continue;
+        if (f->pieces == f->config.max_clipped) {
+            f->pieces_short++;
+            continue;
+        }
         struct piece *piece = &f->piece[f->pieces++];
         piece->triangle = triangle;
         for (int k = 0; k < 3; k++)
@@ -127,29 +127,33 @@ static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t
 }
 
 /*
- * On the screen the four corners that the near plane may leave are two triangles, each linear by itself. Two rounds:
- * the side is that of both together. The corners stand in worker 0's spare set-up, which follows its scratch: while
- * draws are taken there is none.
+ * On the screen the four corners that the near plane may leave are two triangles, each linear by itself; else what it
+ * leaves is one part. Two rounds over the parts: their side is that of all together. The corners stand in worker 0's
+ * set-ups, which follow its scratch: while draws are taken there are none.
  */
 _Static_assert(SHEEN_BYTES_CLIPPING == 2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) &&
                    SETUP_BYTES >= 4 * sizeof(struct clip_corner),
                "four corners find room");
-static void cut_halves(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, struct clip_job *job,
-                       struct attributes *a)
+static void cut_parts(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, struct clip_job *job,
+                      struct attributes *a)
 {
     struct clip_corner *quad = (struct clip_corner *)f->scratch + 2 * MAX_CLIP_CORNERS;
+    const unsigned parts = job->on_screen && job->count == 4 ? 2 : 1;
     int64_t whole = 0;
 
     memcpy(quad, job->polygon, 4 * sizeof *quad);
-    for (unsigned round = 0; round < 4; round++) {
-        job->polygon[0] = quad[0];
-        job->polygon[1] = quad[1 + round % 2];
-        job->polygon[2] = quad[2 + round % 2];
-        job->count = 3;
-        sheen_clip(job, 1, CLIP_PLANES);
-        if (round < 2)
+    for (unsigned round = 0; round < 2 * parts; round++) {
+        if (parts > 1) {
+            job->polygon[0] = quad[0];
+            job->polygon[1] = quad[1 + round % 2];
+            job->polygon[2] = quad[2 + round % 2];
+            job->count = 3;
+        }
+        if (parts > 1 || round == 0)
+            sheen_clip(job, 1, CLIP_PLANES);
+        if (round < parts)
             whole += area_left(job);
-        else if (round > 2 || is_drawn(f, d, triangle, whole, a))
+        else if (round > parts || is_drawn(f, d, triangle, whole, a))
             list_pieces(f, d, triangle, job, whole, a);
         else
             return;
@@ -170,12 +174,5 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
     sheen_clip(&job, 0, 1);
     /* slerp has its corners' normals linear in space, and without perspective there is no difference */
     job.on_screen = f->view.affine && !d->as.shader->unit_normals && f->projection.orthographic == 0;
-    if (job.on_screen && job.count == 4) {
-        cut_halves(f, d, triangle, &job, &a);
-        return;
-    }
-    sheen_clip(&job, 1, CLIP_PLANES);
-    int64_t whole = area_left(&job);
-    if (is_drawn(f, d, triangle, whole, &a))
-        list_pieces(f, d, triangle, &job, whole, &a);
+    cut_parts(f, d, triangle, &job, &a);
 }

@@ -21,18 +21,19 @@
 #define CUT_SIDE (511 * 2 - 1) /* half px */
 
 /* Distance inside a plane (0..5: the order of enum vertex_flag), Q.24 lengths, any common scale for a side. */
-static int64_t inside(const struct clip_job *job, struct point point, unsigned plane)
+static APART int64_t inside(const struct clip_job *job, const struct clip_corner *corner, unsigned plane)
 {
     const struct projection *p = job->projection;
+    const struct point *point = &corner->point;
     int exponent = p->focal.exponent - (int)job->transform->fine;
-    int64_t m = point.m;
+    int64_t m = point->m;
 
     if (plane == 0)
         return m - p->near;
     if (plane == 1)
         return p->far - m;
     /* |x| focal <= side m, m fixed in an orthographic view. Range: 2^31 * 2^16, 2^31 * 2^24 */
-    int64_t across = (int64_t)(plane < 4 ? point.x : point.y) * (1 << 16);
+    int64_t across = (int64_t)(plane < 4 ? point->x : point->y) * (1 << 16);
     int64_t side = (p->orthographic != 0 ? p->orthographic : m) * CUT_SIDE << 14;
     if (exponent >= 0)
         side = asr64(side, (unsigned)exponent);
@@ -67,7 +68,7 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
                      unsigned plane, struct clip_corner *out)
 {
     const struct projection *p = job->projection;
-    int64_t da = inside(job, a->point, plane), db = inside(job, b->point, plane);
+    int64_t da = inside(job, a, plane), db = inside(job, b, plane);
     int32_t t =
         da > 0 ? fraction_of(da, da - db) : 0; /* inside by its flags it may lie beyond the cut: then it is it */
     int32_t share = job->on_screen ? on_screen(t, a->point.m, b->point.m) : t;
@@ -83,22 +84,19 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
 /* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */
 static unsigned deepest_run(const struct clip_job *job, unsigned plane, unsigned out)
 {
-    const struct clip_corner *in = job->polygon;
-    unsigned count = job->count, deepest = 0, run;
+    const unsigned count = job->count;
+    unsigned run = 0;
     int64_t depth = INT64_MIN;
 
     for (unsigned i = 0; i < count; i++) {
-        int64_t here = inside(job, in[i].point, plane);
+        int64_t here = inside(job, &job->polygon[i], plane);
         if ((out >> i & 1u) == 0 && here > depth) {
             depth = here;
-            deepest = i;
+            run = 1u << i;
         }
     }
-    run = 1u << deepest;
-    for (unsigned i = deepest; (out >> (i = i + 1 < count ? i + 1 : 0) & 1u) == 0;)
-        run |= 1u << i;
-    for (unsigned i = deepest; (out >> (i = i > 0 ? i - 1 : count - 1) & 1u) == 0;)
-        run |= 1u << i;
+    for (unsigned i = 0; i < count; i++) /* a neighbour on either side; bits beyond the corners do not stay */
+        run = (run | run << 1 | run >> 1 | run << (count - 1) | run >> (count - 1)) & ~out & ((1u << count) - 1);
     return run;
 }
 

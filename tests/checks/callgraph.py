@@ -10,17 +10,17 @@ EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
 # Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
 SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
-                (r"(^|:)begin_colours(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
-                (r"(^|:)object_valid$", r"morph_fits$"),
+                (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
+                (r"(^|:)object_problem$", r"(morph_fits|_valid)$"),
                 (r"(^|:)sheen_bin_rollback$", r"edges_cover$"),
                 (r"(^|:)(edges_draw|draw_all_lines|draw_lines_of)$", r"(^|:)(draw_lines|draw_smooth|sheen_smooth_finish)$"),
                 (r"(^|:)(draw_lines|fogged_line)$", r"fogged_line_run$"),
-                (r"(^|:)(draw_and_send|sheen_band)$", r"edges_(begin|draw)$"),
-                (r"(^|:)sheen_begin(\.part\.\d+)?$", r"fog_begin$"),
+                (r"(^|:)sheen_band$", r"edges_(begin|draw)$"),
+                (r"(^|:)view_begin$", r"fog_begin$"),
                 (r"(^|:)(use_corners|corner_point)$", r"morph_position$"),
-                (r"(^|:)(light_corners|draw_triangle)$", r"_light$|morph_normal$"),
+                (r"(^|:)(light_corners|draw_triangles?)$", r"_light$|morph_normal$"),
                 (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
-                (r"(^|:)(cut_halves|list_pieces|light_triangle)$", r"_(light|carry)$"),
+                (r"(^|:)(cut_parts|list_pieces|light_triangle)$", r"_(light|carry)$"),
                 (r"(^|:)set_up$", r"_setup$|morph_corners$"),
                 (r"(^|:)sheen_glow_begin$", r"points_place$"),
                 (r"(^|:)sheen_light_tinted$", r"points_beam$"),
@@ -35,7 +35,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)(lit_parts|sheen_slerp_normal_parts|draw_(lit|normals|tinted))$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)texel_values_at", r"texel_of_unit$"),
-                (r"(^|:)(collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
+                (r"(^|:)(paint|collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
 
 
