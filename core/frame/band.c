@@ -180,7 +180,7 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
     return 1;
 }
 
-static APART void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
+static void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
 {
     const struct draw_record *d = f->draw;
     uint8_t *link = &w->first_carried;

@@ -47,7 +47,7 @@ struct box {
 };
 
 /* Pixels whose centres may lie inside: the box of the corners, within the viewport. */
-static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[3])
+static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[3], unsigned flags)
 {
     const int32_t across = f->screen.centre_x + SUBPIXEL_HALF - 1, down = f->screen.centre_y + SUBPIXEL_HALF - 1;
     struct box b = {min32(v[0]->x, min32(v[1]->x, v[2]->x)), min32(v[0]->y, min32(v[1]->y, v[2]->y)),
@@ -57,7 +57,7 @@ static inline struct box covered(const struct sheen_frame *f, const struct verte
     b.y0 = asr32(b.y0 + down, SUBPIXEL_BITS);
     b.x1 = asr32(b.x1 + across, SUBPIXEL_BITS);
     b.y1 = asr32(b.y1 + down, SUBPIXEL_BITS);
-    if (((v[0]->flags | v[1]->flags | v[2]->flags) & OFF_VIEW) != 0) {
+    if ((flags & OFF_VIEW) != 0) {
         b.x0 = max32(b.x0, f->viewport.x0);
         b.y0 = max32(b.y0, f->viewport.y0);
         b.x1 = min32(b.x1, f->viewport.x1);
@@ -90,11 +90,11 @@ static inline void cover(struct sheen_rect *r, struct box b)
 
 /*
  * Link a triangle into the band where its box begins, and grow the bands it crosses; where no entry is left
- * f->entries_short counts it. 0: it covers no pixel's centre.
+ * f->entries_short counts it. flags: what some corner has, and LIT_AS_SEEN of a piece. 0: it covers no pixel's centre.
  */
-int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece)
+int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, unsigned flags)
 {
-    struct box b = covered(f, v);
+    struct box b = covered(f, v, flags);
     uint32_t e = f->entries;
 
     if (box_empty(b))
@@ -106,7 +106,7 @@ int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], u
     f->entries = e + 1;
     if (f->cut != NULL) {
         uint32_t bit = 1u << (e & 31u);
-        f->cut[e >> 5] = is_piece ? f->cut[e >> 5] | bit : f->cut[e >> 5] & ~bit;
+        f->cut[e >> 5] = (flags & LIT_AS_SEEN) != 0 ? f->cut[e >> 5] | bit : f->cut[e >> 5] & ~bit;
     }
     unsigned first = band_of(f, b.y0), more = band_of(f, b.y1 - 1) - first;
     struct band *band = &f->band[first];
@@ -151,7 +151,7 @@ void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
         while (e >= f->draw[d].end_entry)
             d++;
         sheen_entry_corners(f, &f->draw[d], e, &c);
-        (void)sheen_bin_triangle(f, c.v, f->entry[e].triangle, is_cut(f, e));
+        (void)sheen_bin_triangle(f, c.v, f->entry[e].triangle, OFF_VIEW | c.v[0]->flags);
     }
     if (f->edges != NULL)
         f->edges->cover(f, 0);

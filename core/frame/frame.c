@@ -12,7 +12,7 @@
 
 /* ---- begin ---- */
 
-static int same_rect(const struct sheen_rect *a, const struct sheen_rect *b)
+static APART int same_rect(const struct sheen_rect *a, const struct sheen_rect *b)
 {
     return a->x0 == b->x0 && a->y0 == b->y0 && a->x1 == b->x1 && a->y1 == b->y1;
 }
@@ -48,7 +48,7 @@ static void workers_begin(struct sheen_frame *f)
     }
 }
 
-/* What the last frame touched becomes stale; it has to be drawn over. */
+/* What the last frame touched becomes stale: it has to be drawn over. Where all is sent that does not count. */
 static void bands_begin(struct sheen_frame *f)
 {
     uint32_t rows = f->config.band_rows;
@@ -59,7 +59,7 @@ static void bands_begin(struct sheen_frame *f)
     f->band_scale = ((1u << 20) + rows - 1) / rows;
     memset(f->done, 0, (f->max_bands + 31u) / 32 * sizeof *f->done);
     for (unsigned b = 0; b < f->bands; b++)
-        f->band[b].stale = f->send_all ? NO_RECT : f->band[b].cover;
+        f->band[b].stale = f->band[b].cover;
     sheen_bin_clear(f);
 }
 
@@ -153,12 +153,11 @@ static APART void light_corners(struct sheen_frame *f, const struct draw_record 
 
 /* Cull, clip and list one triangle. */
 static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                          uint32_t triangle)
+                          const uint16_t *place, uint32_t triangle)
 {
     const uint32_t index[3] = {mesh_index(d->as.mesh, 3 * triangle), mesh_index(d->as.mesh, 3 * triangle + 1),
                                mesh_index(d->as.mesh, 3 * triangle + 2)},
                    none = f->config.max_used;
-    const uint16_t *place = f->place + d->first_vertex;
 
     SHEEN_TAP(LOOKED_AT, 1);
     if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) && !use_corners(f, d, t, index))
@@ -175,7 +174,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
     if (area >= 0 && (area == 0 || !d->as.two_sided))
         return;
     f->stats.front++;
-    if (sheen_bin_triangle(f, v, triangle, 0) && (all & LIT) == 0 && d->as.shader->light != NULL)
+    if (sheen_bin_triangle(f, v, triangle, any) && (all & LIT) == 0 && d->as.shader->light != NULL)
         light_corners(f, d, index);
 }
 
@@ -244,14 +243,15 @@ static APART int draw_triangles(struct sheen_frame *f, const struct draw_record 
                                 const struct viewpoint *viewpoint)
 {
     const struct sheen_mesh *mesh = d->as.mesh;
+    uint16_t *const place = f->place + d->first_vertex;
     uint32_t faces = UINT32_MAX, end = mesh->triangles;
 
-    memset(f->place + d->first_vertex, 0xff, mesh->vertices * sizeof *f->place);
+    memset(place, 0xff, mesh->vertices * sizeof *place);
     for (uint32_t i = 0; i < end; i++) {
         if (viewpoint->a_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces) &&
             (i = sheen_next_facing(viewpoint, mesh, i, &faces)) == end)
             break;
-        draw_triangle(f, d, t, i);
+        draw_triangle(f, d, t, place, i);
     }
     if (f->used_short > 0)
         return room_for(f, f->config.max_used + f->used_short, f->config.max_used, SHEEN_ABOUT_MAX_USED);
@@ -267,21 +267,21 @@ static const struct shades *shades_of(struct sheen_frame *f, const struct draw *
     const struct shades_maker *maker = d->shader->shades;
     const struct colour_terms *terms = &d->colour;
     const unsigned dither = d->dither;
-    unsigned i = 0;
+    struct shades *s = f->shades;
 
     /* where a ramp makes areas of one colour, 1024 shades are not enough */
     if (maker == NULL || f->format.grey || d->light.ramp != NULL || !maker->fit(terms, dither))
         return NULL;
-    while (i < f->shaded_colors && !maker->is_of(&f->shades[i], terms, dither))
-        i++;
-    if (i == f->shaded_colors) {
-        if (f->shaded_colors == f->config.max_shades)
-            return NULL;
-        f->shaded_colors++;
-        if (!maker->is_of(&f->shades[i], terms, dither)) /* it often is, from the last frame */
-            maker->make(&f->shades[i], terms, &f->format, dither);
+    for (unsigned i = 0; i < f->config.max_shades; i++, s++) {
+        const int is_of = maker->is_of(s, terms, dither); /* the first that is free often is, from the last frame */
+        if (i < f->shaded_colors && !is_of)
+            continue;
+        if (!is_of)
+            maker->make(s, terms, &f->format, dither);
+        f->shaded_colors += i == f->shaded_colors;
+        return s;
     }
-    return &f->shades[i];
+    return NULL;
 }
 
 /* What a draw keeps of its material and how it is lit, where its lights are known. */

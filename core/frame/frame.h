@@ -210,7 +210,7 @@ static inline uint32_t or_default(uint32_t value, uint32_t fallback)
 
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);
-int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, int is_piece);
+int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, unsigned flags);
 /* Grow the bands that a rectangle within the viewport, not empty, crosses. */
 void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect);
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);

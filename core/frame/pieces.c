@@ -102,7 +102,7 @@ static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint
         int64_t area = fan_area(job, i);
         if (area == 0 || (area > 0) != (whole > 0))
             continue;
-        if (!sheen_bin_triangle(f, v, f->pieces, 1))
+        if (!sheen_bin_triangle(f, v, f->pieces, OFF_VIEW | LIT_AS_SEEN))
             continue;
         if (f->pieces == f->config.max_clipped) {
             f->pieces_short++;

@@ -35,7 +35,7 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)(lit_parts|sheen_slerp_normal_parts|draw_(lit|normals|tinted))$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)texel_values_at", r"texel_of_unit$"),
-                (r"(^|:)(paint|collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
+                (r"(^|:)(paint(\.isra\.\d+)?|collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
 
 
