@@ -239,8 +239,8 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
  * Every triangle that may face the eye, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. Where
  * vertices are short, what they would have made is not known.
  */
-static APART int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                                const struct viewpoint *viewpoint)
+static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                          const struct viewpoint *viewpoint)
 {
     const struct sheen_mesh *mesh = d->as.mesh;
     uint16_t *const place = f->place + d->first_vertex;

@@ -93,8 +93,8 @@ static int64_t area_left(const struct clip_job *job)
  * List the fan of what is left. whole: area of all that is left of the triangle; its side decides, a sliver of the
  * fan that snapping turned over is left out. What finds no room is counted.
  */
-static void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
-                        const struct clip_job *job, int64_t whole, const struct attributes *a)
+static APART void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
+                              const struct clip_job *job, int64_t whole, const struct attributes *a)
 {
     for (unsigned i = 1; i + 1 < job->count; i++) {
         const struct clip_corner *fan[3] = {&job->polygon[0], &job->polygon[i], &job->polygon[i + 1]};
@@ -141,7 +141,8 @@ static void cut_parts(struct sheen_frame *f, const struct draw_record *d, uint16
     const unsigned parts = job->on_screen && job->count == 4 ? 2 : 1;
     int64_t whole = 0;
 
-    memcpy(quad, job->polygon, 4 * sizeof *quad);
+    if (parts > 1)
+        memcpy(quad, job->polygon, 4 * sizeof *quad);
     for (unsigned round = 0; round < 2 * parts; round++) {
         if (parts > 1) {
             job->polygon[0] = quad[0];
