@@ -6,7 +6,7 @@
 #include "../math/pose.h"
 #include "frame.h"
 
-/* What is 0 when a frame begins, and what of it a draw takes, which fails as a whole; both a run of the frame's fields. */
+/* What is 0 when a frame begins, and what of it a draw takes, which fails as a whole; runs of the frame's fields. */
 #define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - offsetof(struct sheen_frame, edges))
 #define TAKEN_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
 
@@ -27,7 +27,7 @@ static APART int same_background(const struct sheen_view *a, const struct sheen_
            (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
-/* The viewport asked for, 0 where it cannot be; its edges have to be on the target's alignment, for what is pushed is. */
+/* The viewport asked for, 0 where it cannot be: its edges have to be on the target's alignment, as pushes are. */
 static int viewport_of(const struct sheen_target *t, const struct sheen_rect *asked, struct sheen_rect *viewport)
 {
     const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
@@ -348,11 +348,10 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     enum sheen_subject problem = object_problem(object);
     if (problem != SHEEN_ABOUT_NOTHING)
         return refuse(f, SHEEN_ERR_ARGUMENT, problem, 0);
-    const uint32_t draws = f->draws + 1, vertices = f->vertices + object->mesh->vertices;
     memcpy(before, taken, TAKEN_BYTES);
-    int error = room_for(f, draws, f->config.max_draws, SHEEN_ABOUT_MAX_DRAWS);
+    int error = room_for(f, f->draws + 1, f->config.max_draws, SHEEN_ABOUT_MAX_DRAWS);
     if (error == SHEEN_OK)
-        error = room_for(f, vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
+        error = room_for(f, f->vertices + object->mesh->vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
     if (error == SHEEN_OK)
         error = begin_draw(f, object, &d->as, &t, &viewpoint);
     if (error < 0)
@@ -368,8 +367,8 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
         return error;
     }
     d->end_entry = f->entries;
-    f->vertices = vertices;
-    f->draws = draws;
+    f->vertices += object->mesh->vertices;
+    f->draws++;
     f->stats.triangles += object->mesh->triangles;
     f->stats.drawn += f->entries - entries;
     return SHEEN_OK;
