@@ -70,24 +70,24 @@ static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t fr
     const struct screen_corner upper = {x, y, first_row(y)}, lower = {x + width, y + height, first_row(y + height)};
     const struct screen_corner at[3] = {lower, lower, upper};
     struct edge_rows to = {rows ? from : upper.row, rows ? from + rows : lower.row, rows == 0};
-    struct edge edge[3];
+    struct setup s = {.end_row = (int16_t)lower.row};
 
     if (upper.row == lower.row)
         return;
-    (void)sheen_edges_begin(edge, at, &to, spans);
+    s.right = (uint8_t)sheen_edges_begin(s.edge, at, &to, spans);
     for (;;) {
         for (int32_t row = max32(upper.row, to.row); row < min32(lower.row, to.end); row++) {
             check(&upper, width, height, row, spans[row - to.row].x0);
             check(&upper, width, height, row, spans[row - to.row].x1);
         }
         if (!to.whole && to.end > upper.row && to.row < lower.row)
-            walk_back(&upper, width, height, &edge[0], max32(upper.row, to.row), min32(lower.row, to.end));
+            walk_back(&upper, width, height, &s.edge[0], max32(upper.row, to.row), min32(lower.row, to.end));
         if (to.end >= lower.row)
             return;
         to.row = to.end;
         to.end += rows;
-        sheen_edge_go_on(&edge[0], &to, &spans->x1);
-        sheen_edge_go_on(&edge[2], &to, &spans->x0);
+        s.row = (int16_t)to.row;
+        (void)sheen_spans(&s, (struct sheen_rect){.y1 = (int16_t)to.end}, spans);
     }
 }
 

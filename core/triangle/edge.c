@@ -120,9 +120,11 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
     if (end <= row)
         return;
     const int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y; /* 0..63: down to the first row */
-    struct course c = height < SHORT && (uint32_t)(width + SHORT - 1) < 2 * SHORT - 1
-                          ? short_course(width, height, rest)
-                          : by_division(width, height, rest);
+    struct course c;
+    if (height < SHORT && (uint32_t)(width + SHORT - 1) < 2 * SHORT - 1)
+        c = short_course(width, height, rest);
+    else
+        c = by_division(width, height, rest);
     c.start += shifted64(upper->x + SUBPIXEL_HALF, 26); /* the whole part is the column */
     if (row != first)
         c.start += (row - first) * c.step;
