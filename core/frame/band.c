@@ -92,8 +92,8 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 /* ---- drawing ---- */
 
 /* Prepare entry e from the tile's rows on: how many it has there. */
-static unsigned set_up(const struct sheen_frame *f, const struct worker *w, const struct tile *t,
-                       const struct draw_record *d, uint32_t e, struct setup *s)
+static APART unsigned set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t,
+                             const struct draw_record *d, uint32_t e, struct setup *s)
 {
     struct surface_corners c;
     struct gradients g;
@@ -214,6 +214,7 @@ static void tile_begin(const struct sheen_frame *f, struct worker *w, struct til
     t->centre_x = f->screen.centre_x;
     t->centre_y = f->screen.centre_y;
     t->spans = w->spans;
+    t->facet.draw = NULL;
 #if SHEEN_STATS
     t->shaded = &w->stats.shaded;
 #endif

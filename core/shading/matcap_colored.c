@@ -35,12 +35,11 @@ static void texel_of_unit(const struct sheen_texture *t, const uint32_t normal[3
 }
 
 /* by_pixel: normals are brought over the triangle, else texel coordinates. */
-static APART void draw_matcap(const struct tile *t, const struct setup *s, int by_pixel)
+static APART void matcap_corners(const struct setup *s, int by_pixel, struct texel_corners *corners)
 {
     const struct lighting *l = &s->draw->light;
     const sheen_q30_t *const axis[3] = {l->to[0], l->to[1], l->view};
     const struct shares_setup *q = (const struct shares_setup *)s;
-    struct texel_corners corners = {.texel_of = by_pixel ? texel_of_unit : NULL};
     int16_t normal[3][3];
     struct glow glow[3];
 
@@ -55,9 +54,16 @@ static APART void draw_matcap(const struct tile *t, const struct setup *s, int b
         }
         texel_of_cosines(s->draw->tint.texture, n[0], n[1], at);
         for (int i = 0; i < 3; i++)
-            corners.place[i].f[k] = by_pixel || i == 2 ? n[i] : (int32_t)at[i];
+            corners->place[i].f[k] = by_pixel || i == 2 ? n[i] : (int32_t)at[i];
     }
-    sheen_color_corners(&corners, q, glow);
+    sheen_color_corners(corners, q, glow);
+}
+
+static void draw_matcap(const struct tile *t, const struct setup *s, int by_pixel)
+{
+    struct texel_corners corners = {.texel_of = by_pixel ? texel_of_unit : NULL};
+
+    matcap_corners(s, by_pixel, &corners);
     sheen_colored_texels(t, s, &corners);
 }
 

@@ -5,45 +5,55 @@
 #include "../triangle/colored_texels.h"
 #include "shading.h"
 
-/* glow: at the corners. */
-static APART void draw_texels(const struct tile *t, const struct setup *s, const struct glow glow[3])
+/* What the corners glow: each by its normal, or all by the polygon's. */
+static void corners_glow(const struct setup *s, uint32_t triangle, int is_flat, struct glow glow[3])
+{
+    const int back = s->detail & SHARES_BACK;
+
+    if (is_flat) {
+        sheen_polygon_glow(s->draw, (uint16_t)triangle, back, &glow[0]);
+        glow[1] = glow[2] = glow[0];
+        return;
+    }
+    for (uint32_t k = 0; k < 3; k++)
+        sheen_vertex_glow(s->draw, 3 * (ptrdiff_t)mesh_index(s->draw->mesh, 3 * triangle + k), back, &glow[k]);
+}
+
+/* Apart: what it works with is off the stack when texels are drawn. */
+static APART void corners_of(const struct setup *s, int is_flat, struct texel_corners *corners)
 {
     const struct shares_setup *q = (const struct shares_setup *)s;
     const struct sheen_mesh *mesh = s->draw->mesh;
-    struct texel_corners corners = {.texel_of = NULL};
     const uint32_t triangle = shared_triangle_of(s, q->of);
     struct corners at;
+    struct glow glow[3];
 
     for (uint32_t k = 0; k < 3; k++)
         at.normal[k] = mesh->uvs + 2 * mesh_index(mesh, 3 * triangle + k);
     for (int i = 0; i < 2; i++) {
-        sheen_texels_of(&corners.place[i], s->draw, s->draw->tint.texture, &at, i);
-        sheen_mix_corners(&corners.place[i], q);
+        sheen_texels_of(&corners->place[i], s->draw, s->draw->tint.texture, &at, i);
+        sheen_mix_corners(&corners->place[i], q);
     }
-    sheen_color_corners(&corners, q, glow);
+    corners_glow(s, triangle, is_flat, glow);
+    sheen_color_corners(corners, q, glow);
+}
+
+static void draw_texels(const struct tile *t, const struct setup *s, int is_flat)
+{
+    struct texel_corners corners = {.texel_of = NULL};
+
+    corners_of(s, is_flat, &corners);
     sheen_colored_texels(t, s, &corners);
 }
 
 static void textured_colored_rows(const struct tile *t, const struct setup *s)
 {
-    const struct shares_setup *q = (const struct shares_setup *)s;
-    const uint32_t triangle = shared_triangle_of(s, q->of);
-    struct glow glow[3];
-
-    for (uint32_t k = 0; k < 3; k++)
-        sheen_vertex_glow(s->draw, 3 * (ptrdiff_t)mesh_index(s->draw->mesh, 3 * triangle + k), s->detail & SHARES_BACK,
-                          &glow[k]);
-    draw_texels(t, s, glow);
+    draw_texels(t, s, 0);
 }
 
 static void textured_flat_colored_rows(const struct tile *t, const struct setup *s)
 {
-    const struct shares_setup *q = (const struct shares_setup *)s;
-    struct glow glow[3];
-
-    sheen_polygon_glow(s->draw, (uint16_t)shared_triangle_of(s, q->of), s->detail & SHARES_BACK, &glow[0]);
-    glow[1] = glow[2] = glow[0];
-    draw_texels(t, s, glow);
+    draw_texels(t, s, 1);
 }
 
 static void shares_as(struct setup *s, struct surface_corners *c, const struct gradients *g,

@@ -192,15 +192,15 @@ struct faded_fog {
 /* All but the last ones are constant. */
 struct way {
     unsigned packed, lit, glossy, dither, swap;
-    unsigned other;                /* palettes, and a colour that is transparent */
-    unsigned fogged;               /* light and highlight are what the fog leaves of them */
+    uint8_t other;                 /* palettes, and a colour that is transparent */
+    uint8_t fogged;                /* light and highlight are what the fog leaves of them */
+    uint8_t faded;                 /* unlit: in place of the fog's share what it leaves is stepped */
     uint32_t fog[3];               /* its levels */
     intptr_t to_pixel;             /* bytes from a pixel's depth */
     const threshold_t *thresholds; /* of the row, where something dithers */
     uint32_t half;                 /* of rounding, with LIGHT_BITS */
     uint32_t spread;               /* the mask of three channels in 1/32 level */
     const struct sheen_texture *texture;
-    unsigned faded;        /* unlit: in place of the fog's share what it leaves is stepped */
     struct faded_fog mist; /* of what is faded */
 };
 
@@ -531,8 +531,7 @@ SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part
 
 /* ---- fog ---- */
 
-SPECIALISED struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned glossy, unsigned dither,
-                                  unsigned swap)
+SPLIT struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned glossy, unsigned dither, unsigned swap)
 {
     struct way way = way_of(packed, 1, glossy, dither, swap);
 
@@ -559,7 +558,7 @@ static int is_glossy(const struct texel_part *part)
 }
 
 /* Texels under light and fog that are linear along the part; faded: see fade. */
-static APART void any_fogged_part(const struct texel_run *r, const struct texel_part *part, int faded)
+SPLIT struct way any_fogged_way(const struct texel_run *r, const struct texel_part *part, int faded)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
     const unsigned glossy = !faded && is_glossy(part);
@@ -568,10 +567,26 @@ static APART void any_fogged_part(const struct texel_run *r, const struct texel_
     if (faded)
         fade(&way);
     way.other = (texture->bits & 15) != 0 || texture->keyed;
-    if (texture->bilinear)
-        bilinear_part(r, *part, way);
+    return way;
+}
+
+static APART void any_fogged_bilinear(const struct texel_run *r, const struct texel_part *part, int faded)
+{
+    bilinear_part(r, *part, any_fogged_way(r, part, faded));
+}
+
+static APART void any_fogged_nearest(const struct texel_run *r, const struct texel_part *part, int faded)
+{
+    nearest_part(r, *part, any_fogged_way(r, part, faded));
+}
+
+/* Two functions: the stack of one alone. */
+SPLIT void any_fogged_part(const struct texel_run *r, const struct texel_part *part, int faded)
+{
+    if (r->d->texel.texture->bilinear)
+        any_fogged_bilinear(r, part, faded);
     else
-        nearest_part(r, *part, way);
+        any_fogged_nearest(r, part, faded);
 }
 
 #if FAST_LOOPS

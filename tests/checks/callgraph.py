@@ -8,6 +8,8 @@ import re
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
+# B of libgcc 12's and newlib's on Cortex-M, which push seven and five words; others as deepest() is told.
+OUTSIDE = {"__aeabi_lmul": 40, "__clzsi2": 8, "memcpy": 40, "memset": 40}
 # Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
 SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
                 (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
@@ -32,11 +34,16 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)sheen_shaded_run$", r"(general_run|_shaded_run_by_ramp|fogged_shaded_run)$"),
                 (r"(^|:)sheen_textured_run$", r"(any_run|fogged_texel_run)$"),
                 (r"(^|:)(draw_normal_run|sheen_phong_lights_rows|draw_normals)$", r"(sheen_normal_run|_normal_run_by_ramp|fogged_normal_run)$"),
-                (r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)(lit_parts|sheen_slerp_normal_parts|draw_(lit|normals|tinted))$"),
+                (r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)(lit_parts|sheen_slerp_normal_parts|draw_(lit|normals))$"),
+                (r"(^|:)(sheen_slerp_draw|draw_row) for tinted$", r"(^|:)(sheen_slerp_normal_parts|draw_tinted)$"),
                 (r"(^|:)(draw_rows|draw_entry|draw_pending|draw_and_push|sheen_band)$", r"_(setup|rows(_\w+)?|hide)$|morph_corners$"),
                 (r"(^|:)texel_values_at", r"texel_of_unit$"),
                 (r"(^|:)(paint(\.isra\.\d+)?|collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
+
+# A function that calls what it is handed, and what it is inlined into or not: once more, under a name of its own, for
+# who hands it other functions.
+HANDED = [(r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)tinted_slerp_rows$", " for tinted")]
 
 
 class CallGraph:
@@ -65,17 +72,32 @@ class CallGraph:
     def resolve_indirect(self, taken, kinds=()):
         """An indirect call may reach every function whose address is taken: all names in taken.
 
-        kinds: (pattern of callers, pattern of what their indirect calls reach); no caller of another name is held to it.
+        kinds: (pattern of callers, pattern of what their indirect calls reach); no caller of another name is held to
+        it. A caller of several kinds, which a compiler makes of two functions, reaches what each of them does.
         """
         reached = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
+        for group, caller, suffix in HANDED:
+            for name in [name for name in self.calls if re.search(caller, name)]:
+                self.calls[name] = [self._copy(called, group, suffix) for called in self.calls[name]]
+        callers = {name for name, called in self.calls.items() if INDIRECT in called}
         self.calls[INDIRECT] = reached
-        for callers, callees in kinds:
-            node = f"{INDIRECT} {callees}"
-            self.calls[node] = [name for name in reached if re.search(callees, name)]
-            self.stack[node] = 0
-            for caller, called in self.calls.items():
-                if re.search(callers, caller):
-                    self.calls[caller] = [node if name == INDIRECT else name for name in called]
+        for caller in callers:
+            nodes = [callees for pattern, callees in kinds if re.search(pattern, caller)]
+            for callees in nodes:
+                self.calls[f"{INDIRECT} {callees}"] = [name for name in reached if re.search(callees, name)]
+                self.stack[f"{INDIRECT} {callees}"] = 0
+            if nodes:
+                self.calls[caller] = [name for name in self.calls[caller] if name != INDIRECT]
+                self.calls[caller] += [f"{INDIRECT} {callees}" for callees in nodes]
+
+    def _copy(self, name, group, suffix):
+        """The name of a copy of a function of the group, whose calls are copies too; others stay themselves."""
+        if not re.search(group, name):
+            return name
+        if name + suffix not in self.stack:
+            self.stack[name + suffix] = self.stack[name]
+            self.calls[name + suffix] = [self._copy(called, group, suffix) for called in self.calls.get(name, ())]
+        return name + suffix
 
     def cycles(self):
         """A list of cycles, each as the list of its functions; one for each back edge met."""
@@ -106,7 +128,7 @@ class CallGraph:
         def depth(name):
             if name not in known:
                 below = max((depth(callee) for callee in self.calls.get(name, ())), default=(0, []))
-                own = 0 if name == INDIRECT else self.stack.get(name, outside)
+                own = 0 if name == INDIRECT else self.stack.get(name, OUTSIDE.get(name, outside))
                 known[name] = (own + below[0], [name] + below[1])
             return known[name]
 
