@@ -29,8 +29,9 @@ SPECIALISED void swap_four(uint16_t *depth, uint16_t *kept, int32_t apart, int b
 SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, int32_t count, int32_t apart, int back)
 {
     const int32_t group = FAST_LOOPS && apart == 2 ? 8 : 4;
+    const uint16_t *end = kept + count, *groups = kept + (count & -group);
 
-    for (count -= group; count >= 0; count -= group) {
+    while (kept < groups) {
         swap_four(depth, kept, apart, back);
         if (group == 8)
             swap_four(depth + 4 * apart, kept + 4, apart, back);
@@ -38,10 +39,11 @@ SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, int32_t count,
         kept += group;
         OPAQUE(depth); /* one address for all */
         OPAQUE(kept);
-        OPAQUE(count);
     }
-    for (count += group; count > 0; count--, depth += apart)
+    for (; kept < end; depth += apart) {
         swap_depth(depth, kept++, back);
+        OPAQUE(kept);
+    }
     return kept;
 }
 
