@@ -473,27 +473,37 @@ static inline const uint8_t *threshold_row(const struct tile *t, unsigned dither
 #endif
 
 /* The pixel in the high half, where red's whole levels stand; blue's go up to it, and what red has there leaves. */
-SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
+SPECIALISED uint32_t packed_high(struct packed p)
 {
     const uint32_t red_blue = p.red_blue & 0xf800f800u, green = (p.green >> 26) << 21;
 
 #if defined(__ARM_ARCH_6M__) /* in two registers */
-    return high_order(green | red_blue | red_blue << 5, swap);
+    return green | red_blue | red_blue << 5;
 #else
-    return high_order(red_blue | red_blue << 5 | green, swap);
+    return red_blue | red_blue << 5 | green;
 #endif
 }
 
+SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
+{
+    return high_order(packed_high(p), swap);
+}
+
 /* pair: of the pixel, threshold_pair's. */
-SPECIALISED uint16_t dithered_565(const struct tile *t, const uint16_t *depth, struct packed p, uint32_t pair,
-                                  unsigned swap)
+SPECIALISED uint32_t dithered_high(const struct tile *t, const uint16_t *depth, struct packed p, uint32_t pair)
 {
     (void)t;
     (void)depth;
     SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
     p.red_blue += pair;
     p.green += pair << 15; /* what is in the high half falls off */
-    return packed_565(p, swap);
+    return packed_high(p);
+}
+
+SPECIALISED uint16_t dithered_565(const struct tile *t, const uint16_t *depth, struct packed p, uint32_t pair,
+                                  unsigned swap)
+{
+    return high_order(dithered_high(t, depth, p, pair), swap);
 }
 
 /* A row's thresholds, and what they are shifted by to the draw's fraction. */

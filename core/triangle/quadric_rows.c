@@ -65,9 +65,9 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     } while (depth != last);
 }
 
-/* f: Q1.30, its steps within a segment are cut. */
-PIXEL uint16_t segment_pixel(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
-                             const uint16_t *depth, unsigned swap)
+/* The pixel in the high half. f: Q1.30, its steps within a segment are cut. */
+PIXEL uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
+                             const uint16_t *depth)
 {
     const uint32_t lit = not_negative(f) >> (30 - SEGMENT_BITS - SEGMENT_STEPS_BITS);
     const uint32_t n = lit & ((1u << SEGMENT_STEPS_BITS) - 1);
@@ -77,8 +77,7 @@ PIXEL uint16_t segment_pixel(const struct shade_segment *segments, uint32_t f, u
     OPAQUE_BOTH(s.red_blue, s.red_blue_step); /* two in one load */
     OPAQUE_BOTH(s.green, s.green_step);
 
-    return dithered_565(t, depth, (struct packed){s.red_blue + n * s.red_blue_step, s.green + n * s.green_step}, pair,
-                        swap);
+    return dithered_high(t, depth, (struct packed){s.red_blue + n * s.red_blue_step, s.green + n * s.green_step}, pair);
 }
 
 /* The draw's shades: L.N alone. */
@@ -96,8 +95,9 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
         depth++;
         if (nearer(t, depth, z))
             *pixel_at(depth, to_pixel) =
-                dither ? segment_pixel(shades->segment, f, threshold_pair(thresholds, depth), t, depth, swap)
-                       : pixels[not_negative(f) >> (30 - SHADES_BITS)];
+                dither
+                    ? high_order(segment_pixel(shades->segment, f, threshold_pair(thresholds, depth), t, depth), swap)
+                    : pixels[not_negative(f) >> (30 - SHADES_BITS)];
         z += dz;
         f += df;
         df += ddf;
