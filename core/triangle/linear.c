@@ -41,7 +41,8 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
 {
     struct shades_setup *r = (struct shades_setup *)s;
 
-    s->rows = THUMB_LOOPS && !packable(g) ? sheen_wide_shades_rows : sheen_shades_rows;
+    s->detail = !packable(g);
+    s->rows = THUMB_LOOPS && s->detail ? sheen_wide_shades_rows : sheen_shades_rows;
     r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 

@@ -49,8 +49,9 @@ static unsigned dithered_constant_kind(const struct tile *t, const struct setup 
 
 static unsigned shades_kind(const struct tile *t, const struct setup *s)
 {
-    (void)s;
-    return t->dither ? SHEEN_PLAN_SHADES_DITHERED_SETUP : SHEEN_PLAN_SHADES_SETUP;
+    if (t->dither)
+        return SHEEN_PLAN_SHADES_DITHERED_SETUP;
+    return s->detail ? SHEEN_PLAN_SHADES_WIDE_SETUP : SHEEN_PLAN_SHADES_SETUP;
 }
 
 static unsigned packed_kind(const struct tile *t, const struct setup *s)
@@ -71,7 +72,7 @@ static int is_fogged(const struct tile *t, const struct setup *s)
     return s->draw->fog && !t->format->grey && !s->draw->by_ramp && !s->draw->stippled;
 }
 
-/* As sheen_quadric_own_rows() chooses. */
+/* As sheen_take_quadric_rows() chooses. */
 static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
     if (is_fogged(t, s))
@@ -144,6 +145,8 @@ static unsigned kind_of(const struct tile *t, const struct setup *s)
     for (const struct rows_kind *k = rows_kinds; k < rows_kinds + sizeof rows_kinds / sizeof rows_kinds[0]; k++)
         if (k->rows == s->rows)
             return k->choose ? k->choose(t, s) : k->kind;
+    if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC || s->way == SHEEN_WAY_PHONG_QUADRATIC) /* loops chosen at set-up */
+        return quadric_kind(t, s);
     if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's, which names no functions */
         return quotient_kind(t, s);
     if (s->draw->fog && s->way <= SHEEN_WAY_GOURAUD_LINEAR)

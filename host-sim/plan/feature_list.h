@@ -116,7 +116,8 @@ enum sheen_plan_stage {
     K(CONSTANT_GREY)                                                                                                   \
     K(CONSTANT_DITHERED)                                                                                               \
     K(CONSTANT_GREY_DITHERED)                                                                                          \
-    K(SHADES) /* one intensity, finished pixels from its shades */                                                     \
+    K(SHADES)      /* one intensity, finished pixels from its shades */                                                \
+    K(SHADES_WIDE) /* of triangles over 32 px */                                                                       \
     K(SHADES_DITHERED)                                                                                                 \
     K(PACKED) /* channels in two words */                                                                              \
     K(PACKED_DITHERED)                                                                                                 \
