@@ -261,7 +261,7 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 /* The same of a value in the high half of a word: all four bytes turn in one instruction, where there is one. */
 static inline uint16_t high_order(uint32_t value, unsigned swap)
 {
-#if defined(__arm__) || defined(__x86_64__)
+#if defined(__GNUC__) && (defined(__arm__) || defined(__x86_64__))
     if (swap)
         return (uint16_t)__builtin_bswap32(value);
 #endif
