@@ -435,6 +435,15 @@ struct sheen_view {
 
 /* ---- a frame ---- */
 
+struct sheen_clipper;
+
+/*
+ * What cuts triangles that the near plane, the far plane or the guard band (511 px from the viewport's middle) crosses.
+ * A program whose objects always lie before the near plane and are no larger than the guard band does without: then a
+ * draw that would need it ends with SHEEN_ERR_CAPACITY.
+ */
+extern const struct sheen_clipper sheen_clipper;
+
 /* Capacities, fixed at init. Totals of a frame; 0 takes the default in brackets. */
 struct sheen_config {
     const struct sheen_target *target; /* borrowed for the frame's life */
@@ -445,8 +454,8 @@ struct sheen_config {
     uint16_t max_used;                 /* of them, those of polygons that may face the eye [max_vertices] */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
-    uint16_t max_clipped; /* listed pieces of triangles that near or far plane or the guard band cuts [0] */
-    uint8_t max_shades;   /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
+    uint16_t max_clipped;              /* listed pieces of triangles that the clipper cuts [0] */
+    uint8_t max_shades;                /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
     uint8_t smooth;       /* 1: room for sheen_edges_smooth, a byte a pixel of a band and of 8 rows more [0] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
     /*
@@ -455,6 +464,7 @@ struct sheen_config {
      * Ends that the view volume cuts count with max_vertices and max_used.
      */
     uint16_t max_edges;
+    const struct sheen_clipper *clipper; /* &sheen_clipper: MUST be there where max_clipped is not 0 */
     /*
      * For workers on several threads: one at a time is let through between lock and
      * unlock, both with lock_ctx. The core calls them in pairs, never one pair within
@@ -537,13 +547,15 @@ enum sheen_subject {
     SHEEN_ABOUT_MORPH,     /* its mesh is not of the object's shape, weight out of range, or no morpher */
     SHEEN_ABOUT_EDGES,     /* of an object: its mesh has none */
     SHEEN_ABOUT_MAX_EDGES, /* a capacity */
-    SHEEN_ABOUT_SMOOTH     /* likewise */
+    SHEEN_ABOUT_SMOOTH,    /* likewise */
+    SHEEN_ABOUT_CLIPPER    /* of the configuration: none for max_clipped */
 };
 
 /*
  * Of the last sheen_begin, sheen_draw or sheen_render that ended with SHEEN_ERR_ARGUMENT, SHEEN_ERR_DEGENERATE or
  * SHEEN_ERR_CAPACITY. *needed: for a capacity, the least with which what was drawn so far and that object would have
- * passed (for triangles and pieces: exactly, though the other may be short then); else 0. It may be NULL.
+ * passed (for triangles and pieces: exactly, though the other may be short then; for pieces without a clipper: what
+ * suffices, 12 a triangle); else 0. It may be NULL.
  */
 enum sheen_subject sheen_frame_about(const struct sheen_frame *frame, uint32_t *needed);
 

@@ -17,12 +17,12 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 560
+#define SHEEN_BYTES_FRAME 568
 #define SHEEN_BYTES_DRAW 328
 #define SHEEN_BYTES_WORKER 240
 #define SHEEN_BYTES_SETUP 184
 #else
-#define SHEEN_BYTES_FRAME 448
+#define SHEEN_BYTES_FRAME 452
 #define SHEEN_BYTES_DRAW 272
 #define SHEEN_BYTES_WORKER 184
 #define SHEEN_BYTES_SETUP 168

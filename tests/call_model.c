@@ -23,15 +23,17 @@ static void plain_begin(struct model *m)
     assert_int_equal(sheen_begin(m->full.frame, &m->view), SHEEN_OK);
 }
 
-/* What a draw would add to the lists. */
-static void count(struct model *m, const struct sheen_object *draw, unsigned *listed, unsigned *pieces)
+/* What a draw would add to the lists, and whether it needs a clipper. */
+static bool count(struct model *m, const struct sheen_object *draw, unsigned *listed, unsigned *pieces)
 {
     plain_begin(m);
     assert_int_equal(sheen_draw(m->full.frame, draw), SHEEN_OK);
     *listed = m->full.frame->entries;
     *pieces = m->full.frame->pieces;
+    const bool cut = m->full.frame->stats.clipped > 0;
     assert_int_equal(sheen_finish(m->full.frame), SHEEN_OK);
     m->aside = false;
+    return cut;
 }
 
 static void check_picture(struct model *m)
@@ -140,8 +142,9 @@ void model_draw(struct model *m, const struct sheen_object *draw, int valid)
                 (draw->mesh != NULL && m->vertices + draw->mesh->vertices > m->config.max_vertices);
 
     if (expected == SHEEN_OK) {
-        count(m, draw, &listed, &pieces);
-        if (full || m->listed + listed > m->config.max_triangles || m->pieces + pieces > m->config.max_clipped)
+        const bool cut = count(m, draw, &listed, &pieces);
+        if (full || (cut && m->config.clipper == NULL) || m->listed + listed > m->config.max_triangles ||
+            m->pieces + pieces > m->config.max_clipped)
             expected = SHEEN_ERR_CAPACITY;
     }
     int result = sheen_draw(m->f.frame, draw);
@@ -268,7 +271,8 @@ void model_invalidate(struct model *m)
 void model_make(struct model *m, const struct sheen_config *config, bool lock)
 {
     const struct sheen_target *t = &m->glass.target;
-    struct sheen_config plain = {.max_vertices = 200, .max_triangles = 200, .max_clipped = 200};
+    struct sheen_config plain = {
+        .max_vertices = 200, .max_triangles = 200, .max_clipped = 200, .clipper = &sheen_clipper};
 
     m->config = *config;
     m->config.target = t;

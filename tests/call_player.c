@@ -309,7 +309,10 @@ void player_open(struct player *p, const struct stage *actors, unsigned number, 
                                    .max_triangles = (uint16_t)(1 + below(p, 100)),
                                    .max_draws = (uint16_t)(1 + below(p, MODEL_DRAWS)),
                                    .max_clipped = (uint16_t)(one_in(p, 2) ? 0 : below(p, 20)),
+                                   .clipper = &sheen_clipper,
                                    .max_carried = (uint16_t)(1 + below(p, 10))};
+    if (config.max_clipped == 0 && one_in(p, 3))
+        config.clipper = NULL;
     model_make(&p->model, &config, one_in(p, 2));
     painter[0].player = painter[1].player = p;
     stage_view(&p->view);

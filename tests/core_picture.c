@@ -379,7 +379,8 @@ static int draw_scene(const struct sheen_target *target, const struct ref_scene 
                                   .band_rows = (uint16_t)band_rows,
                                   .max_vertices = mesh->vertices,
                                   .max_triangles = (uint16_t)(mesh->triangles + CLIPPED),
-                                  .max_clipped = CLIPPED};
+                                  .max_clipped = CLIPPED,
+                                  .clipper = &sheen_clipper};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
     struct core_tables tables;

@@ -76,6 +76,7 @@ int edge_picture(uint16_t *values, const struct ref_scene *scene, const struct s
                                         .max_vertices = (uint16_t)(mesh->vertices + CLIPPED),
                                         .max_triangles = (uint16_t)(mesh->triangles + CLIPPED),
                                         .max_clipped = CLIPPED,
+                                        .clipper = &sheen_clipper,
                                         .max_edges = (uint16_t)(drawing->edges ? 4 * mesh->triangles : 0),
                                         .smooth = drawing->edges == &sheen_edges_smooth};
     int status = core_frame_make(&f, &config);

@@ -385,6 +385,7 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
                                   .max_vertices = (uint16_t)(draw->mesh->vertices + (s->edging != 0 ? 500 : 0)),
                                   .max_triangles = 1400,
                                   .max_clipped = 600,
+                                  .clipper = &sheen_clipper,
                                   .max_carried = way->carried,
                                   .max_edges = s->edging != 0 ? 8000 : 0,
                                   .smooth = s->edging == SHEEN_SMOOTH};

@@ -34,7 +34,8 @@ static void case_make(struct bin_case *c, int band_rows, int align, int max_tria
                                         .band_rows = (uint16_t)band_rows,
                                         .max_vertices = 9 * TRIANGLES,
                                         .max_triangles = (uint16_t)max_triangles,
-                                        .max_clipped = TRIANGLES};
+                                        .max_clipped = TRIANGLES,
+                                        .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&c->frame, &config), SHEEN_OK);
     for (int i = 0; i < 3 * TRIANGLES; i++)
         c->index[i] = (uint16_t)i;

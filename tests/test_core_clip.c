@@ -40,8 +40,11 @@ static void case_make(struct clip_case *c, int width, int height)
     c->material.base[0] = 255;
     c->material.diffuse = 65536;
     assert_int_equal(memory_target_init(&c->target, width, height, SHEEN_RGB565_LE), 0);
-    const struct sheen_config config = {
-        .target = &c->target.target, .max_vertices = 4, .max_triangles = MOST, .max_clipped = MOST};
+    const struct sheen_config config = {.target = &c->target.target,
+                                        .max_vertices = 4,
+                                        .max_triangles = MOST,
+                                        .max_clipped = MOST,
+                                        .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&c->frame, &config), SHEEN_OK);
 }
 
@@ -151,6 +154,7 @@ static int covered_at(const struct sheen_frame *f, int px, int py)
 
 struct clip_count {
     long sure, cut, wrong;
+    uint32_t most; /* pieces */
 };
 
 /* Compares every so many pixels of the picture; says what was wrong first. */
@@ -160,6 +164,8 @@ static void compare(const struct clip_case *c, struct clip_count *count, int mos
     const struct sheen_frame *f = c->frame.frame;
 
     count->cut += f->pieces > 0;
+    count->most = f->pieces > count->most ? f->pieces : count->most;
+    assert_true(f->pieces <= MOST_PIECES * c->mesh.triangles);
     for (int y = number % step; y < c->height; y += step)
         for (int x = 0; x < c->width; x += step) {
             int expected = expected_at(c, x, y), covered = covered_at(f, x, y);
@@ -205,19 +211,21 @@ static void random_mesh(struct clip_case *c, uint32_t *state, int triangles)
 
 static void one_triangle(int width, int height, int cases, long least)
 {
-    struct clip_count count = {0, 0, 0};
+    struct clip_count count = {0};
     struct clip_case c;
     uint32_t state = 1;
 
     case_make(&c, width, height);
     for (int i = 0; i < cases; i++) {
         random_view(&c, &state, 0.05);
+        c.view.affine = i % 2; /* then two triangles are left of what the near plane leaves four corners of */
         random_mesh(&c, &state, 1);
         assert_int_equal(case_draw(&c, SHEEN_FLAT, 1), SHEEN_OK);
         compare(&c, &count, 1, i);
         assert_int_equal(sheen_end(c.frame.frame), SHEEN_OK);
     }
-    print_message("           %ld pixels inside, %ld triangles cut\n", count.sure, count.cut);
+    print_message("           %ld pixels inside, %ld triangles cut, into %u pieces at the most\n", count.sure,
+                  count.cut, count.most);
     assert_int_equal(count.wrong, 0);
     assert_true(count.sure > least && count.cut > cases / 3);
     case_free(&c);
@@ -239,7 +247,7 @@ static void test_one_triangle_on_640x480(void **unused)
 /* Both seen from the front: they meet in the shared edge and nowhere else, so no pixel twice, none left out. */
 static void test_two_triangles_that_share_an_edge(void **unused)
 {
-    struct clip_count count = {0, 0, 0};
+    struct clip_count count = {0};
     struct clip_case c;
     uint32_t state = 2;
     int both = 0;

@@ -246,8 +246,11 @@ static void nothing_seen_is_skipped(void **unused)
 
     (void)unused;
     assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
-    const struct sheen_config config = {
-        .target = &target.target, .max_vertices = 4 * POLYGONS, .max_triangles = 4000, .max_clipped = 2000};
+    const struct sheen_config config = {.target = &target.target,
+                                        .max_vertices = 4 * POLYGONS,
+                                        .max_triangles = 4000,
+                                        .max_clipped = 2000,
+                                        .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     for (int i = 0; i < 6000; i++) {
         uint8_t with[2 * POLYGONS], without[2 * POLYGONS];

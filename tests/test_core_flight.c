@@ -49,8 +49,11 @@ static void flight_begin(struct flight *f, int (*make)(struct shape *))
         f->inverted[i] = f->mesh.indices[i % 3 == 0 ? i : i % 3 == 1 ? i + 1 : i - 1];
     f->material = (struct sheen_material){.base = {255, 255, 255}, .ambient = SHEEN_Q16(1)};
     assert_int_equal(memory_target_init(&f->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
-    const struct sheen_config config = {
-        .target = &f->target.target, .max_vertices = f->mesh.mesh.vertices, .max_triangles = 2000, .max_clipped = 1000};
+    const struct sheen_config config = {.target = &f->target.target,
+                                        .max_vertices = f->mesh.mesh.vertices,
+                                        .max_triangles = 2000,
+                                        .max_clipped = 1000,
+                                        .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&f->frame, &config), SHEEN_OK);
     double up = tan(FOV / 360 * PI), aside = up * WIDTH / HEIGHT;
     f->reach = NEAR * sqrt(1 + up * up + aside * aside) + 0.001;

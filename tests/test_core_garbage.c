@@ -182,6 +182,7 @@ static void scene(struct garbage *g, int unit)
                                         .max_triangles = (uint16_t)(1 + below(g, 3 * TRIANGLES)),
                                         .max_draws = (uint16_t)below(g, 4),
                                         .max_clipped = (uint16_t)below(g, TRIANGLES),
+                                        .clipper = &sheen_clipper,
                                         .max_carried = (uint16_t)below(g, 6)};
     assert_int_equal(core_frame_make(&frame, &config), SHEEN_OK);
     for (int i = 0; i < 3; i++) {

@@ -49,8 +49,11 @@ static void bench_make(struct bench *b)
 
     memset(b, 0, sizeof *b);
     assert_int_equal(memory_target_init(&b->target, WIDTH, HEIGHT, SHEEN_RGB565_LE), 0);
-    const struct sheen_config config = {
-        .target = &b->target.target, .max_vertices = 3, .max_triangles = 16, .max_clipped = 16};
+    const struct sheen_config config = {.target = &b->target.target,
+                                        .max_vertices = 3,
+                                        .max_triangles = 16,
+                                        .max_clipped = 16,
+                                        .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&b->frame, &config), SHEEN_OK);
     stage_view(&view);
     sheen_pose_identity(&draw.pose);
@@ -108,7 +111,7 @@ static unsigned corners_of(struct bench *b, const struct sliver *s)
         sheen_project(&f->projection, t.screen_shift, &point, &f->vertex[k]);
     }
     memset(b->scratch, 0xa5, corner * (2 * MAX_CLIP_CORNERS + SPARE));
-    sheen_cut_triangle(f, f->draw, &t, 0);
+    sheen_clipper.cut(f, f->draw, &t, 0);
     f->entries = f->pieces = 0;
     unsigned first = written(b->scratch, corner, MAX_CLIP_CORNERS);
     unsigned second = written(b->scratch + MAX_CLIP_CORNERS * corner, corner, MAX_CLIP_CORNERS + SPARE);

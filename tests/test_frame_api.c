@@ -158,6 +158,7 @@ static void arena_at_compile_time(void **state)
                                  .max_triangles = (uint16_t)(1 + stage_random(&seed) % 65535),
                                  .max_draws = (uint16_t)(1 + stage_random(&seed) % 100),
                                  .max_clipped = (uint16_t)(stage_random(&seed) % 3 * 77),
+                                 .clipper = &sheen_clipper,
                                  .max_carried = (uint16_t)(1 + stage_random(&seed) % 254)};
         uint16_t used = c.max_used == 0 || c.max_used > c.max_vertices ? c.max_vertices : c.max_used;
         size_t bytes = SHEEN_ARENA_BYTES(width, height, grey ? 1 : 2, c.band_rows, c.buffers, c.max_vertices, used,

@@ -20,8 +20,12 @@ static void every_arena_too_small(void **state)
 
     (void)state;
     assert_int_equal(memory_target_init(&target, 32, 16, SHEEN_RGB565_BE), 0);
-    config = (struct sheen_config){
-        .target = &target.target, .band_rows = 4, .max_vertices = 20, .max_triangles = 30, .max_clipped = 4};
+    config = (struct sheen_config){.target = &target.target,
+                                   .band_rows = 4,
+                                   .max_vertices = 20,
+                                   .max_triangles = 30,
+                                   .max_clipped = 4,
+                                   .clipper = &sheen_clipper};
     size_t need = sheen_arena_size(&config);
     assert_true(need > 0);
     uint8_t *arena = malloc(need + 16);
@@ -85,7 +89,7 @@ static void bad_configurations(void **state)
     assert_int_equal(memory_target_init(&target, 64, 32, SHEEN_RGB565_BE), 0);
     good = (struct sheen_config){.target = &target.target, .max_vertices = 10, .max_triangles = 10};
     assert_true(sheen_arena_size(&good) > 0 && sheen_arena_size(&good) <= sizeof arena);
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; k < 10; k++) {
         struct sheen_target other = target.target;
         size_t size = sizeof arena;
         bad = good;
@@ -95,12 +99,16 @@ static void bad_configurations(void **state)
         bad.buffers = k == 3 ? 3 : 0;
         bad.workers = k == 4 ? 5 : 0;
         bad.max_carried = k == 5 ? 255 : 0;
+        bad.max_clipped = k == 9;
         other.push = k == 6 ? NULL : other.push;
         other.width = k == 7 ? 641 : other.width;
         other.height = k == 8 ? 481 : other.height;
         if (sheen_arena_size(&bad) != 0 || sheen_init(&frame, arena, &size, &bad) != SHEEN_ERR_ARGUMENT)
             fail_msg("bad configuration %d was taken", k);
     }
+    assert_int_equal(sheen_config_about(&bad), SHEEN_ABOUT_CLIPPER);
+    bad.clipper = &sheen_clipper;
+    assert_int_equal(sheen_config_about(&bad), SHEEN_ABOUT_NOTHING);
     memory_target_free(&target);
 }
 
@@ -260,6 +268,52 @@ static void what_is_not_listed_needs_no_piece(void **state)
     memory_target_free(&target);
 }
 
+/* Pieces that a frame's only draw is said to need, 0 where it passes. */
+static uint32_t pieces_said(const struct sheen_config *config, const struct actor *actor)
+{
+    struct core_frame f;
+    struct sheen_view view;
+    struct sheen_object draw;
+    struct sheen_stats stats;
+    uint32_t needed = 0;
+
+    assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
+    stage_view(&view);
+    assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    stage_draw(&stage, actor, &draw);
+    if (sheen_draw(f.frame, &draw) != SHEEN_OK) {
+        assert_int_equal(sheen_frame_about(f.frame, &needed), SHEEN_ABOUT_MAX_CLIPPED);
+        assert_true(needed > 0);
+    }
+    sheen_frame_stats(f.frame, &stats);
+    assert_true((stats.drawn == 0) == (needed > 0));
+    assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    core_frame_free(&f);
+    return needed;
+}
+
+/* Without a clipper what lies before the near plane is drawn, what crosses it is refused, with room that suffices. */
+static void only_what_is_cut_needs_a_clipper(void **state)
+{
+    struct memory_target target;
+    struct sheen_config config;
+
+    (void)state;
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+    stage_config(&config, &target, 2);
+    config.clipper = NULL;
+    assert_int_equal(pieces_said(&config, &first), 0);
+    const uint32_t said = pieces_said(&config, &cut);
+    assert_true(said > 0 && said <= UINT16_MAX);
+    config.clipper = &sheen_clipper;
+    const uint32_t exact = pieces_said(&config, &cut);
+    print_message("  %u pieces, %u are said to do without a clipper\n", exact, said);
+    assert_true(exact > 0 && exact <= said);
+    config.max_clipped = (uint16_t)said;
+    assert_int_equal(pieces_said(&config, &cut), 0);
+    memory_target_free(&target);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -268,6 +322,7 @@ int main(void)
         cmocka_unit_test(bad_configurations),
         cmocka_unit_test(capacities),
         cmocka_unit_test(what_is_not_listed_needs_no_piece),
+        cmocka_unit_test(only_what_is_cut_needs_a_clipper),
     };
 
     return cmocka_run_group_tests_name("frame_limits", tests, make_stage, free_stage);

@@ -127,8 +127,11 @@ static long triangles_of(const struct accuracy_mesh *mesh, int view, long *diffe
     assert_int_equal(memory_target_init(&target, scene.width, scene.height, SHEEN_RGB565_BE), 0);
     assert_int_equal(ref_project(&picture, &scene), 0);
     assert_int_equal(core_material(&material, &tables, &scene), SHEEN_OK);
-    struct sheen_config config = {
-        .target = &target.target, .max_vertices = mesh->mesh->vertices, .max_triangles = 8, .max_clipped = 8};
+    struct sheen_config config = {.target = &target.target,
+                                  .max_vertices = mesh->mesh->vertices,
+                                  .max_triangles = 8,
+                                  .max_clipped = 8,
+                                  .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     for (uint32_t t = 0; t < mesh->mesh->triangles; t++) {
         size_t first = piece; /* its pieces, none for a back face */

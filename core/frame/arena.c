@@ -37,6 +37,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
            : c->max_vertices == 0                     ? SHEEN_ABOUT_MAX_VERTICES
            : c->max_triangles == 0                    ? SHEEN_ABOUT_MAX_TRIANGLES
            : c->max_carried > 254                     ? SHEEN_ABOUT_MAX_CARRIED
+           : c->max_clipped > 0 && c->clipper == NULL ? SHEEN_ABOUT_CLIPPER
                                                       : SHEEN_ABOUT_NOTHING;
 }
 

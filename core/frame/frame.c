@@ -151,6 +151,16 @@ static APART void light_corners(struct sheen_frame *f, const struct draw_record 
     }
 }
 
+/* A triangle that leaves the view volume. */
+static void clip_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                          uint16_t triangle)
+{
+    if (f->config.clipper != NULL)
+        f->config.clipper->cut(f, d, t, triangle);
+    else
+        f->pieces_short += MOST_PIECES;
+}
+
 /* Cull, clip and list one triangle. */
 static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                           const uint16_t *place, uint32_t triangle)
@@ -167,7 +177,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
     unsigned all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     if ((any & OUTSIDE) != 0) {
         if ((all & OUTSIDE) == 0)
-            sheen_cut_triangle(f, d, t, (uint16_t)triangle);
+            clip_triangle(f, d, t, (uint16_t)triangle);
         return;
     }
     int64_t area = (any & OFF_VIEW) == 0 ? small_twice_area(v[0], v[1], v[2]) : sheen_twice_area(v[0], v[1], v[2]);

@@ -154,9 +154,17 @@ static inline int is_cut(const struct sheen_frame *f, uint32_t entry)
     return f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0;
 }
 
-/* pieces.c: cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */
-void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                        uint16_t triangle);
+/* pieces.c, linked where a caller names it. */
+struct sheen_clipper {
+    /* Cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */
+    void (*cut)(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
+};
+
+/*
+ * Pieces that a triangle gives at most: the near plane may leave four corners, which are two triangles where the screen
+ * is affine; five planes more leave each of these eight at the most.
+ */
+#define MOST_PIECES (2 * (3 + (CLIP_PLANES - 1) - 2))
 
 /* What begins in a band is pending. */
 static inline void add_list(const struct sheen_frame *f, struct worker *w, unsigned band)

@@ -161,8 +161,8 @@ static void cut_parts(struct sheen_frame *f, const struct draw_record *d, uint16
     }
 }
 
-void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                        uint16_t triangle)
+static void cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                         uint16_t triangle)
 {
     struct clip_corner *scratch = f->scratch;
     struct clip_job job = {&f->projection, t, 0, scratch, scratch + MAX_CLIP_CORNERS, 3};
@@ -177,3 +177,5 @@ void sheen_cut_triangle(struct sheen_frame *f, const struct draw_record *d, cons
     job.on_screen = f->view.affine && !d->as.shader->unit_normals && f->projection.orthographic == 0;
     cut_parts(f, d, triangle, &job, &a);
 }
+
+const struct sheen_clipper sheen_clipper = {cut_triangle};

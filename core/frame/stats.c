@@ -56,7 +56,7 @@ const char *sheen_subject_name(enum sheen_subject subject)
         "max_triangles", "max_draws", "max_clipped", "max_carried",  "viewport", "fov",          "z_near, z_far",
         "pose",          "mesh",      "normals",     "material",     "shine",    "ramp",         "shader",
         "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias",   "morph",
-        "edges",         "max_edges", "smooth"};
+        "edges",         "max_edges", "smooth",      "clipper"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }

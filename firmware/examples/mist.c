@@ -60,7 +60,8 @@ int example(const struct sheen_target *target, unsigned frames)
                                   .max_used = 1100,
                                   .max_triangles = 1200,
                                   .max_draws = PARTS + 1,
-                                  .max_clipped = 50};
+                                  .max_clipped = 50,
+                                  .clipper = &sheen_clipper};
     struct sheen_view view = {.fov = SHEEN_DEGREES(50),
                               .z_near = SHEEN_Q24(.5),
                               .z_far = SHEEN_Q24(18),

@@ -23,7 +23,8 @@ int example(const struct sheen_target *target, unsigned frames)
 {
     static uint64_t arena[72000 / 8];
     size_t size = sizeof arena;
-    struct sheen_config config = {.target = target, .max_vertices = 640, .max_triangles = 1100, .max_clipped = 64};
+    struct sheen_config config = {
+        .target = target, .max_vertices = 640, .max_triangles = 1100, .max_clipped = 64, .clipper = &sheen_clipper};
     struct sheen_view view = {
         .fov = SHEEN_DEGREES(52), .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(12), .background = {150, 190, 230}};
     struct sheen_object objects[] = {

@@ -316,6 +316,7 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
                                     .max_triangles = (uint16_t)(triangles < UINT16_MAX ? triangles : UINT16_MAX),
                                     .max_draws = (uint16_t)scene->count,
                                     .max_clipped = (uint16_t)pieces,
+                                    .clipper = &sheen_clipper,
                                     .max_edges = (uint16_t)(edges < UINT16_MAX ? edges : UINT16_MAX),
                                     .smooth = wants_edges && scene->target->pixel != SHEEN_GREY2};
     size_t size = sheen_arena_size(config);

@@ -224,7 +224,7 @@ static void put_entry(FILE *table, const char *name, const struct sheen_turntabl
     fprintf(table,
             "{.name = \"%s\", .panel = \"%s\", .orientation = %u, .draws = %zu,\n"
             "    .config = {.band_rows = %u, .buffers = 1, .max_vertices = %u, .max_triangles = %u, .max_draws = %u, "
-            ".max_clipped = %u, .max_edges = %u, .smooth = %u},\n",
+            ".max_clipped = %u, .clipper = &sheen_clipper, .max_edges = %u, .smooth = %u},\n",
             name, sheen_turntable_panel_name(t), t->choice.orientation, scene->count, c->band_rows, c->max_vertices,
             c->max_triangles, c->max_draws, c->max_clipped, c->max_edges, c->smooth);
     put_view(table, &scene->view, n);

@@ -10,8 +10,8 @@ EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
 # B of libgcc 12's and newlib's on Cortex-M, which push seven and five words; others as deepest() is told.
 OUTSIDE = {"__aeabi_lmul": 40, "__clzsi2": 8, "memcpy": 40, "memset": 40}
-# Functions of sheen_shader, sheen_edges, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
-SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$"),
+# Functions of sheen_shader, sheen_edges, sheen_clipper, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
+SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits|cut_triangle)$"),
                 (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
                 (r"(^|:)object_problem$", r"(morph_fits|_valid)$"),
                 (r"(^|:)sheen_bin_rollback$", r"edges_cover$"),
@@ -20,8 +20,9 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits)$")
                 (r"(^|:)sheen_band$", r"edges_(begin|draw)$"),
                 (r"(^|:)view_begin$", r"fog_begin$"),
                 (r"(^|:)(use_corners|corner_point)$", r"morph_position$"),
-                (r"(^|:)(light_corners|draw_triangles?)$", r"_light$|morph_normal$"),
-                (r"(^|:)sheen_cut_triangle$", r"_(light|carry)$|morph_cut$"),
+                (r"(^|:)(light_corners|draw_triangles?)$", r"_light$|morph_normal$|cut_triangle$"),
+                (r"(^|:)clip_triangle$", r"cut_triangle$"),
+                (r"(^|:)cut_triangle$", r"_(light|carry)$|morph_cut$"),
                 (r"(^|:)(cut_parts|list_pieces|light_triangle)$", r"_(light|carry)$"),
                 (r"(^|:)set_up$", r"_setup$|morph_corners$"),
                 (r"(^|:)sheen_glow_begin$", r"points_place$"),

@@ -1,8 +1,17 @@
 /*
- * main.c - a firmware that names the shadings SHADERS, one panel, and the least of a frame besides.
+ * main.c - a firmware that names the shadings SHADERS, the clipper where CLIPPER is defined, one panel, and the least of
+ * a frame besides.
  */
 #include "sheen.h"
 #include "sheen_panel.h"
+
+#ifdef CLIPPER
+#define PIECES 32
+#define CUTS (&sheen_clipper)
+#else
+#define PIECES 0
+#define CUTS NULL
+#endif
 
 extern const struct sheen_mesh mesh;
 extern const struct sheen_material material;
@@ -19,7 +28,8 @@ int main(void)
     struct sheen_panel panel;
     struct sheen_target target;
     struct sheen_frame *frame;
-    const struct sheen_config config = {.target = &target, .max_vertices = 530, .max_triangles = 512};
+    const struct sheen_config config = {
+        .target = &target, .max_vertices = 530, .max_triangles = 512, .max_clipped = PIECES, .clipper = CUTS};
     struct sheen_object object = {
         .mesh = &mesh, .material = &material, .shader = shaders[which], .lights = &light, .light_count = 1};
 
