@@ -190,6 +190,27 @@ static unsigned bayer(unsigned size, unsigned x, unsigned y)
     return 4 * bayer(half, x % half, y % half) + quarter[y / half][x / half];
 }
 
+/* Held to the levels as wholes: below 0, within, and up to what two times 1.0 and a threshold make. */
+static void test_held_channels(void **unused)
+{
+    const int32_t whole[8] = {-1, 0, 1, 30, 31, 32, 62, 126}, part[3] = {0, 1 << 23, (1 << 24) - 1};
+
+    (void)unused;
+    for (unsigned i = 0; i < 8 * 8 * 8; i++)
+        for (unsigned k = 0; k < 3; k++) {
+            const int32_t r = whole[i % 8], g = whole[i / 8 % 8], b = whole[i / 64];
+            const int32_t held = max32(0, min32(r, 31)) << 11 | max32(0, min32(g, 63)) << 5 | max32(0, min32(b, 31));
+            const int32_t one = 1 << LOOP_FRACTION;
+            assert_int_equal(clamped_565((uint32_t)(r * one + part[k]), (uint32_t)(g * one + part[k]),
+                                         (uint32_t)(b * one + part[k]), 1),
+                             held);
+            if (r >= 0 && g >= 0 && b >= 0)
+                assert_int_equal(clamped_565((uint32_t)(r * one + part[k]), (uint32_t)(g * one + part[k]),
+                                             (uint32_t)(b * one + part[k]), 0),
+                                 held);
+        }
+}
+
 static void test_thresholds(void **unused)
 {
     const struct tile tile = {.thresholds = sheen_thresholds};
@@ -237,7 +258,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_terms),          cmocka_unit_test(test_clamp),
         cmocka_unit_test(test_colours_on_565), cmocka_unit_test(test_colours_on_grey),
-        cmocka_unit_test(test_thresholds),     cmocka_unit_test(test_packing),
+        cmocka_unit_test(test_held_channels),  cmocka_unit_test(test_thresholds),
+        cmocka_unit_test(test_packing),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

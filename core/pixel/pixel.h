@@ -549,6 +549,41 @@ SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fra
     return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
 }
 
+/* max(0, x) for a sum that rounding may have taken below 0. */
+SPECIALISED uint32_t not_negative(uint32_t x)
+{
+    return (int32_t)x < 0 ? 0 : x;
+}
+
+/*
+ * A 565 pixel in the machine's order: channels with LOOP_FRACTION bits and what rounds them, held to the highest level.
+ * Range: below 2^31, as int32_t; below 0, which counts as 0, where `below` says so.
+ */
+SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
+{
+    r = (uint32_t)asr32((int32_t)r, LOOP_FRACTION);
+    g = (uint32_t)asr32((int32_t)g, LOOP_FRACTION);
+    b = (uint32_t)asr32((int32_t)b, LOOP_FRACTION);
+#ifdef __ARM_FEATURE_SAT /* a core that shifts and saturates in one instruction does so */
+    (void)below;
+    r = (uint32_t)max32(min32((int32_t)r, 31), 0);
+    g = (uint32_t)max32(min32((int32_t)g, 63), 0);
+    b = (uint32_t)max32(min32((int32_t)b, 31), 0);
+#else
+    if ((r | g >> 1 | b) > 31) {
+        if (below) {
+            r = not_negative(r);
+            g = not_negative(g);
+            b = not_negative(b);
+        }
+        r = r < 31 ? r : 31;
+        g = g < 63 ? g : 63;
+        b = b < 31 ? b : 31;
+    }
+#endif
+    return (r << 6 | g) << 5 | b;
+}
+
 /*
  * A 565 pixel in the machine's order: L.N in UQ1.15, the highlight's intensity or none (a constant 0), and what is
  * added to each channel before the one rounding. Range: channels stay below 2^31: below 2.0 and a threshold.
@@ -567,30 +602,7 @@ SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, con
     (void)depth;
     if (threshold != 0)
         SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r, g, b, LOOP_FRACTION);
-    r += threshold;
-    g += threshold;
-    b += threshold;
-#ifdef __ARM_FEATURE_SAT /* a core that shifts and saturates in one instruction does so */
-    r = (uint32_t)max32(min32(asr32((int32_t)r, LOOP_FRACTION), 31), 0);
-    g = (uint32_t)max32(min32(asr32((int32_t)g, LOOP_FRACTION), 63), 0);
-    b = (uint32_t)max32(min32(asr32((int32_t)b, LOOP_FRACTION), 31), 0);
-#else
-    r >>= LOOP_FRACTION;
-    g >>= LOOP_FRACTION;
-    b >>= LOOP_FRACTION;
-    if ((r | g >> 1 | b) > 31) {
-        r = r < 31 ? r : 31;
-        g = g < 63 ? g : 63;
-        b = b < 31 ? b : 31;
-    }
-#endif
-    return (r << 6 | g) << 5 | b;
-}
-
-/* max(0, x) for a sum that rounding may have taken below 0. */
-SPECIALISED uint32_t not_negative(uint32_t x)
-{
-    return (int32_t)x < 0 ? 0 : x;
+    return clamped_565(r + threshold, g + threshold, b + threshold, 0);
 }
 
 #endif

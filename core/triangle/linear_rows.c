@@ -172,13 +172,53 @@ SPECIALISED void clamped_rows(const struct tile *t, const struct linear_setup *l
     }
 }
 
+#if FAST_LOOPS
+/* 565 whose channels have LOOP_FRACTION bits: held to the levels as wholes, which a core may do in the shift. */
+SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
+{
+    const struct plane *c = l->channel;
+    const uint32_t dz = l->s.depth.dx, dr = c[0].dx, dg = c[1].dx, db = c[2].dx;
+    const uint32_t half = dither ? 0 : 1u << (LOOP_FRACTION - 1);
+    const intptr_t to_pixel = t->to_pixel;
+    const struct span *span = t->spans;
+
+    for (int32_t y = t->first_row, end_row = y + t->rows; y != end_row; y++, span++) {
+        const int32_t x = span->x0;
+        const threshold_t *thresholds = t->dither_rows[y & 7];
+        uint16_t *at = t->depth + tile_offset(t, x, y);
+        const uint16_t *end = at + (span->x1 - x);
+        uint32_t z = plane_at(&l->s.depth, x, y), threshold = 0;
+        uint32_t r = plane_at(&c[0], x, y) + half, g = plane_at(&c[1], x, y) + half, b = plane_at(&c[2], x, y) + half;
+        for (; at < end; at++, z += dz, r += dr, g += dg, b += db) {
+            if (!nearer(t, at, z))
+                continue;
+            if (dither) {
+                threshold = threshold_pair(thresholds, at) << (LOOP_FRACTION - 11);
+                SHEEN_TEST_TAP(t, (uint32_t)(at - t->depth), r, g, b, LOOP_FRACTION);
+            }
+            const uint32_t pixel = clamped_565(r + threshold, g + threshold, b + threshold, 1);
+            *pixel_at(at, to_pixel) = pixel_order(pixel, swap);
+        }
+    }
+}
+#endif
+
 void sheen_linear_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
     const unsigned swap = t->format->swap;
 
+#if FAST_LOOPS
+    if (!s->fast && s->draw->is_565 && s->draw->colour.fraction == LOOP_FRACTION) {
+        if (t->dither)
+            clamped_565_rows(t, l, 1, swap);
+        else
+            clamped_565_rows(t, l, 0, swap);
+        return;
+    }
+#endif
     if (!s->fast)
-        FAST_LOOPS && !t->format->grey ? clamped_rows(t, l, 0) : clamped_rows(t, l, t->format->grey);
+        clamped_rows(t, l, t->format->grey);
     else if (!FAST_LOOPS || !swap)
         column_rows(t, l, t->dither, swap);
     else if (t->dither)
