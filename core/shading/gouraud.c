@@ -65,24 +65,21 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
     return 1;
 }
 
-static void corner_channels(const struct colour_terms *terms, const struct lit lit[3], uint32_t channel[3][3])
-{
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            channel[i][k] = colour_channel(terms, i, &lit[k]);
-}
-
 /*
- * Differences of the channel that changes most over the triangle, or of their sum on grey, of corners 1 and 2 to 0, in
- * 2^16 steps. A highlight's may be another than the diffuse part's.
+ * Channels at the corners, and d: differences of the one that changes most over the triangle, or of their sum on grey,
+ * of corners 1 and 2 to 0, in 2^16 steps. A highlight's may be another than the diffuse part's.
  */
-static void most_differences(const struct draw *draw, uint32_t channel[3][3], int32_t d[2])
+static void corner_channels(const struct draw *draw, const struct lit lit[3], uint32_t channel[3][3], int32_t d[2])
 {
     uint32_t most = 0;
 
     d[0] = d[1] = 0;
     for (int i = 0; i < 3; i++) {
-        int32_t d1 = cut_difference(channel[i][1], channel[i][0]), d2 = cut_difference(channel[i][2], channel[i][0]);
+        uint32_t *f = channel[i];
+        f[0] = colour_channel(&draw->colour, i, &lit[0]);
+        f[1] = colour_channel(&draw->colour, i, &lit[1]);
+        f[2] = colour_channel(&draw->colour, i, &lit[2]);
+        int32_t d1 = cut_difference(f[1], f[0]), d2 = cut_difference(f[2], f[0]);
         uint32_t both = magnitude32(d1) + magnitude32(d2);
         if (!draw->is_565) {
             d[0] += d1;
@@ -95,35 +92,24 @@ static void most_differences(const struct draw *draw, uint32_t channel[3][3], in
     }
 }
 
-/* Linear on the screen is not good enough. */
-static APART void curved(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
-{
-    const struct colour_terms *terms = &s->draw->colour;
-    uint32_t channel[3][3];
-    int32_t d[2];
-
-    corner_channels(terms, lit, channel);
-    most_differences(s->draw, channel, d);
-    sheen_weigh(c);
-    s->fast = s->draw->early && !sheen_channels_leave(terms, channel, 0);
-    s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
-    if (!way_wanted(s->draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
-        sheen_setup_quotient(s, c, g, channel);
-}
-
 /* With a highlight, without shades, or where one number alone does not do. */
 static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
-    const struct colour_terms *terms = &s->draw->colour;
+    const struct draw *draw = s->draw;
+    const struct colour_terms *terms = &draw->colour;
     uint32_t channel[3][3];
     int32_t d[2];
 
-    corner_channels(terms, lit, channel);
-    most_differences(s->draw, channel, d);
-    if (way_wanted(s->draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << (terms->unit - 20)))
+    corner_channels(draw, lit, channel, d);
+    if (way_wanted(draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << (terms->unit - 20))) {
         sheen_setup_linear(s, g, channel);
-    else
-        curved(s, c, g, lit);
+        return;
+    }
+    sheen_weigh(c);
+    s->fast = draw->early && !sheen_channels_leave(terms, channel, 0);
+    s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
+    if (!way_wanted(draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
+        sheen_setup_quotient(s, c, g, channel);
 }
 
 static void gouraud_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)

@@ -49,16 +49,17 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
 /* 1 where a corner's channel lies within `margin` of 1.0 or beyond, or of 0, unless it is the same at all corners. */
 int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin)
 {
-    unsigned leave = 0;
+    int leave = 0;
 
     for (int i = 0; i < 3; i++) {
         const uint32_t *f = channel[i];
-        if (f[0] == f[1] && f[0] == f[2] && f[0] <= terms->top[i])
-            continue;
-        for (int k = 0; k < 3; k++)
-            leave |= f[k] < margin || f[k] > terms->top[i] - margin;
+        uint32_t least = f[0] < f[1] ? f[0] : f[1], most = f[0] < f[1] ? f[1] : f[0];
+        least = f[2] < least ? f[2] : least;
+        most = f[2] > most ? f[2] : most;
+        uint32_t in = least == most ? 0 : margin;
+        leave |= least < in || most > terms->top[i] - in;
     }
-    return leave != 0;
+    return leave;
 }
 
 /*

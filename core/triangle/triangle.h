@@ -204,13 +204,14 @@ void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit
 static inline uint32_t corners_lit(const struct setup *s, const struct surface_corners *c,
                                    const int16_t *const normal[3], struct lit lit[3])
 {
+    const unsigned back = c->back;
     uint32_t most = 0;
 
     for (int k = 0; k < 3; k++) {
         const struct vertex *v = c->at.v[k];
         lit[k].diffuse = v->kept[0];
         lit[k].specular = v->kept[1];
-        if (c->back && (v->flags & LIT_AS_SEEN) == 0)
+        if (back && (v->flags & LIT_AS_SEEN) == 0)
             sheen_light_back(s, normal[k], &lit[k]);
         most = lit[k].specular > most ? lit[k].specular : most;
     }
