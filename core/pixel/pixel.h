@@ -384,6 +384,16 @@ struct span {
     int16_t x0, x1;
 };
 
+/* gcc keeps where it reads a span and where it ends apart; on ARMv6-M, whose loads of 16 bits take no offset, it may. */
+static inline const struct span *next_span(const struct span *span)
+{
+    span++;
+#ifndef __ARM_ARCH_6M__
+    OPAQUE(span);
+#endif
+    return span;
+}
+
 /* The facet that was lit last in a tile: triangles of a polygon mostly follow each other. */
 struct lit_facet {
     const void *draw; /* NULL: none yet */

@@ -28,7 +28,8 @@ SPECIALISED void constant_rows(const struct tile *t, const struct constant_setup
         }
         line += pitch;
         z_row += depth.dy;
-    } while (++span != spans_end);
+        span = next_span(span);
+    } while (span != spans_end);
 }
 
 void sheen_constant_rows(const struct tile *t, const struct setup *s)

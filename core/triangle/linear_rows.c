@@ -34,19 +34,27 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
     const struct shades_setup *r = (const struct shades_setup *)s;
     const uint16_t *shades = s->draw->shades->pixel;
     const struct plane depth = s->depth, diffuse = r->diffuse;
+    const struct shades_at step = {depth.dx, diffuse.dx};
     const struct span *span = t->spans, *end = span + t->rows;
+    const uint16_t pitch = t->pitch;
+    const intptr_t to_pixel = t->to_pixel;
     uint32_t y = (uint32_t)t->first_row, z = depth.base + y * depth.dy, f = diffuse.base + y * diffuse.dy;
-    uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
+    uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)pitch - t->rect.x0;
 
     do {
-        int32_t x = span->x0, count = span->x1 - x;
-        const struct shades_at at = {z + (uint32_t)x * depth.dx, f + (uint32_t)x * diffuse.dx};
-        if (count > 0)
-            shades_run(t, line + x, count, at, (struct shades_at){depth.dx, diffuse.dx}, shades);
-        line += t->pitch;
+        const int32_t x = span->x0;
+        uint16_t *pixel = line + x;
+        const uint16_t *last = line + span->x1;
+        struct shades_at at = {z + (uint32_t)x * step.z, f + (uint32_t)x * step.f};
+        for (; pixel < last; pixel++) {
+            OPAQUE(last); /* else gcc counts pixels before a row */
+            shades_pixel(t, pixel, to_pixel, &at, step, shades);
+        }
+        line += pitch;
         z += depth.dy;
         f += diffuse.dy;
-    } while (++span != end);
+        span = next_span(span);
+    } while (span != end);
 }
 
 #if THUMB_LOOPS
