@@ -399,6 +399,7 @@ struct lit_facet {
     const void *draw; /* NULL: none yet */
     uint32_t facet;
     uint16_t diffuse, specular; /* as in struct lit */
+    uint16_t pixel;             /* of flat shading, where nothing dithers */
 };
 
 /* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */

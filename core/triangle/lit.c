@@ -58,7 +58,7 @@ static uint32_t facet_of(const struct draw *d, uint32_t triangle)
                                                                                        : triangle;
 }
 
-void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
+int sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
 {
     const struct draw *d = s->draw;
     struct lit_facet *last = c->facet;
@@ -68,7 +68,7 @@ void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, str
     if (last->draw == d && last->facet == facet) {
         lit->diffuse = last->diffuse;
         lit->specular = last->specular;
-        return;
+        return 1;
     }
     sheen_facet_normal(d, c->at.triangle, c->back, normal);
     light_normal(&d->light, &d->power, normal, lit);
@@ -76,6 +76,7 @@ void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, str
     last->facet = facet;
     last->diffuse = (uint16_t)lit->diffuse;
     last->specular = (uint16_t)lit->specular;
+    return 0;
 }
 
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit)

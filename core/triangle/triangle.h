@@ -193,11 +193,11 @@ struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, i
 /* ---- set-up and rows ---- */
 
 /*
- * lit.c: unit normal of the polygon that a triangle is of, as seen, zero where it has no area; the light there; light
- * at a normal of a back face, which vertices do not keep.
+ * lit.c: unit normal of the polygon that a triangle is of, as seen, zero where it has no area; the light there, 1 where
+ * it is the one of the facet before; light at a normal of a back face, which vertices do not keep.
  */
 void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16_t normal[3]);
-void sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
+int sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit);
 void sheen_light_back(const struct setup *s, const int16_t normal[3], struct lit *lit);
 
 /* At the corners, as vertices keep it for Gouraud; returns the largest specular one. normal: the mesh's. */
