@@ -21,4 +21,8 @@ sheen_script(linux_builds kernel COMMAND tests/kernel/builds ${PROJECT_BINARY_DI
 sheen_script(linux_page kernel COMMAND tests/checks/readme firmware/linux/README.md)
 sheen_script(faults_linux faults-linux COMMAND tests/kernel/faults ${PROJECT_BINARY_DIR})
 sheen_script(linux_options faults-linux COMMAND tests/kernel/options ${PROJECT_BINARY_DIR}/firmware/linux/sheen-panel)
+if(NOT SHEEN_SANITIZED)
+  sheen_script(faults_linux_every long COMMAND tests/kernel/faults ${PROJECT_BINARY_DIR} every)
+  set_tests_properties(faults_linux_every PROPERTIES RESOURCE_LOCK guest)
+endif()
 set_tests_properties(kernel linux_builds faults_linux PROPERTIES RESOURCE_LOCK guest)
