@@ -71,9 +71,11 @@ static inline uint32_t mul_high(uint32_t a, uint32_t b)
 #ifdef __GNUC__
 #define OPAQUE(x) __asm__("" : "+r"(x))
 #define OPAQUE_BOTH(x, y) __asm__("" : "+r"(x), "+r"(y))
+#define OPAQUE_FIRST(x) __asm__ volatile("" : "+r"(x)::"memory") /* nothing is loaded or stored across it */
 #else
 #define OPAQUE(x) ((void)0)
 #define OPAQUE_BOTH(x, y) ((void)0)
+#define OPAQUE_FIRST(x) ((void)0)
 #endif
 
 /* Leading zero bits, 0..32. */

@@ -384,7 +384,10 @@ struct span {
     int16_t x0, x1;
 };
 
-/* gcc keeps where it reads a span and where it ends apart; on ARMv6-M, whose loads of 16 bits take no offset, it may. */
+/*
+ * gcc keeps where it reads a span apart from where it compares; on ARMv6-M, whose loads of int16_t take no offset, it
+ * may.
+ */
 static inline const struct span *next_span(const struct span *span)
 {
     span++;
@@ -595,25 +598,37 @@ SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
     return (r << 6 | g) << 5 | b;
 }
 
+/* Channels with LOOP_FRACTION bits: L.N in UQ1.15, the highlight's intensity or none (a constant 0). */
+struct loop_channels {
+    uint32_t r, g, b;
+};
+
+SPECIALISED struct loop_channels loop_channels(const struct loop_terms *q, uint32_t lit, int shines, uint32_t specular)
+{
+    struct loop_channels at = {q->ab[0] + q->ab[1] * lit, q->ab[2] + q->ab[3] * lit, q->ab[4] + q->ab[5] * lit};
+
+    if (shines) {
+        at.r += q->c[0] * specular;
+        at.g += q->c[1] * specular;
+        at.b += q->c[2] * specular;
+    }
+    return at;
+}
+
 /*
- * A 565 pixel in the machine's order: L.N in UQ1.15, the highlight's intensity or none (a constant 0), and what is
- * added to each channel before the one rounding. Range: channels stay below 2^31: below 2.0 and a threshold.
+ * A 565 pixel in the machine's order: loop_channels', and what is added to each before the one rounding. Range:
+ * channels stay below 2^31: below 2.0 and a threshold.
  */
 SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
                                 int shines, uint32_t specular, uint32_t threshold)
 {
-    uint32_t r = q->ab[0] + q->ab[1] * lit, g = q->ab[2] + q->ab[3] * lit, b = q->ab[4] + q->ab[5] * lit;
+    const struct loop_channels at = loop_channels(q, lit, shines, specular);
 
-    if (shines) {
-        r += q->c[0] * specular;
-        g += q->c[1] * specular;
-        b += q->c[2] * specular;
-    }
     (void)t;
     (void)depth;
     if (threshold != 0)
-        SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), r, g, b, LOOP_FRACTION);
-    return clamped_565(r + threshold, g + threshold, b + threshold, 0);
+        SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), at.r, at.g, at.b, LOOP_FRACTION);
+    return clamped_565(at.r + threshold, at.g + threshold, at.b + threshold, 0);
 }
 
 #endif

@@ -18,17 +18,6 @@ SPECIALISED void shades_pixel(const struct tile *t, uint16_t *depth, intptr_t to
     at->f += step.f;
 }
 
-SPECIALISED void shades_run(const struct tile *t, uint16_t *depth, int32_t count, struct shades_at at,
-                            struct shades_at step, const uint16_t *shades)
-{
-    const intptr_t to_pixel = t->to_pixel;
-    const uint16_t *end = depth + count;
-
-    do
-        shades_pixel(t, depth, to_pixel, &at, step, shades);
-    while (++depth != end);
-}
-
 void sheen_shades_rows(const struct tile *t, const struct setup *s)
 {
     const struct shades_setup *r = (const struct shades_setup *)s;

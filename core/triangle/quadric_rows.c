@@ -22,13 +22,41 @@ PIXEL uint32_t plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, c
     return loop_pixel(t, depth, q, lit.diffuse, u < q->power_end, lit.specular, 0);
 }
 
-PIXEL uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
-                              const struct tile *t, const uint16_t *depth)
+/* Where registers are few the threshold comes last, or before a call. */
+#if defined(__ARM_ARCH_6M__)
+static APART uint32_t pixel_by(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
+                               const struct tile *t, const uint16_t *depth)
 {
     struct lit lit = lit_of(q, f, u, SECOND_POWER);
 
     return loop_pixel(t, depth, q, lit.diffuse, u < q->power_end, lit.specular, threshold);
 }
+
+SPECIALISED uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, const threshold_t *thresholds,
+                                    const struct tile *t, const uint16_t *depth)
+{
+    return pixel_by(q, f, u, threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11), t, depth);
+}
+#else
+SPECIALISED uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, const threshold_t *thresholds,
+                                    const struct tile *t, const uint16_t *depth)
+{
+    const unsigned up = LOOP_FRACTION - 11;
+    const struct lit lit = lit_of(q, f, u, SECOND_POWER);
+    struct loop_channels at = loop_channels(q, lit.diffuse, u < q->power_end, lit.specular);
+
+    (void)t;
+    OPAQUE_FIRST(at.b);
+    uint32_t pair = threshold_pair(thresholds, depth);
+    SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), at.r, at.g, at.b, LOOP_FRACTION);
+    at.r += pair << up;
+    OPAQUE(pair); /* shifted as it is added */
+    at.g += pair << up;
+    OPAQUE(pair);
+    at.b += pair << up;
+    return clamped_565(at.r, at.g, at.b, 0);
+}
+#endif
 
 /* 565 with the loop's terms: from the depth after `depth` to `last`; thresholds: of the row. */
 SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
@@ -44,12 +72,13 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
         depth++;
         if (nearer(t, depth, z)) {
             OPAQUE(q); /* the loop's numbers have the registers */
-            uint32_t value, threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
+            uint32_t value;
             if (second == SECOND_POWER && dither) {
-                value = dithered_pixel(q, f, u, threshold, t, depth);
+                value = dithered_pixel(q, f, u, thresholds, t, depth);
             } else if (second == SECOND_POWER) {
                 value = plain_pixel(q, f, u, t, depth);
             } else {
+                const uint32_t threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
                 struct lit lit = lit_of(q, f, u, second);
                 value = loop_pixel(t, depth, q, lit.diffuse, lit.specular != 0, lit.specular, threshold);
             }
@@ -65,20 +94,52 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     } while (depth != last);
 }
 
-/* The pixel in the high half. f: Q1.30, its steps within a segment are cut. */
-PIXEL uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
-                             const uint16_t *depth)
+/* f: Q1.30, its steps within a segment are cut. */
+SPECIALISED struct packed segment_colour(const struct shade_segment *segments, uint32_t f)
 {
     const uint32_t lit = not_negative(f) >> (30 - SEGMENT_BITS - SEGMENT_STEPS_BITS);
     const uint32_t n = lit & ((1u << SEGMENT_STEPS_BITS) - 1);
     const struct shade_segment *at = &segments[lit >> SEGMENT_STEPS_BITS];
-    OPAQUE(at); /* one address for all that is loaded */
-    struct shade_segment s = *at;
-    OPAQUE_BOTH(s.red_blue, s.red_blue_step); /* two in one load */
-    OPAQUE_BOTH(s.green, s.green_step);
+    struct packed colour, step;
 
-    return dithered_high(t, depth, (struct packed){s.red_blue + n * s.red_blue_step, s.green + n * s.green_step}, pair);
+    OPAQUE_FIRST(at); /* one address for all that is loaded */
+    colour.red_blue = at->red_blue;
+    step.red_blue = at->red_blue_step;
+    OPAQUE_BOTH(colour.red_blue, step.red_blue); /* two in one load */
+#if !defined(__ARM_ARCH_6M__)                    /* there all four */
+    colour.red_blue += n * step.red_blue;
+    step.red_blue = 0;
+    OPAQUE_BOTH(colour.red_blue, at);
+#endif
+    colour.green = at->green;
+    step.green = at->green_step;
+    OPAQUE_BOTH(colour.green, step.green);
+    return (struct packed){colour.red_blue + n * step.red_blue, colour.green + n * step.green};
 }
+
+/* The pixel in the high half; its threshold likewise. */
+#if defined(__ARM_ARCH_6M__)
+static APART uint32_t segment_by(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
+                                 const uint16_t *depth)
+{
+    return dithered_high(t, depth, segment_colour(segments, f), pair);
+}
+
+SPECIALISED uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, const threshold_t *thresholds,
+                                   const struct tile *t, const uint16_t *depth)
+{
+    return segment_by(segments, f, threshold_pair(thresholds, depth), t, depth);
+}
+#else
+SPECIALISED uint32_t segment_pixel(const struct shade_segment *segments, uint32_t f, const threshold_t *thresholds,
+                                   const struct tile *t, const uint16_t *depth)
+{
+    struct packed colour = segment_colour(segments, f);
+
+    OPAQUE_FIRST(colour.green);
+    return dithered_high(t, depth, colour, threshold_pair(thresholds, depth));
+}
+#endif
 
 /* The draw's shades: L.N alone. */
 SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth,
@@ -94,10 +155,9 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
     do {
         depth++;
         if (nearer(t, depth, z))
-            *pixel_at(depth, to_pixel) =
-                dither
-                    ? high_order(segment_pixel(shades->segment, f, threshold_pair(thresholds, depth), t, depth), swap)
-                    : pixels[not_negative(f) >> (30 - SHADES_BITS)];
+            *pixel_at(depth, to_pixel) = dither
+                                             ? high_order(segment_pixel(shades->segment, f, thresholds, t, depth), swap)
+                                             : pixels[not_negative(f) >> (30 - SHADES_BITS)];
         z += dz;
         f += df;
         df += ddf;
@@ -166,7 +226,6 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
         OPAQUE(at); /* it stays in memory: the pixels' loop takes all registers */
         if (x < x1) {
             const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
-            OPAQUE(thresholds); /* early: what loads them needs registers, too */
             uint16_t *line = at->line;
             uint32_t z = at->z;
             OPAQUE_BOTH(line, z);
@@ -211,6 +270,11 @@ static void dithered_power_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_POWER, 1);
 }
+
+static void plain_specular_rows(const struct tile *t, const struct setup *s)
+{
+    own_rows(t, s, SECOND_SPECULAR, 0);
+}
 #endif
 
 /* Loops of their own are in the order of a panel's bus. */
@@ -228,5 +292,7 @@ void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum se
         s->rows = d->dither ? dithered_shades_rows : plain_shades_rows;
     else if (d->swap && second == SECOND_POWER && d->is_565 && d->loop.usable)
         s->rows = d->dither ? dithered_power_rows : plain_power_rows;
+    else if (d->swap && second == SECOND_SPECULAR && d->is_565 && d->loop.usable && !d->dither)
+        s->rows = plain_specular_rows;
 #endif
 }

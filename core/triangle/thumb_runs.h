@@ -1,6 +1,6 @@
 /*
  * thumb_runs.h - private: loops of long runs for Cortex-M, four pixels a turn. Compilers keep neither the steps in the
- * upper registers nor four pixels apart. What they do in C is packed_run and shades_run.
+ * upper registers nor four pixels apart. What they do in C is packed_run, and shades_pixel a pixel.
  */
 #ifndef SHEEN_THUMB_RUNS_H
 #define SHEEN_THUMB_RUNS_H
