@@ -78,8 +78,8 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
             } else if (second == SECOND_POWER) {
                 value = plain_pixel(q, f, u, t, depth);
             } else {
-                const uint32_t threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
                 struct lit lit = lit_of(q, f, u, second);
+                const uint32_t threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
                 value = loop_pixel(t, depth, q, lit.diffuse, lit.specular != 0, lit.specular, threshold);
             }
             *pixel_at(depth, to_pixel) = pixel_order(value, swap);
@@ -275,6 +275,11 @@ static void plain_specular_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_SPECULAR, 0);
 }
+
+static void dithered_specular_rows(const struct tile *t, const struct setup *s)
+{
+    own_rows(t, s, SECOND_SPECULAR, 1);
+}
 #endif
 
 /* Loops of their own are in the order of a panel's bus. */
@@ -290,9 +295,9 @@ void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum se
     const struct draw *d = s->draw;
     if (d->swap && shades_will_do(d, second))
         s->rows = d->dither ? dithered_shades_rows : plain_shades_rows;
-    else if (d->swap && second == SECOND_POWER && d->is_565 && d->loop.usable)
+    else if (d->swap && d->is_565 && d->loop.usable && second == SECOND_POWER)
         s->rows = d->dither ? dithered_power_rows : plain_power_rows;
-    else if (d->swap && second == SECOND_SPECULAR && d->is_565 && d->loop.usable && !d->dither)
-        s->rows = plain_specular_rows;
+    else if (d->swap && d->is_565 && d->loop.usable && second == SECOND_SPECULAR)
+        s->rows = d->dither ? dithered_specular_rows : plain_specular_rows;
 #endif
 }
