@@ -8,6 +8,10 @@ sheen_script(layout format COMMAND tests/checks/layout)
 sheen_script(names format COMMAND tests/checks/names
   $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
 sheen_script(same_bits cross COMMAND tests/checks/cross)
+if(NOT SHEEN_SANITIZED)
+  sheen_script(same_bits_cortex_m long COMMAND tests/checks/cross . gcc-O2 m0plus m3)
+  sheen_script(thumb_faults long COMMAND tests/checks/thumb_faults)
+endif()
 
 # The house: who may include and call whom, and the map of it.
 sheen_script(core_floors format COMMAND tests/checks/floors)

@@ -1,0 +1,10 @@
+# A Cortex-M's instructions as a Linux program, run by qemu-user-static; which (-mcpu) the command line says. Debian's
+# gcc-arm-none-eabi and newlib.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR arm)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+# Not as CMAKE_C_FLAGS_INIT, which gives way to flags of the command line.
+add_compile_options(-mthumb)
+add_link_options(-mthumb)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "--specs=nosys.specs -nostartfiles ${CMAKE_CURRENT_LIST_DIR}/cortex-m-linux.c")
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
