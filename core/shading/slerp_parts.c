@@ -113,7 +113,8 @@ static void draw_lit(const struct tile *t, struct arc_row *r, const struct part 
         r->lit[0][0] = r->lit[2][0];
         r->lit[0][1] = r->lit[2][1];
     }
-    SHEEN_TAP(ARC_PART, 1);
+    SHEEN_TAP(ARC_PART, p->length > 0);
+    SHEEN_TAP(ARC_ALONE, p->length == 0);
     SHEEN_TAP(SKEWED_PART, !r->at->even);
     enum second second;
     if (p->length > 0) {

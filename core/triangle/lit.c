@@ -70,6 +70,7 @@ int sheen_facet_lit(const struct setup *s, const struct surface_corners *c, stru
         lit->specular = last->specular;
         return 1;
     }
+    SHEEN_TAP(FACET_LIT, 1);
     sheen_facet_normal(d, c->at.triangle, c->back, normal);
     light_normal(&d->light, &d->power, normal, lit);
     last->draw = d;

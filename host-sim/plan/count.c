@@ -82,7 +82,7 @@ static unsigned quadric_kind(const struct tile *t, const struct setup *s)
     if (is_general(s))
         return s->detail == SECOND_NONE ? SHEEN_PLAN_CURVED_GENERAL_SETUP : SHEEN_PLAN_CURVED_GENERAL_TWO_SETUP;
     if (s->detail == SECOND_SPECULAR)
-        return SHEEN_PLAN_CURVED_SPECULAR_SETUP;
+        return t->dither ? SHEEN_PLAN_CURVED_SPECULAR_DITHERED_SETUP : SHEEN_PLAN_CURVED_SPECULAR_SETUP;
     if (s->detail == SECOND_NONE)
         return SHEEN_PLAN_CURVED_DITHERED_SETUP;
     return t->dither ? SHEEN_PLAN_CURVED_POWER_DITHERED_SETUP : SHEEN_PLAN_CURVED_POWER_SETUP;
@@ -337,6 +337,7 @@ void sheen_plan_counts_take(struct sheen_plan_counts *counts)
 {
     for (unsigned i = 0; i < SHEEN_PLAN_COUNTS; i++)
         counts->of[i] = sheen_plan_counted[i] - taken.of[i];
+    counts->of[SHEEN_PLAN_LIT] -= counts->of[SHEEN_PLAN_FACET_LIT];
     memcpy(taken.of, sheen_plan_counted, sizeof taken.of);
 }
 

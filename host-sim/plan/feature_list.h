@@ -28,7 +28,7 @@ enum sheen_plan_stage {
     F(SKIPPED, TRANSFORM)      /* triangles of those that do */                                                        \
     F(LOOKED_AT, TRANSFORM)    /* triangles of the others */                                                           \
     F(USED, TRANSFORM)         /* vertices transformed */                                                              \
-    F(LIT, TRANSFORM)          /* normals lit: of vertices, or of polygons */                                          \
+    F(LIT, TRANSFORM)          /* normals lit: of vertices, or of all else but facets */                               \
     F(LIGHT, TRANSFORM)        /* times their lights */                                                                \
     F(COSINES, TRANSFORM)      /* vertices whose cosines are kept */                                                   \
     F(LISTED, TRANSFORM)       /* triangles */                                                                         \
@@ -46,6 +46,7 @@ enum sheen_plan_stage {
     F(PARTIAL, TRIANGLES)             /* set-ups of triangles that go on below */                                      \
     F(LONG_EDGE, TRIANGLES)           /* of 32 px and more */                                                          \
     F(WIDE, TRIANGLES)                /* set-ups of triangles of 256 px and more */                                    \
+    F(FACET_LIT, TRIANGLES)           /* facets lit, at the first of their triangles */                                \
     F(CHANNELS, TRIANGLES)            /* set-ups of three planes of channels */                                        \
     F(COLORED, TRIANGLES)             /* corners whose channels are made of colours */                                 \
     F(TEXELS_STRAIGHT, TRIANGLES)     /* set-ups of texels: linear, */                                                 \
@@ -88,6 +89,7 @@ enum sheen_plan_stage {
     F(SQUARE_PART, PIXELS)       /* their squares that are cut or taken one by one */                                  \
     F(PIXEL_LIGHT, PIXELS)       /* px shaded by several lights, times these */                                        \
     F(ARC_PART, PIXELS)          /* of slerp's rows, quadratic */                                                      \
+    F(ARC_ALONE, PIXELS)         /* px of one each */                                                                  \
     F(SKEWED_PART, PIXELS)       /* parts of slerp's rows in perspective, of both kinds */                             \
     F(ARC_POWER, PIXELS)         /* px of quadratic parts with a highlight */                                          \
     F(NORMAL_PART, PIXELS)       /* of slerp's rows, whose normals are linear */                                       \
@@ -130,7 +132,8 @@ enum sheen_plan_stage {
     K(CURVED_DITHERED) /* one, dithered */                                                                             \
     K(CURVED_POWER)    /* two, a power table */                                                                        \
     K(CURVED_POWER_DITHERED)                                                                                           \
-    K(CURVED_SPECULAR)    /* two, both intensities */                                                                  \
+    K(CURVED_SPECULAR) /* two, both intensities */                                                                     \
+    K(CURVED_SPECULAR_DITHERED)                                                                                        \
     K(CURVED_GENERAL)     /* one: greys, and what is clamped */                                                        \
     K(CURVED_GENERAL_TWO) /* two */                                                                                    \
     K(QUOTIENT)           /* Blinn's I/m over 1/m */                                                                   \
