@@ -391,7 +391,7 @@ struct span {
 static inline const struct span *next_span(const struct span *span)
 {
     span++;
-#ifndef __ARM_ARCH_6M__
+#if !defined(__ARM_ARCH_6M__)
     OPAQUE(span);
 #endif
     return span;
