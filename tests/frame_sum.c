@@ -78,6 +78,7 @@ struct scene {
     uint16_t weight;      /* of another frame */
     uint8_t orthographic; /* 1: drawn so */
     uint8_t mixed;        /* 1: a texture is bilinear in all views, with a key but for matcaps */
+    uint8_t twice;        /* 1: drawn once more in another colour, which lies at the same depths and does not show */
 };
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -353,8 +354,11 @@ static int set_ramp(struct sheen_material *material, int ramp)
 static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct sheen_object *draw,
                        struct sheen_material *material, const struct way *way, int dither)
 {
+    struct sheen_material other = *material;
     int status = SHEEN_OK;
 
+    other.base[0] = 20;
+    other.base[2] = 255;
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         struct sheen_view view;
         set_view(s->view, s->orthographic, &view, draw);
@@ -367,6 +371,11 @@ static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct 
         status = sheen_begin(frame, &view);
         if (status == SHEEN_OK)
             status = sheen_draw(frame, draw);
+        if (status == SHEEN_OK && s->twice) {
+            draw->material = &other;
+            status = sheen_draw(frame, draw);
+            draw->material = material;
+        }
         if (status == SHEEN_OK)
             status = way->rows == HEIGHT ? sheen_end(frame) : run_bands(frame, way);
     }
@@ -383,17 +392,19 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
                                   .align_x = s->format == SHEEN_GREY2    ? 8
                                              : s->format == SHEEN_GREY16 ? 2
                                                                          : 1};
-    struct sheen_config config = {.target = &target,
-                                  .band_rows = way->rows,
-                                  .buffers = way->buffers,
-                                  .workers = way->workers,
-                                  .max_vertices = (uint16_t)(draw->mesh->vertices + (s->edging != 0 ? 500 : 0)),
-                                  .max_triangles = 1400,
-                                  .max_clipped = 600,
-                                  .clipper = &sheen_clipper,
-                                  .max_carried = way->carried,
-                                  .max_edges = s->edging != 0 ? 8000 : 0,
-                                  .smooth = s->edging == SHEEN_SMOOTH};
+    struct sheen_config config = {
+        .target = &target,
+        .band_rows = way->rows,
+        .buffers = way->buffers,
+        .workers = way->workers,
+        .max_vertices = (uint16_t)(draw->mesh->vertices * (s->twice ? 2 : 1) + (s->edging != 0 ? 500 : 0)),
+        .max_shades = s->twice ? 2 : 1,
+        .max_triangles = 1400,
+        .max_clipped = 600,
+        .clipper = &sheen_clipper,
+        .max_carried = way->carried,
+        .max_edges = s->edging != 0 ? 8000 : 0,
+        .smooth = s->edging == SHEEN_SMOOTH};
     struct sheen_frame *frame;
     struct sheen_material material;
     struct sheen_shine shine;
@@ -443,8 +454,11 @@ static int print_sums(const struct scene *s)
         }
         printf("%-5s %-7s %s %d %s%s%s%s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
                s->lights == LIGHTS_WHITE && s->weight != 0 ? "morph" : lights_name[s->lights], s->view,
-               s->orthographic ? "ortho " : "", s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside],
-               edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
+               s->orthographic ? "ortho "
+               : s->twice      ? "twice "
+                               : "",
+               s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside], edging_name[s->edging],
+               format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
                (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
@@ -470,6 +484,20 @@ static int shadings(void)
         status = plain(i % SHEEN_SHADINGS, i / SHEEN_SHADINGS);
     for (int i = 0; i < SUM_MESHES * (COLORED + 1 - SHEEN_SHADINGS) && status == SHEEN_OK; i++)
         status = plain(SHEEN_SHADINGS + i / SUM_MESHES, i % SUM_MESHES);
+    return status;
+}
+
+/* The same depths twice: of two that are equal the first drawn stays, in each shading's short rows and long ones. */
+static int ties(void)
+{
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 2 * SHEEN_SHADINGS * VIEWS && status == SHEEN_OK; i++)
+        status = print_sums(&(struct scene){.mesh = i % 2 == 0 ? SUM_BOX : SUM_BALL,
+                                            .shading = i / 2 % SHEEN_SHADINGS,
+                                            .view = i / 2 / SHEEN_SHADINGS,
+                                            .format = SHEEN_RGB565_BE,
+                                            .twice = 1});
     return status;
 }
 
@@ -673,9 +701,9 @@ static int colored_pixels(void)
 
 int main(void)
 {
-    static int (*const part[])(void) = {shadings,       besides,         morphs, with_edges,   own_lights,
-                                        flat_texels,    bilinear_texels, ramps,  orthographic, own_lights_besides,
-                                        colored_texels, colored_pixels};
+    static int (*const part[])(void) = {shadings,           ties,           besides,         morphs, with_edges,
+                                        own_lights,         flat_texels,    bilinear_texels, ramps,  orthographic,
+                                        own_lights_besides, colored_texels, colored_pixels};
 
     for (size_t i = 0; i < SUM_PARTS; i++)
         if (part[i]() < 0)
