@@ -439,8 +439,9 @@ struct sheen_clipper;
 
 /*
  * What cuts triangles that the near plane, the far plane or the guard band (511 px from the viewport's middle) crosses.
- * A program whose objects always lie before the near plane and are no larger than the guard band does without: then a
- * draw that would need it ends with SHEEN_ERR_CAPACITY.
+ * A program does without where each triangle lies inside all of these, or wholly beyond one of them. Else a draw ends
+ * with SHEEN_ERR_CAPACITY, also where the triangle faces away, unless its polygon is passed over, or where nothing of
+ * it is in the picture; with the clipper these need no piece.
  */
 extern const struct sheen_clipper sheen_clipper;
 
@@ -464,7 +465,8 @@ struct sheen_config {
      * Ends that the view volume cuts count with max_vertices and max_used.
      */
     uint16_t max_edges;
-    const struct sheen_clipper *clipper; /* &sheen_clipper: MUST be there where max_clipped is not 0 */
+    const struct sheen_clipper
+        *clipper; /* &sheen_clipper: MUST be there where max_clipped is not 0; NULL: what it would cut is refused */
     /*
      * For workers on several threads: one at a time is let through between lock and
      * unlock, both with lock_ctx. The core calls them in pairs, never one pair within

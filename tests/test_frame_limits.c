@@ -236,8 +236,8 @@ static void capacities(void **state)
     check_capacity(3, &cut, "pieces");
 }
 
-/* A triangle across the guard band, without room for pieces: refused where it is seen, and only there. */
-static void what_is_not_listed_needs_no_piece(void **state)
+/* A triangle across the guard band, without room for pieces: refused where it is seen, or without a clipper always. */
+static void across_the_guard_band(const struct sheen_clipper *clipper)
 {
     static const int16_t position[9] = {-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 0};
     static const uint8_t front[3] = {0, 1, 2}, back[3] = {0, 2, 1};
@@ -248,24 +248,32 @@ static void what_is_not_listed_needs_no_piece(void **state)
     struct sheen_config config;
     struct sheen_view view;
     struct core_frame f;
+    const int unseen = clipper != NULL ? SHEEN_OK : SHEEN_ERR_CAPACITY;
 
-    (void)state;
     assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
     stage_config(&config, &target, 3);
+    config.clipper = clipper;
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     stage_view(&view);
     sheen_pose_orbit(&draw.pose, 0, 0, 0, SHEEN_Q24(3));
     assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
     mesh.indices = back;
-    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    assert_int_equal(sheen_draw(f.frame, &draw), unseen);
     mesh.indices = front;
     assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_ERR_CAPACITY);
     draw.pose.translation[0] = SHEEN_Q24(23); /* still across the guard band, and beside the picture */
     draw.pose.translation[1] = SHEEN_Q24(23);
-    assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_OK);
+    assert_int_equal(sheen_draw(f.frame, &draw), unseen);
     assert_int_equal(sheen_end(f.frame), SHEEN_OK);
     core_frame_free(&f);
     memory_target_free(&target);
+}
+
+static void what_is_not_listed_needs_no_piece(void **state)
+{
+    (void)state;
+    across_the_guard_band(&sheen_clipper);
+    across_the_guard_band(NULL);
 }
 
 /* Pieces that a frame's only draw is said to need, 0 where it passes. */
@@ -292,7 +300,7 @@ static uint32_t pieces_said(const struct sheen_config *config, const struct acto
     return needed;
 }
 
-/* Without a clipper what lies before the near plane is drawn, what crosses it is refused, with room that suffices. */
+/* Without a clipper what nothing crosses is drawn, what the near plane crosses is refused, with room that suffices. */
 static void only_what_is_cut_needs_a_clipper(void **state)
 {
     struct memory_target target;

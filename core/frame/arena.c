@@ -100,7 +100,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->worker = take(&arena, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
-        void *scratch = take(&arena, 1, SHEEN_BYTES_CLIPPING); /* also finds what needs no piece */
+        void *scratch = take(&arena, 1, SHEEN_BYTES_CLIPPING); /* stippled rows; of worker 0, for the clipper too */
         f->scratch = i == 0 ? scratch : f->scratch;
         w->carried = take(&arena, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(&arena, bits, sizeof(uint32_t));

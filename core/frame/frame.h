@@ -161,8 +161,8 @@ struct sheen_clipper {
 };
 
 /*
- * Pieces that a triangle gives at most: the near plane may leave four corners, which are two triangles where the screen
- * is affine; five planes more leave each of these eight at the most.
+ * Pieces that a triangle gives at most: the near plane may leave four corners, two triangles where the screen is
+ * affine; the other five planes add a corner each, so each of the two has eight at most, which are six pieces.
  */
 #define MOST_PIECES (2 * (3 + (CLIP_PLANES - 1) - 2))
 

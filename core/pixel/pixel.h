@@ -15,10 +15,7 @@
 #define SHEEN_STATS 0
 #endif
 
-/*
- * Loops of their own for 565 without clamp or dither; builds for size take the
- * general ones, which give the same pixels.
- */
+/* Loops of their own for 565; builds for size take the general ones, which give the same pixels. */
 #ifndef FAST_LOOPS
 #ifdef __OPTIMIZE_SIZE__
 #define FAST_LOOPS 0

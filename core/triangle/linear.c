@@ -46,7 +46,7 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
     r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 
-/* 1 where a corner's channel lies within `margin` of 1.0 or beyond, or of 0, unless it is the same at all corners. */
+/* 1 where a corner's channel lies within `margin` of 0 or 1.0, or beyond; where it is the same at all, only beyond. */
 int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin)
 {
     int leave = 0;

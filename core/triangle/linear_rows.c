@@ -191,7 +191,8 @@ SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setu
                 continue;
             if (dither) {
                 threshold = threshold_pair(thresholds, at) << (LOOP_FRACTION - 11);
-                SHEEN_TEST_TAP(t, (uint32_t)(at - t->depth), r, g, b, LOOP_FRACTION);
+                SHEEN_TEST_TAP(t, (uint32_t)(at - t->depth), not_negative(r), not_negative(g), not_negative(b),
+                               LOOP_FRACTION);
             }
             const uint32_t pixel = clamped_565(r + threshold, g + threshold, b + threshold, 1);
             *pixel_at(at, to_pixel) = pixel_order(pixel, swap);

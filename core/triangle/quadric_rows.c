@@ -106,7 +106,7 @@ SPECIALISED struct packed segment_colour(const struct shade_segment *segments, u
     colour.red_blue = at->red_blue;
     step.red_blue = at->red_blue_step;
     OPAQUE_BOTH(colour.red_blue, step.red_blue); /* two in one load */
-#if !defined(__ARM_ARCH_6M__)                    /* there all four */
+#if !defined(__ARM_ARCH_6M__)                    /* on ARMv6-M all four in one */
     colour.red_blue += n * step.red_blue;
     step.red_blue = 0;
     OPAQUE_BOTH(colour.red_blue, at);

@@ -28,8 +28,8 @@ enum sheen_plan_stage {
     F(SKIPPED, TRANSFORM)      /* triangles of those that do */                                                        \
     F(LOOKED_AT, TRANSFORM)    /* triangles of the others */                                                           \
     F(USED, TRANSFORM)         /* vertices transformed */                                                              \
-    F(LIT, TRANSFORM)          /* normals lit: of vertices, or of all else but facets */                               \
-    F(LIGHT, TRANSFORM)        /* times their lights */                                                                \
+    F(LIT, TRANSFORM)          /* normals lit, but for FACET_LIT's */                                                  \
+    F(LIGHT, TRANSFORM)        /* times their lights, facets' too */                                                   \
     F(COSINES, TRANSFORM)      /* vertices whose cosines are kept */                                                   \
     F(LISTED, TRANSFORM)       /* triangles */                                                                         \
     F(CLIPPED, TRANSFORM)      /* triangles cut */                                                                     \
@@ -89,9 +89,9 @@ enum sheen_plan_stage {
     F(SQUARE_PART, PIXELS)       /* their squares that are cut or taken one by one */                                  \
     F(PIXEL_LIGHT, PIXELS)       /* px shaded by several lights, times these */                                        \
     F(ARC_PART, PIXELS)          /* of slerp's rows, quadratic */                                                      \
-    F(ARC_ALONE, PIXELS)         /* px of one each */                                                                  \
+    F(ARC_ALONE, PIXELS)         /* those of one place on the arc */                                                   \
     F(SKEWED_PART, PIXELS)       /* parts of slerp's rows in perspective, of both kinds */                             \
-    F(ARC_POWER, PIXELS)         /* px of quadratic parts with a highlight */                                          \
+    F(ARC_POWER, PIXELS)         /* px of both with a highlight */                                                     \
     F(NORMAL_PART, PIXELS)       /* of slerp's rows, whose normals are linear */                                       \
     F(GENERAL_565, PIXELS)       /* px of 565 shaded by loops that also take greys */                                  \
     F(FOG_HELD, PIXELS)          /* px covered in rows where fog begins or ends, or of greys */                        \

@@ -81,10 +81,10 @@ static unsigned room_of(const struct sheen_shader *shader)
     return room;
 }
 
-/* What a scene names: a bit a room, and above them a bit an extra. */
-static uint32_t named_of(const struct sheen_scene *scene)
+/* What a scene names: a bit a room, and above them a bit an extra. cuts: triangles. */
+static uint32_t named_of(const struct sheen_scene *scene, int cuts)
 {
-    uint32_t rooms = 0, extras = 0;
+    uint32_t rooms = 0, extras = (uint32_t)(cuts != 0) << SHEEN_PLAN_EXTRA_CLIPPER;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_object o;
@@ -116,11 +116,11 @@ static uint32_t core_flash(enum sheen_plan_cpu cpu, unsigned small, uint32_t nam
 
 /* The polygons' normals go with every mesh: they pass over what faces away. */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
-                      const struct sheen_panel_record *record)
+                      int cuts, const struct sheen_panel_record *record)
 {
     const struct sheen_options *options = scene->options;
     const int is_matcap = options->shade >= SHEEN_MATCAP, edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
-    const uint32_t named = named_of(scene);
+    const uint32_t named = named_of(scene, cuts);
 
     flash->core = core_flash(cpu, 0, named);
     flash->panel = record ? sheen_plan_panel_flash[cpu][0][driver_kind(record)] : 0;

@@ -26,8 +26,11 @@ struct sheen_plan_flash {
 /* Of a configuration, completed with sheen.h's defaults but the target; bits: of a pixel in the target's memory. */
 void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *config, const struct sheen_target *target);
 
-/* Of a scene that has begun a frame. The core with what it names: shadings, fog, a pattern, a ramp, morphing, edges. */
+/*
+ * Of a scene that has begun a frame. The core with what it names: shadings, fog, a pattern, a ramp, morphing, edges,
+ * and where triangles are cut the clipper.
+ */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
-                      const struct sheen_panel_record *record);
+                      int cuts, const struct sheen_panel_record *record);
 
 #endif

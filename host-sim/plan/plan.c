@@ -109,6 +109,7 @@ static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
     plan->used = stats.used > plan->used ? stats.used : plan->used;
     plan->listed = stats.drawn > plan->listed ? stats.drawn : plan->listed;
     plan->edges = stats.edges > plan->edges ? stats.edges : plan->edges;
+    plan->cut += stats.clipped;
 }
 
 /* ---- a turn ---- */
@@ -168,7 +169,7 @@ static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run
     plan->target.ctx = NULL;
     sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
     for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
-        sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->choice.record);
+        sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->cut > 0, plan->choice.record);
 }
 
 int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options, const struct sheen_sim_choice *choice,

@@ -33,6 +33,7 @@ struct sheen_plan {
     const char *panel;
     uint32_t vertices, triangles;                        /* of the meshes */
     uint32_t used, listed, edges;                        /* the most of a frame */
+    uint32_t cut;                                        /* triangles, of all frames */
     struct sheen_target target;                          /* but ctx and callbacks */
     struct sheen_config config;                          /* but the target */
     struct sheen_plan_times times[SHEEN_PLAN_BOARDS][2]; /* what changed, and whole frames */

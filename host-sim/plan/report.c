@@ -92,6 +92,8 @@ static void put_ram(FILE *out, const struct sheen_plan *plan, const struct sheen
     fprintf(out, "\ncounted    RAM with max_used %u and max_triangles %u", plan->used, plan->listed);
     if (config.max_edges)
         fprintf(out, " and max_edges %u", config.max_edges);
+    if (plan->cut > 0)
+        fprintf(out, ", the clipper and max_clipped %u", config.max_clipped);
     fprintf(out, ", what this turn takes: %u B\n", other.all);
 }
 

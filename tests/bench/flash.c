@@ -1,7 +1,7 @@
 /*
  * flash.c - the least of a firmware: one shading SHADER, and where they are given one panel PANEL, the mesh and the
- * power table of the header MESH, TEXTURE, FOG, STIPPLE, RAMP, MORPH, EDGES. What the linker keeps of it is what `sheen
- * plan` says of flash.
+ * power table of the header MESH, TEXTURE, FOG, STIPPLE, RAMP, MORPH, EDGES, CLIPPER. What the linker keeps of it is
+ * what `sheen plan` says of flash.
  */
 #include "sheen.h"
 #ifdef PANEL
@@ -67,6 +67,10 @@ int main(void)
 #else
     extern const struct sheen_target target;
 #endif
-    const struct sheen_config config = {.target = &target, .max_vertices = 530, .max_triangles = 512};
+    struct sheen_config config = {.target = &target, .max_vertices = 530, .max_triangles = 512};
+#ifdef CLIPPER
+    config.max_clipped = 32;
+    config.clipper = &sheen_clipper;
+#endif
     return error || sheen_init(&frame, arena, &arena_bytes, &config) || sheen_render(frame, &view, &object, 1);
 }
