@@ -106,6 +106,7 @@ static void bad_configurations(void **state)
         if (sheen_arena_size(&bad) != 0 || sheen_init(&frame, arena, &size, &bad) != SHEEN_ERR_ARGUMENT)
             fail_msg("bad configuration %d was taken", k);
     }
+    bad.target = &target.target;
     assert_int_equal(sheen_config_about(&bad), SHEEN_ABOUT_CLIPPER);
     bad.clipper = &sheen_clipper;
     assert_int_equal(sheen_config_about(&bad), SHEEN_ABOUT_NOTHING);
