@@ -25,22 +25,24 @@ SPECIALISED void swap_four(uint16_t *depth, uint16_t *kept, int32_t apart, int b
     swap_depth(depth + 3 * apart, kept + 3, back);
 }
 
-/* count px, `apart` px from one to the next. */
-SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, int32_t count, int32_t apart, int back)
+/* Of what lies before `end` from *depth on every pixel that is `apart` px from the one before. */
+SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, const uint16_t *end, int32_t apart, int back)
 {
-    const int32_t group = FAST_LOOPS && apart == 2 ? 8 : 4;
-    const uint16_t *end = kept + count, *groups = kept + (count & -group);
-
-    while (kept < groups) {
-        swap_four(depth, kept, apart, back);
-        if (group == 8)
+    if (FAST_LOOPS && apart == 2)
+        for (; depth < end - 15 * apart; depth += 16 * apart, kept += 16) {
+            OPAQUE(depth); /* one address for all */
+            OPAQUE(kept);
+            swap_four(depth, kept, apart, back);
             swap_four(depth + 4 * apart, kept + 4, apart, back);
-        depth += group * apart;
-        kept += group;
-        OPAQUE(depth); /* one address for all */
+            swap_four(depth + 8 * apart, kept + 8, apart, back);
+            swap_four(depth + 12 * apart, kept + 12, apart, back);
+        }
+    for (; depth < end - 3 * apart; depth += 4 * apart, kept += 4) {
+        OPAQUE(depth);
         OPAQUE(kept);
+        swap_four(depth, kept, apart, back);
     }
-    for (; kept < end; depth += apart) {
+    for (; depth < end; depth += apart) {
         swap_depth(depth, kept++, back);
         OPAQUE(kept);
     }
@@ -52,7 +54,7 @@ SPECIALISED uint16_t *swap_second(uint16_t *line, uint16_t *kept, struct span sp
 {
     const int32_t x = span.x0 + (int32_t)(((uint32_t)span.x0 + odd) & 1u);
 
-    return swap_every(line + x, kept, (span.x1 - x + 1) >> 1, 2, back);
+    return swap_every(line + x, kept, line + span.x1, 2, back);
 }
 
 /* left_out: a bit a column. */
@@ -63,9 +65,10 @@ SPECIALISED uint16_t *swap_any(uint16_t *line, uint16_t *kept, struct span span,
 
     left_out = (left_out | left_out << 8) >> turn & 0xffu; /* from the first pixel on, again and again */
     if (width > 16) {
-        for (int32_t x = 0; left_out != 0; x++, left_out >>= 1)
+        const uint16_t *end = depth + width;
+        for (; left_out != 0; depth++, left_out >>= 1)
             if (left_out & 1u)
-                kept = swap_every(depth + x, kept, (width + 7 - x) >> 3, 8, back);
+                kept = swap_every(depth, kept, end, 8, back);
         return kept;
     }
     SHEEN_TAP(NARROW, back || left_out == 0 ? 0 : width);
@@ -89,12 +92,14 @@ SPECIALISED void swap_rows(struct stippled_rows *r, const struct tile *t, const 
         do {
             kept = swap_second(line, kept, *span, y++, back);
             line += pitch;
-        } while (++span != end);
+            span = next_span(span);
+        } while (span != end);
     } else {
         do {
             kept = swap_any(line, kept, *span, d->left_out[y++ & 7u], back);
             line += pitch;
-        } while (++span != end);
+            span = next_span(span);
+        } while (span != end);
     }
     SHEEN_TAP(HIDDEN, back ? 0 : kept - r->depth);
 }
@@ -108,9 +113,9 @@ static int32_t strip_of(const struct setup *s)
 }
 
 /* The next rows of the columns x to before x1, one below the other, as many as there is room for; returns how many. */
-static unsigned take_rows(struct stippled_rows *r, struct tile *t, const struct draw *d, int32_t x, int32_t x1)
+SPECIALISED unsigned take_rows(struct stippled_rows *r, struct tile *t, const struct draw *d, int32_t x, int32_t x1,
+                               int32_t half)
 {
-    const int32_t half = d->stippled != STIPPLED_MORE;
     const struct span *whole = r->whole + r->row, *end = whole + min32((int32_t)(r->rows - r->row), STIPPLED_ROWS);
     struct span *span = r->span;
     int32_t room = KEPT_DEPTHS, y = r->first_row + (int32_t)r->row;
@@ -166,7 +171,8 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
         t->thresholds = sheen_thresholds;
         return 0;
     }
-    t->rows = (uint16_t)take_rows(r, t, s->draw, r->x, r->x + strip);
+    t->rows = (uint16_t)(s->draw->stippled != STIPPLED_MORE ? take_rows(r, t, s->draw, r->x, r->x + strip, 1)
+                                                            : take_rows(r, t, s->draw, r->x, r->x + strip, 0));
     SHEEN_TAP(STRIP, 1);
     swap_rows(r, t, s->draw, 0);
     return 1;
