@@ -18,15 +18,27 @@ struct fog_at {
     uint32_t z, left, apart[3];
 };
 
-/* A channel under fog, 24 fraction bits. Range: |apart| < 2^16 with 10 of them, so the product is below 2^30. */
-SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share)
+#if FAST_LOOPS && defined(__ARM_ARCH_6M__) /* from any register it adds, but does not subtract */
+#define FOG_ADDS 1
+#else
+#define FOG_ADDS 0
+#endif
+
+/*
+ * A channel under fog, 24 fraction bits; adds: share is negated. Range: |apart| < 2^16 with 10 fraction bits, so the
+ * product is below 2^30.
+ */
+SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share, unsigned adds)
 {
-    return level - (uint32_t)(asr32((int32_t)apart, LOOP_FRACTION - 10) * share);
+    const uint32_t gone = (uint32_t)(asr32((int32_t)apart, LOOP_FRACTION - 10) * share);
+
+    return adds ? level + gone : level - gone;
 }
 
-/* 565, nothing to clamp. even: of one colour. */
+/* 565, nothing to clamp. even: of one colour; adds: as in under_fog. */
 SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
-                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap, unsigned even)
+                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap, unsigned even,
+                           unsigned adds)
 {
     const intptr_t to_pixel = t->to_pixel;
     const uint16_t *end = depth + count;
@@ -34,13 +46,18 @@ SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t 
     const uint32_t half = threshold == NULL ? 1u << 9 : 0;
     const uint32_t r = (level[0] + half) << 14, g = (level[1] + half) << 14, b = (level[2] + half) << 14;
 
+    if (adds) {
+        OPAQUE(step.apart[0]);
+        OPAQUE(step.apart[1]);
+        OPAQUE(step.apart[2]);
+    }
     do {
         if (nearer(t, depth, at.z)) {
             const uint32_t up = threshold == NULL ? 0 : (uint32_t)threshold[x & 7u] << 17;
-            const int32_t share = asr32((int32_t)at.left, 16);
+            const int32_t left = asr32((int32_t)at.left, 16), share = adds ? -left : left;
             *pixel_at(depth, to_pixel) =
-                fast_pixel(under_fog(r, at.apart[0], share) + up, under_fog(g, at.apart[1], share) + up,
-                           under_fog(b, at.apart[2], share) + up, 24, swap);
+                fast_pixel(under_fog(r, at.apart[0], share, adds) + up, under_fog(g, at.apart[1], share, adds) + up,
+                           under_fog(b, at.apart[2], share, adds) + up, 24, swap);
         }
         at.z += step.z;
         at.left += step.left;
@@ -124,11 +141,11 @@ static void fogged_rows(const struct tile *t, const struct setup *s)
         }
         uint16_t *depth = t->depth + tile_offset(t, x, y);
         if (FAST_LOOPS && threshold == NULL && t->format->swap && s->way == SHEEN_WAY_FLAT)
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 1);
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 1, 0);
         else if (FAST_LOOPS && threshold == NULL && t->format->swap)
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 0);
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 0, FOG_ADDS);
         else
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap, 0);
+            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap, 0, 0);
     }
 }
 
