@@ -201,10 +201,11 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 }
 
 #if FAST_LOOPS
-/* What is stepped a row, at column 0: the depth before it, z and the quadrics. */
+/* What is stepped a row, at column 0: the depth before it, z and the quadrics; and what runs are of. */
 struct row_walk {
     uint16_t *line;
-    uint32_t z;
+    uint32_t z, dx, dy;
+    const struct draw *draw;
     struct quadric f, u;
 };
 
@@ -217,6 +218,9 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
 
     walk.line = t->depth + (y - t->rect.y0) * (int32_t)t->pitch - t->rect.x0 - 1;
     walk.z = plane_at(&s->depth, 0, y);
+    walk.dx = s->depth.dx;
+    walk.dy = s->depth.dy;
+    walk.draw = s->draw;
     sheen_quadric_from(&walk.f, &q->diffuse, -q->x, y - q->y);
     if (second != SECOND_NONE)
         sheen_quadric_from(&walk.u, &q->second, -q->x, y - q->y);
@@ -227,21 +231,21 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
         if (x < x1) {
             const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
             uint16_t *line = at->line;
-            uint32_t z = at->z;
+            uint32_t z = at->z, dx = at->dx;
             OPAQUE_BOTH(line, z);
-            struct shaded_run run = {z + (uint32_t)x * s->depth.dx, s->depth.dx, 0, 0, 0, 0, 0, 0};
+            struct shaded_run run = {z + (uint32_t)x * dx, dx, 0, 0, 0, 0, 0, 0};
             quadric_run(&at->f, x, &run.f, &run.df, &run.ddf);
             if (second != SECOND_NONE) {
                 quadric_run(&at->u, x, &run.u, &run.du, &run.ddu);
-                quick_run(t, s->draw, line + x, line + x1, thresholds, &run, second, dither, 1);
+                quick_run(t, at->draw, line + x, line + x1, thresholds, &run, second, dither, 1);
             } else {
-                cosine_shades_run(t, s->draw->shades, line + x, line + x1, thresholds, &run, dither, 1);
+                cosine_shades_run(t, at->draw->shades, line + x, line + x1, thresholds, &run, dither, 1);
             }
         }
         at = &walk;
         OPAQUE(at);
         at->line += t->pitch;
-        at->z += s->depth.dy;
+        at->z += at->dy;
         quadric_down(&at->f);
         if (second != SECOND_NONE)
             quadric_down(&at->u);
