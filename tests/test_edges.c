@@ -2,7 +2,7 @@
  * test_edges.c - columns where edges cross rows, against exact integers.
  *
  *   test_edges        a sample
- *   test_edges all    every short edge: widths and heights below 2048/64 px, every start between two rows
+ *   test_edges all    every short edge: widths to 2048/64 px, heights below, every start between two rows
  *
  * Built once for each form of edge.c (SHEEN_NO_DIVIDER). Where an edge starts between two columns is drawn by lot:
  * both forms add it exactly. Besides, long edges and such as begin above the tile or go on in the next, by lot.
@@ -14,7 +14,8 @@
 #include "triangle/triangle.h"
 
 #define SHORT 2048     /* 1/64 px, as in edge.c */
-#define FARTHEST 32704 /* a vertex from the picture's centre: the guard band's 511 px */
+#define FARTHEST 32704 /* a vertex from the viewport's centre: the guard band's 511 px */
+#define WIDEST 40960   /* a target, 640 px: its viewport's centre lies within */
 #define MOST_ROWS 1024
 #define LONG_EDGES 300000
 
@@ -95,7 +96,7 @@ static void short_edges(int all)
 {
     for (int32_t height = 1; height < SHORT; height += 1) {
         int32_t sparse = all || height < 70 || height > 1980 || height % 64 == 0 ? 1 : 41;
-        for (int32_t width = 1 - SHORT + (int32_t)lot((uint32_t)sparse); width < SHORT; width += sparse) {
+        for (int32_t width = -SHORT + (int32_t)lot((uint32_t)sparse); width < SHORT; width += sparse) {
             for (int32_t rest = all ? 0 : (int32_t)lot(29); rest < 64; rest += all ? 1 : 29)
                 walk((int32_t)lot(64), 32 - rest, width, height, 0, width & 1 ? 0 : 1 + (int32_t)lot(40));
         }
@@ -112,7 +113,7 @@ static void any_edges(void)
         height = i & 2 ? (int32_t)lot((uint32_t)(FARTHEST - y)) + 1 : (int32_t)lot((uint32_t)reach) + 1;
         int32_t from = first_row(y) - 8 + (int32_t)lot(24), rows = 1 + (int32_t)lot(64);
         if (x + width > -FARTHEST && x + width < FARTHEST && y + height < FARTHEST)
-            walk(x, y, width, height, from, i % 3 ? rows : 0);
+            walk(x + (int32_t)lot(WIDEST), y, width, height, from, i % 3 ? rows : 0);
     }
 }
 

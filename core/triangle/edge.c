@@ -16,29 +16,12 @@
 #endif
 #endif
 
-#define SHORT 2048 /* 1/64 px: width and height of a short edge */
+#define SHORT 2048 /* 1/64 px: a short edge's height is below it, its width from -SHORT to below */
 
-/* Along an edge from its upper end, Q31.32 px: from there to its first row, and a row. */
+/* Along an edge, Q31.32 px: where it crosses its first row, and a row. */
 struct course {
     int64_t start, step;
 };
-
-/*
- * width / height px a row, and `rest` / 64 of it. Both floors: a start is off by at most 2 * 2^-32 px and a row adds at
- * most 2^-32, 480 rows 2^-23. Range: height < 2^16, so a remainder times 2^16 fits 32 bits.
- */
-static inline struct course by_division(int32_t width, int32_t height, int32_t rest)
-{
-    const uint32_t size = (uint32_t)height, wide = magnitude32(width);
-    int32_t whole = width >= 0 ? (int32_t)(wide / size) : -(int32_t)((wide + size - 1) / size),
-            part = width - whole * height;
-    uint32_t high = ((uint32_t)part << 16) / size;
-    uint32_t low = ((((uint32_t)part << 16) - high * size) << 16) / size;
-    uint32_t part_of_px = high << 16 | low;
-    int64_t start = (int64_t)(((uint64_t)(uint32_t)(rest * whole) << 32) + (uint64_t)part_of_px * (uint32_t)rest);
-    struct course c = {asr64(start, SUBPIXEL_BITS) - 1, (int64_t)((uint64_t)(uint32_t)whole << 32 | part_of_px)};
-    return c;
-}
 
 /* x * 2^n, 1 <= n <= 31: two shifts, of which gcc makes more. */
 static inline int64_t shifted64(int32_t x, unsigned n)
@@ -47,43 +30,61 @@ static inline int64_t shifted64(int32_t x, unsigned n)
 }
 
 /*
- * The same of a short edge, |width|, height < SHORT: 32 rows at most, off by less than 2^-18 px in all. `slope` comes
- * near width / height in Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so
- * their product fits.
+ * From x, 1/64 px: width / height px a row, and `rest` / 64 of it down to the first. Both floors: a start is off by at
+ * most 2 * 2^-32 px and a row adds at most 2^-32, 480 rows 2^-23. Range: height < 2^16, so a remainder times 2^16 fits
+ * 32 bits.
  */
-static inline struct course course_of(int32_t slope, int32_t more, int32_t rest)
+static inline struct course by_division(int32_t x, int32_t width, int32_t height, int32_t rest)
+{
+    const uint32_t size = (uint32_t)height, wide = magnitude32(width);
+    int32_t whole = width >= 0 ? (int32_t)(wide / size) : -(int32_t)((wide + size - 1) / size),
+            part = width - whole * height;
+    uint32_t high = ((uint32_t)part << 16) / size;
+    uint32_t low = ((((uint32_t)part << 16) - high * size) << 16) / size;
+    uint32_t part_of_px = high << 16 | low;
+    int64_t start = (int64_t)(((uint64_t)(uint32_t)(rest * whole) << 32) + (uint64_t)part_of_px * (uint32_t)rest);
+    struct course c = {shifted64(x + SUBPIXEL_HALF, 26) + asr64(start, SUBPIXEL_BITS) - 1,
+                       (int64_t)((uint64_t)(uint32_t)whole << 32 | part_of_px)};
+    return c;
+}
+
+/*
+ * The same of a short edge: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in
+ * Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits;
+ * |x| < 2^17 - 2^12, so a start in Q.20 does.
+ */
+static inline struct course course_of(int32_t x, int32_t slope, int32_t more, int32_t rest)
 {
     const int32_t step = (int32_t)((uint32_t)slope * 32u + (uint32_t)more);
-    const struct course c = {shifted64(asr32(rest * (slope + asr32(more, 5)), SUBPIXEL_BITS) - 4, 12),
-                             shifted64(step, 7)};
+    const int32_t start = (x + SUBPIXEL_HALF) * (1 << 14) + asr32(rest * (slope + asr32(more, 5)), SUBPIXEL_BITS) - 4;
+    const struct course c = {shifted64(start, 12), shifted64(step, 7)};
 
     return c;
 }
 
 #if SHEEN_NO_DIVIDER
 /*
- * With the seed of a reciprocal and one residual. Below 1 px of height there is one row at most and a slope that wraps
- * is not used.
+ * With the seed of a reciprocal, 16 bits, and one residual. Below 1 px of height there is one row at most and a step
+ * that wraps is not used.
  */
-static inline struct course short_course(int32_t width, int32_t height, int32_t rest)
+static inline struct course short_course(int32_t x, int32_t width, int32_t height, int32_t rest)
 {
-    unsigned up = 21; /* to 31 */
-    uint32_t normal = (uint32_t)height << up;
+    unsigned down = 10; /* to 0 */
+    uint32_t normal = (uint32_t)height << (31 - down);
 
     for (; (normal & 0x80000000u) == 0; normal <<= 1) /* shorter than the call that clz32 is here */
-        up++;
-    int32_t seed = (int32_t)reciprocal_seed(normal), product = width * seed;
-    int32_t slope = up <= 27 ? asr32(product, 27 - up) : (int32_t)((uint32_t)product << (up - 27));
+        down--;
+    int32_t seed = (int32_t)reciprocal_seed(normal), slope = asr32(width * seed * 16, down);
     int32_t left = (int32_t)(((uint32_t)width << 20) - (uint32_t)slope * (uint32_t)height);
 
-    return course_of(slope, asr32(asr32(left, 2) * (seed >> 1), 39 - up), rest);
+    return course_of(x, slope, asr32(asr32(left, 2) * (seed >> 1), down + 8), rest);
 }
 #else
-static inline struct course short_course(int32_t width, int32_t height, int32_t rest)
+static inline struct course short_course(int32_t x, int32_t width, int32_t height, int32_t rest)
 {
     int32_t slope = width * (1 << 20) / height, left = width * (1 << 20) - slope * height;
 
-    return course_of(slope, left * 32 / height, rest);
+    return course_of(x, slope, left * 32 / height, rest);
 }
 #endif
 
@@ -120,12 +121,12 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
     if (end <= row)
         return;
     const int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y; /* 0..63: down to the first row */
+    const int32_t x = upper->x;
     struct course c;
-    if (height < SHORT && (uint32_t)(width + SHORT - 1) < 2 * SHORT - 1)
-        c = short_course(width, height, rest);
+    if ((uint32_t)((width + SHORT) | height * 2) < 2 * SHORT)
+        c = short_course(x, width, height, rest);
     else
-        c = by_division(width, height, rest);
-    c.start += shifted64(upper->x + SUBPIXEL_HALF, 26); /* the whole part is the column */
+        c = by_division(x, width, height, rest);
     if (row != first)
         c.start += (row - first) * c.step;
     if (rows > 0)
@@ -144,9 +145,19 @@ unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], 
     unsigned right = 0;
 
     for (const struct screen_corner *end = at;; from = end++, edge++) { /* edges 20, 01, 12 */
-        unsigned down = end->y > from->y;
-        right = right >> 1 | down << 2;
-        edge_begin(edge, down ? from : end, down ? end : from, to, down ? &spans->x1 : &spans->x0);
+        const struct screen_corner *upper = end, *lower = from;
+        int16_t *column = &spans->x0;
+        right >>= 1;
+        if (end->y > from->y) {
+            upper = from;
+            lower = end;
+            column = &spans->x1;
+            right |= 4u;
+        }
+#if !defined(__ARM_ARCH_6M__)
+        OPAQUE_BOTH(upper, lower);
+#endif
+        edge_begin(edge, upper, lower, to, column);
         if (end == last)
             return right;
     }
