@@ -26,5 +26,3 @@ if(NOT SHEEN_SANITIZED)
   set(every faults_linux_every)
 endif()
 set_tests_properties(kernel linux_builds faults_linux ${every} PROPERTIES RESOURCE_LOCK guest)
-# The emulator's threads hand over to each other at every timer: beside other tests a guest takes three times as long.
-set_tests_properties(kernel faults_linux ${every} PROPERTIES PROCESSORS 2)
