@@ -24,9 +24,14 @@ find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
 sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
-sheen_script(cli_models cli COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
+# Every model of assimp's: with sanitizers in the long part.
+set(models cli)
+if(SHEEN_SANITIZED)
+  set(models long)
+endif()
+sheen_script(cli_models ${models} COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
-sheen_script(cli_textures cli COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
+sheen_script(cli_textures ${models} COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_colors cli COMMAND tests/cli/colors $<TARGET_FILE:sheen>)
 
