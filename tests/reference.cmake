@@ -67,6 +67,7 @@ sheen_test(test_grey accuracy SOURCES test_grey.c LIBRARIES core_picture sheen::
 get_target_property(core_sources sheen_core SOURCES)
 list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
 add_library(core_spoilt STATIC ${core_sources})
+set_target_properties(core_spoilt PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 30)
 target_include_directories(core_spoilt PUBLIC ${PROJECT_SOURCE_DIR}/core)
 set_source_files_properties(${PROJECT_SOURCE_DIR}/core/math/tables.c PROPERTIES
   COMPILE_DEFINITIONS sheen_root_table=shipped_root_table)
