@@ -51,4 +51,4 @@ sheen_script(seeded_readme_lacks format COMMAND tests/checks/refuses "does not g
   tests/checks/readme --done tests/run tests/checks/seeded/readme_fails.md)
 
 # The README's first command where nothing is installed.
-sheen_script(bare bare COMMAND tests/bare/run)
+sheen_script(bare bare COMMAND tests/bare/run $<TARGET_FILE:sheen>)
