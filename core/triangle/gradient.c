@@ -20,22 +20,26 @@ static inline uint32_t scaled_step(int32_t x, int shift)
  */
 int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 {
-    unsigned zeros = clz32(g->area), cut = g->bits > NARROW_BITS ? g->bits - NARROW_BITS : 0, shift = g->bits + 1 - cut;
-    int32_t seed = (int32_t)(reciprocal_seed(g->area << zeros) >> cut), half = 1 << (shift - 1);
-
-    if (zeros + g->bits > FLATTEST)
-        return 0;
-    g->exponent = (uint16_t)(40 - (zeros + g->bits));
-    g->stretch = (int16_t)((int)(2u * g->bits + zeros) - 32);
-    g->wide = g->bits > NARROW_BITS || g->stretch > WIDEST_STRETCH;
-    g->b1[0] = asr32(g->to2[1] * seed + half, shift);
-    g->b1[1] = asr32(half - g->to2[0] * seed, shift);
-    g->b2[0] = asr32(half - g->to1[1] * seed, shift);
-    g->b2[1] = asr32(g->to1[0] * seed + half, shift);
     g->origin[0] = asr32(x, SUBPIXEL_BITS);
     g->origin[1] = asr32(y, SUBPIXEL_BITS);
     g->centre[0] = SUBPIXEL_HALF - (x & (SUBPIXEL_ONE - 1));
     g->centre[1] = SUBPIXEL_HALF - (y & (SUBPIXEL_ONE - 1));
+
+    const unsigned zeros = clz32(g->area), bits = g->bits, sum = zeros + bits;
+    const unsigned narrow = bits < NARROW_BITS ? bits : NARROW_BITS, cut = bits - narrow;
+    if (sum > FLATTEST)
+        return 0;
+    const int stretch = (int)(sum + bits) - 32;
+    g->exponent = (uint16_t)(40 - sum);
+    g->stretch = (int16_t)stretch;
+    g->wide = (uint16_t)(cut | (stretch > WIDEST_STRETCH));
+
+    const unsigned shift = narrow + 1;
+    const int32_t seed = (int32_t)(reciprocal_seed(g->area << zeros) >> cut), half = 1 << narrow;
+    g->b1[0] = asr32(g->to2[1] * seed + half, shift);
+    g->b1[1] = asr32(half - g->to2[0] * seed, shift);
+    g->b2[0] = asr32(half - g->to1[1] * seed, shift);
+    g->b2[1] = asr32(g->to1[0] * seed + half, shift);
     return 1;
 }
 
