@@ -109,11 +109,14 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
 
     orient(c, g);
     c->screen = screen;
-    for (int k = 0; k < 3; k++) {
-        at[k].x = c->at.v[k]->x + screen->centre_x;
-        at[k].y = c->at.v[k]->y + screen->centre_y;
+    at[0].x = c->at.v[0]->x + screen->centre_x;
+    at[0].y = c->at.v[0]->y + screen->centre_y;
+    at[1].x = at[0].x + g->to1[0];
+    at[1].y = at[0].y + g->to1[1];
+    at[2].x = at[0].x + g->to2[0];
+    at[2].y = at[0].y + g->to2[1];
+    for (int k = 0; k < 3; k++)
         at[k].row = first_centre(at[k].y);
-    }
     int32_t top = min32(at[0].row, min32(at[1].row, at[2].row)), bottom = max32(at[0].row, max32(at[1].row, at[2].row));
     int32_t end_row = min32(bottom, screen->viewport.y1);
     const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1),
