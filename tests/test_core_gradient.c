@@ -172,7 +172,7 @@ static void test_planes(void **unused)
             c.value[k] = c.value[k] >> 16;
         c.largest = fmax(fabs((double)c.value[1] - c.value[0]), fabs((double)c.value[2] - c.value[0])) * 0x1p16;
         c.up = 16;
-        c.plane = sheen_plane(&g, (uint32_t)c.value[0] << 16, c.value[1] - c.value[0], c.value[2] - c.value[0], 16);
+        sheen_plane(&c.plane, &g, (uint32_t)c.value[0] << 16, c.value[1] - c.value[0], c.value[2] - c.value[0], 16);
         each_pixel(&shape, note_plane, &c);
     }
     worst_assert(&worst, 1, "planes in tolerances");

@@ -65,8 +65,9 @@ static struct plane fine_plane(const struct gradients *g, const int32_t w[3], co
     const int32_t f0 = w[0] * x[0], f1 = w[1] * x[1], f2 = w[2] * x[2];
     const int32_t low1 = asr32(f1, 1) - asr32(f0, 1) - cut_cosine(f1, f0) * 32768;
     const int32_t low2 = asr32(f2, 1) - asr32(f0, 1) - cut_cosine(f2, f0) * 32768;
-    struct plane p = sheen_weighted_plane(g, w, x), rest = sheen_plane(g, 0, low1, low2, 1);
+    struct plane p = sheen_weighted_plane(g, w, x), rest;
 
+    sheen_plane(&rest, g, 0, low1, low2, 1);
     p.base += rest.base;
     p.dx += rest.dx;
     p.dy += rest.dy;

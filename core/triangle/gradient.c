@@ -116,16 +116,18 @@ static APART struct plane wide_plane(const struct gradients *g, uint32_t base, i
  * Range: a step of f is at most 2^15 2^15 in each of its two products, and half of that times half a pixel 2^30 in all.
  * Beyond 32 bits a step wraps only where pixel centres lie so close that modulo 2^32 it is right.
  */
-struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
+void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
 {
-    if (g->wide)
-        return wide_plane(g, base, d1, d2, up);
+    if (g->wide) {
+        *p = wide_plane(g, base, d1, d2, up);
+        return;
+    }
     int32_t dx = d1 * g->b1[0] + d2 * g->b2[0], dy = d1 * g->b1[1] + d2 * g->b2[1];
     int32_t to_centre = asr32(dx, SUBPIXEL_BITS + 1) * g->centre[0] + asr32(dy, SUBPIXEL_BITS + 1) * g->centre[1];
     int shift = g->exponent - (int)up;
-    struct plane p = {0, scaled_step(dx, shift), scaled_step(dy, shift)};
-    p.base = base + scaled_step(to_centre, shift - 1) - (uint32_t)g->origin[0] * p.dx - (uint32_t)g->origin[1] * p.dy;
-    return p;
+    const uint32_t x = scaled_step(dx, shift), y = scaled_step(dy, shift);
+    base += scaled_step(to_centre, shift - 1) - (uint32_t)g->origin[0] * x - (uint32_t)g->origin[1] * y;
+    *p = (struct plane){base, x, y};
 }
 
 /*

@@ -43,7 +43,7 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
 
     s->detail = !packable(g);
     s->rows = THUMB_LOOPS && s->detail ? sheen_wide_shades_rows : sheen_shades_rows;
-    r->diffuse = sheen_plane(g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
+    sheen_plane(&r->diffuse, g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 
 /* 1 where a corner's channel lies within `margin` of 0 or 1.0, or beyond; where it is the same at all, only beyond. */
@@ -63,13 +63,13 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
 }
 
 /*
- * c: channels with `fraction` bits modulo 2^32. Exact at the origin pixel, whatever band is drawn: there red and blue
- * are taken about MIDDLE, from which they are not farther than 2^31.
+ * c: channels with `fraction` bits modulo 2^32, of which red and blue are given at the origin pixel besides their steps.
+ * They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31.
  */
 #define MIDDLE 16u /* level */
 
 SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, const struct plane c[3],
-                             unsigned fraction)
+                             unsigned fraction, uint32_t red, uint32_t blue)
 {
     const int32_t x = g->origin[0], y = g->origin[1];
     const unsigned up = 26 - fraction;
@@ -78,8 +78,7 @@ SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, 
 
     rb->dx = pack_red_blue(c[0].dx, c[2].dx, fraction);
     rb->dy = pack_red_blue(c[0].dy, c[2].dy, fraction);
-    rb->base = pack_red_blue(plane_at(&c[0], x, y) - (MIDDLE << fraction), plane_at(&c[2], x, y) - (MIDDLE << fraction),
-                             fraction) +
+    rb->base = pack_red_blue(red - (MIDDLE << fraction), blue - (MIDDLE << fraction), fraction) +
                ((MIDDLE << 11) + early) * 0x10001u - (uint32_t)x * rb->dx - (uint32_t)y * rb->dy;
     p->green = (struct plane){(c[1].base << up) + (early << 15), c[1].dx << up, c[1].dy << up};
     p->s.fast = 1;
@@ -103,18 +102,20 @@ int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t dif
 {
     const struct colour_terms *terms = &s->draw->colour;
     const uint32_t low = terms->low, range = (uint32_t)terms->high - low;
-    struct plane c[3];
+    struct plane l, c[3];
 
     if (!packable(g) || diffuse - low > range || diffuse + (uint32_t)d1 - low > range ||
         diffuse + (uint32_t)d2 - low > range)
         return 0;
-    const struct plane l = sheen_plane(g, diffuse << 2, d1, d2, 2);
+    sheen_plane(&l, g, diffuse << 2, d1, d2, 2);
     if (l.dx + 32768u > 65535u || l.dy + 32768u > 65535u)
         return 0;
     c[0] = diffuse_channel(terms, 0, &l);
     c[1] = diffuse_channel(terms, 1, &l);
     c[2] = diffuse_channel(terms, 2, &l);
-    pack_planes((struct packed_setup *)s, g, c, LOOP_FRACTION + 2);
+    const uint32_t at = plane_at(&l, g->origin[0], g->origin[1]);
+    pack_planes((struct packed_setup *)s, g, c, LOOP_FRACTION + 2, 4 * terms->a[0] + terms->b[0] * at,
+                4 * terms->a[2] + terms->b[2] * at);
     return 1;
 }
 
@@ -131,11 +132,12 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
     SHEEN_TAP(CHANNELS, 1);
     for (int i = 0; i < 3; i++) {
         const uint32_t *f = channel[i];
-        plane[i] = sheen_plane(g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
+        sheen_plane(&plane[i], g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
     }
     s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
     if (s->fast && packable(g)) {
-        pack_planes((struct packed_setup *)s, g, plane, terms->fraction);
+        pack_planes((struct packed_setup *)s, g, plane, terms->fraction,
+                    plane_at(&plane[0], g->origin[0], g->origin[1]), plane_at(&plane[2], g->origin[0], g->origin[1]));
         return;
     }
     memcpy(((struct linear_setup *)s)->channel, plane, sizeof plane);

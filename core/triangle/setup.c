@@ -74,8 +74,9 @@ static APART void mend_depth(struct plane *depth, const struct gradients *g, int
     const uint32_t at1 = depth->dx * (uint32_t)g->to1[0] + depth->dy * (uint32_t)g->to1[1];
     const uint32_t at2 = depth->dx * (uint32_t)g->to2[0] + depth->dy * (uint32_t)g->to2[1];
     const int32_t lack1 = (int32_t)(((uint32_t)d1 << 22) - at1), lack2 = (int32_t)(((uint32_t)d2 << 22) - at2);
-    const struct plane rest = sheen_plane(g, 0, asr32(lack1, 14), asr32(lack2, 14), 8);
+    struct plane rest;
 
+    sheen_plane(&rest, g, 0, asr32(lack1, 14), asr32(lack2, 14), 8);
     depth->base += rest.base;
     depth->dx += rest.dx;
     depth->dy += rest.dy;
@@ -96,7 +97,7 @@ static void depth_plane(struct setup *s, const struct surface_corners *c, const 
     } else if (steep > STEEPEST_DIFFERENCE) {
         s->depth = sheen_gradient_plane(g, z, 16);
     } else {
-        s->depth = sheen_plane(g, (uint32_t)z[0] << 16, d1, d2, 16);
+        sheen_plane(&s->depth, g, (uint32_t)z[0] << 16, d1, d2, 16);
         if (steep << max32(g->stretch, 0) > STEEPEST_DEPTH && !g->wide)
             mend_depth(&s->depth, g, d1, d2);
     }

@@ -29,10 +29,12 @@ static struct plane screen_plane(const struct gradients *g, const struct at_corn
 {
     uint32_t reach = reach_of(at);
     unsigned up = (unsigned)max32(1, 17 - (int32_t)clz32(reach));
+    struct plane p;
 
     if (!coarse && reach >= 1u << 20) /* 16 texels */
         return sheen_gradient_plane(g, at->f, 0);
-    return sheen_plane(g, (uint32_t)at->f[0], more_at(at, 1, up), more_at(at, 2, up), up);
+    sheen_plane(&p, g, (uint32_t)at->f[0], more_at(at, 1, up), more_at(at, 2, up), up);
+    return p;
 }
 
 /* The attribute, below 2^(30 - up), times weight: twice the product's high word. */

@@ -188,7 +188,7 @@ void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up,
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s);
 struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value[3], unsigned up);
 /* base: f at corner 0, with `up` more fraction bits than the differences d1, d2, at most STEEPEST_DIFFERENCE. */
-struct plane sheen_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up);
+void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up);
 
 /* ---- set-up and rows ---- */
 

@@ -13,6 +13,8 @@ void sheen_corner_weights(struct surface_corners *c, int32_t w[3])
 struct plane sheen_weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
     const int32_t f0 = w[0] * x[0];
+    struct plane p;
 
-    return sheen_plane(g, (uint32_t)f0, cut_cosine(w[1] * x[1], f0), cut_cosine(w[2] * x[2], f0), 16);
+    sheen_plane(&p, g, (uint32_t)f0, cut_cosine(w[1] * x[1], f0), cut_cosine(w[2] * x[2], f0), 16);
+    return p;
 }
