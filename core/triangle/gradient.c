@@ -49,10 +49,10 @@ struct wide_steps {
     unsigned exponent; /* 20..40 */
 };
 
-/* (a x + b y) / 2^shift, rounded. */
+/* (a x + b y) / 2^shift, rounded; no product by 0, which is a call on an M0+. */
 static APART int64_t wide_sum(int64_t a, int32_t x, int64_t b, int32_t y, unsigned shift)
 {
-    return round_shift64(a * x + b * y, shift);
+    return round_shift64(y != 0 ? a * x + b * y : a * x, shift);
 }
 
 /* Range: differences <= 65,408 (2 * 511 px), bits <= 16; a difference times the reciprocal <= (2^bits - 1) 2^32. */
