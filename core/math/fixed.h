@@ -23,6 +23,13 @@
 #define APART
 #endif
 
+/* What is done once a draw, or at pixels of rare targets, is made for size also where the rest is not. */
+#if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
+#define COLD __attribute__((noinline, cold))
+#else
+#define COLD
+#endif
+
 /*
  * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative as
  * arithmetic; elsewhere the complement of a non-negative number is shifted.

@@ -48,7 +48,7 @@ static void segment_of(const struct colour_terms *t, int k, uint32_t diffuse, un
     *at = (uint32_t)((uint64_t)(begin + (more >> (SEGMENT_STEPS_BITS + 1))) << bits >> t->fraction);
 }
 
-static void make_segments(struct shades *shades, const struct colour_terms *t)
+static COLD void make_segments(struct shades *shades, const struct colour_terms *t)
 {
     for (uint32_t i = 0; i < SEGMENTS; i++) {
         struct shade_segment *s = &shades->segment[i];
@@ -62,7 +62,7 @@ static void make_segments(struct shades *shades, const struct colour_terms *t)
     }
 }
 
-static void make_pixels(struct shades *shades, const struct colour_terms *t, unsigned swap)
+static COLD void make_pixels(struct shades *shades, const struct colour_terms *t, unsigned swap)
 {
     for (int i = 0; i < SHADES_PIXELS; i++) {
         int32_t middle = (i - SHADES_GUARD) * (1 << (15 - SHADES_BITS)) + (1 << (14 - SHADES_BITS));

@@ -63,8 +63,8 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
 }
 
 /*
- * c: channels with `fraction` bits modulo 2^32, of which red and blue are given at the origin pixel besides their steps.
- * They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31.
+ * c: channels with `fraction` bits modulo 2^32, of which red and blue are given at the origin pixel besides their
+ * steps. They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31.
  */
 #define MIDDLE 16u /* level */
 

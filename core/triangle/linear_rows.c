@@ -90,31 +90,37 @@ SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s,
     } while (++span != end);
 }
 
+static COLD void any_packed_rows(const struct tile *t, const struct packed_setup *s)
+{
+    packed_rows(t, s, t->dither, t->format->swap);
+}
+
+/* Loops of their own, here and below, are in the order of a panel's bus. */
 void sheen_packed_rows(const struct tile *t, const struct setup *s)
 {
     const struct packed_setup *p = (const struct packed_setup *)s;
-    const unsigned swap = t->format->swap;
 
-    if (!FAST_LOOPS)
-        packed_rows(t, p, t->dither, swap);
+    if (!FAST_LOOPS || !t->format->swap)
+        any_packed_rows(t, p);
     else if (t->dither)
-        swap ? packed_rows(t, p, 1, 1) : packed_rows(t, p, 1, 0);
+        packed_rows(t, p, 1, 1);
     else
-        swap ? packed_rows(t, p, 0, 1) : packed_rows(t, p, 0, 0);
+        packed_rows(t, p, 0, 1);
 }
 
 /* packed_run, written for where it counts. */
-SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, struct packed_at at,
-                          struct packed_at step, struct packed_way way, const threshold_t *thresholds)
+SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *at,
+                          const struct packed_at *step, int32_t y, unsigned dither, unsigned swap)
 {
 #if THUMB_LOOPS
-    if (way.swap && !way.dither) {
-        const struct thumb_packed run = {step, depth, count, way.to_pixel, at};
+    if (swap && !dither) {
+        const struct thumb_packed run = {*step, depth, count, t->to_pixel, *at};
         thumb_packed_run(&run);
         return;
     }
 #endif
-    packed_run(t, depth, count, at, step, way, thresholds);
+    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
+    packed_run(t, depth, count, *at, *step, way, t->dither_rows[y & 7]);
 }
 
 /* Wide triangles: packed anew every COLUMN px. */
@@ -124,7 +130,6 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
     const unsigned fraction = l->s.draw->colour.fraction;
     const uint32_t steps[3] = {c[0].dx, c[1].dx, c[2].dx}, half = dither ? 0 : 1u << (fraction - 1);
     const struct packed_at step = {l->s.depth.dx, pack_channels(steps, fraction)};
-    const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
     const struct span *span = t->spans;
 
     for (int32_t y = t->first_row, end = y + t->rows; y != end; y++, span++) {
@@ -136,7 +141,7 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
         for (int32_t n = COLUMN - (x & (COLUMN - 1)); left > 0; left -= n, n = COLUMN) {
             n = min32(n, left);
             at.colour = pack_channels(channel, fraction);
-            long_run(t, depth, n, at, step, way, t->dither_rows[y & 7]);
+            long_run(t, depth, n, &at, &step, y, dither, swap);
             depth += n;
             at.z += (uint32_t)n * step.z;
             for (int k = 0; k < 3; k++)
@@ -145,14 +150,19 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
     }
 }
 
+static COLD void any_column_rows(const struct tile *t, const struct linear_setup *l)
+{
+    column_rows(t, l, t->dither, FAST_LOOPS ? 0 : t->format->swap);
+}
+
 /* ---- any format, clamped ---- */
 
 /* As put_general, with its constants in registers: bytes may be anything's, so stores would have them read again. */
-SPECIALISED void clamped_rows(const struct tile *t, const struct linear_setup *l, unsigned grey)
+static COLD void clamped_rows(const struct tile *t, const struct linear_setup *l)
 {
     const struct colour_terms *terms = &l->s.draw->colour;
     const struct plane *c = l->channel;
-    const unsigned fraction = terms->fraction, swap = t->format->swap;
+    const unsigned fraction = terms->fraction, swap = t->format->swap, grey = t->format->grey;
 
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
@@ -171,7 +181,7 @@ SPECIALISED void clamped_rows(const struct tile *t, const struct linear_setup *l
 
 #if FAST_LOOPS
 /* 565 whose channels have LOOP_FRACTION bits: held to the levels as wholes, which a core may do in the shift. */
-SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
+SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setup *l, unsigned dither)
 {
     const struct plane *c = l->channel;
     const uint32_t dz = l->s.depth.dx, dr = c[0].dx, dg = c[1].dx, db = c[2].dx;
@@ -195,7 +205,7 @@ SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setu
                                LOOP_FRACTION);
             }
             const uint32_t pixel = clamped_565(r + threshold, g + threshold, b + threshold, 1);
-            *pixel_at(at, to_pixel) = pixel_order(pixel, swap);
+            *pixel_at(at, to_pixel) = pixel_order(pixel, 1);
         }
     }
 }
@@ -204,21 +214,21 @@ SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setu
 void sheen_linear_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
-    const unsigned swap = t->format->swap;
+    const unsigned own = FAST_LOOPS && t->format->swap;
 
 #if FAST_LOOPS
-    if (!s->fast && s->draw->is_565 && s->draw->colour.fraction == LOOP_FRACTION) {
+    if (!s->fast && own && s->draw->is_565 && s->draw->colour.fraction == LOOP_FRACTION) {
         if (t->dither)
-            clamped_565_rows(t, l, 1, swap);
+            clamped_565_rows(t, l, 1);
         else
-            clamped_565_rows(t, l, 0, swap);
+            clamped_565_rows(t, l, 0);
         return;
     }
 #endif
     if (!s->fast)
-        clamped_rows(t, l, t->format->grey);
-    else if (!FAST_LOOPS || !swap)
-        column_rows(t, l, t->dither, swap);
+        clamped_rows(t, l);
+    else if (!own)
+        any_column_rows(t, l);
     else if (t->dither)
         column_rows(t, l, 1, 1);
     else
