@@ -623,7 +623,7 @@ void sheen_mesh_edges(const struct sheen_mesh *mesh, sheen_q30_t crease, uint32_
 /* SHEEN_OK, or SHEEN_ERR_ARGUMENT where a count, pointer, index, polygon id or edge is out of range. */
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
 
-sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 3 raw steps of exact */
+sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 2 raw steps of exact */
 sheen_q30_t sheen_cos(sheen_angle_t angle); /* likewise */
 
 /* rotation = Rz(roll) * Rx(pitch) * Ry(yaw), scale 1, the model's origin at depth `distance`. */

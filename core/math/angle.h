@@ -6,10 +6,6 @@
 
 #include <stdint.h>
 
-/* sin of i/256 turn, Q1.30, i = 0..64: a quarter of a turn. */
-#define SINE_ENTRIES 65
-extern const int32_t sheen_sine_table[SINE_ENTRIES];
-
 /* asin(x) in turns (UQ0.32) for x in [0, 0.7072], Q1.30. Within 3e-8 of the angle and 2 raw steps. */
 uint32_t sheen_arc_sine(int32_t x);
 

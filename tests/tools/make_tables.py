@@ -18,13 +18,11 @@ def u16(value):
 def text():
     reciprocal = [u16(32768 * 256 / (128 + i)) for i in range(129)]
     root = [u16(32768 * math.sqrt(512 / (128 + i))) for i in range(387)]
-    sine = [math.floor(2**30 * math.sin(2 * math.pi * i / 256) + 0.5) for i in range(65)]
     return f"""/*
  * tables.c - the core's constant tables, written by tests/tools/make_tables.py
  * and compared with it by the tests. Values round to nearest; 2.0 in UQ1.15 is
  * held at 65535.
  */
-#include "angle.h"
 #include "newton.h"
 
 /* clang-format off */
@@ -41,10 +39,6 @@ const uint16_t sheen_reciprocal_table[RECIPROCAL_ENTRIES] = {{
 
 const uint16_t sheen_root_table[ROOT_ENTRIES] = {{
 {rows([f"ROOT({i}, {v})" for i, v in enumerate(root)], 6)}
-}};
-
-const int32_t sheen_sine_table[SINE_ENTRIES] = {{
-{rows(sine, 8)}
 }};
 """
 
