@@ -54,9 +54,9 @@ static void arc_at(const struct arc *arc, int32_t t, int32_t n[3])
 {
     struct arc_blend blend;
 
-    arc_blend_at(arc, arc->parts, t, &blend);
+    arc_blend_at(arc, t, &blend);
     for (int i = 0; i < 3; i++)
-        n[i] = blended(&blend, i);
+        n[i] = blended_part(&blend, i);
 }
 
 /* Arcs of any width, also of more than a right angle, which is cut at its middle. */
@@ -91,6 +91,27 @@ static void test_arcs_of_any_width(void **unused)
     worst_assert(&length, 7, "its length");
 }
 
+/* Ends that all but agree are no obtuse arc. */
+static void test_close_ends(void **unused)
+{
+    uint32_t state = 7;
+
+    (void)unused;
+    for (int round = 0; round < 20000; round++) {
+        int16_t end[2][3];
+        double unit[3];
+        struct arc arc;
+        any_normal(&state, end[0], unit);
+        for (int i = 0; i < 3; i++) {
+            const int part = end[0][i] + (int)(stage_random(&state) % 5) - 2;
+            end[1][i] = (int16_t)(part > 32767 ? 32767 : part < -32767 ? -32767 : part);
+        }
+        sheen_arc_begin(&arc, end[0], end[1]);
+        assert_int_equal(arc.parts, 1);
+        assert_in_range(arc.h, 0, 1);
+    }
+}
+
 static void test_opposite_ends(void **unused)
 {
     static const int16_t up[3] = {0, 0, 32767}, down[3] = {0, 0, -32767};
@@ -110,6 +131,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_shares),
         cmocka_unit_test(test_arcs_of_any_width),
+        cmocka_unit_test(test_close_ends),
         cmocka_unit_test(test_opposite_ends),
     };
 

@@ -2,11 +2,11 @@
  * arc.c - great arcs between unit vectors, in 32 bits but for the middle of wide ones.
  */
 #include "arc.h"
-#include "vector.h"
+#include "newton.h"
 
 /* Ends whose sum is no longer than this, 1.0 = 32767, are opposite. */
 #define OPPOSITE 4
-#define ANGLE_ROUNDED (1u << 18) /* and right angles may be so much more, |a - b|^2 in UQ2.30: 90.003 degrees */
+#define ANGLE_ROUNDED (1 << 16) /* and right angles may be so much more, -cosine in Q.30: 90.003 degrees */
 
 /*
  * Least squares over h and t, the largest error weighted most: 1 / sin p and its like have no short series of their own
@@ -32,6 +32,14 @@ static uint32_t square_of(const int32_t v[3])
     return x * x + y * y + z * z;
 }
 
+/* v / |v|, Q0.15, of 1 / |v| = root 2^(up/2 - 47). Range: v 2^(up/2) is at most 2^16, its products below 2^31. */
+static int32_t unit_part(int32_t v, unsigned up, uint32_t root)
+{
+    const int32_t part = v * (1 << up / 2), high = (int32_t)(root >> 17), low = (int32_t)(root >> 2 & 0x7fffu);
+
+    return min32(round15(part * high + asr32(part * low, 15)), 32767);
+}
+
 /* Makes two parts of an obtuse one, or none. Returns |a - b|^2 of a part. */
 static APART uint32_t bisect(struct arc *arc)
 {
@@ -39,13 +47,15 @@ static APART uint32_t bisect(struct arc *arc)
 
     for (int i = 0; i < 3; i++)
         v[i] = arc->end[0][i] + arc->end[1][i];
+    const uint32_t square = square_of(v);
     arc->parts = 0;
-    if (square_of(v) <= OPPOSITE * OPPOSITE)
+    if (square <= OPPOSITE * OPPOSITE)
         return 0;
     arc->parts = 2;
-    (void)sheen_normalize(v, v);
+    const unsigned up = clz32(square) & ~1u;
+    const uint32_t root = sheen_reciprocal_root(square << up);
     for (int i = 0; i < 3; i++) {
-        const int32_t middle = min32(round15(v[i]), 32767);
+        const int32_t middle = unit_part(v[i], up, root);
         v[i] = arc->end[0][i] - middle;
         arc->end[2][i] = arc->end[1][i];
         arc->end[1][i] = (int16_t)middle;
@@ -55,18 +65,18 @@ static APART uint32_t bisect(struct arc *arc)
 
 void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3])
 {
-    uint32_t square = 0, dot = 0;
+    uint32_t square = 0;
+    int32_t dot = 0;
 
     for (int i = 0; i < 3; i++) {
         const uint32_t apart = (uint32_t)(a[i] - b[i]);
         square += apart * apart;
-        dot += (uint32_t)(a[i] * b[i]);
+        dot += a[i] * b[i];
         arc->end[0][i] = a[i];
         arc->end[1][i] = b[i];
     }
     arc->parts = 1;
-    if (square + 4 * dot + ANGLE_ROUNDED <
-        square) /* |a + b|^2 < |a - b|^2; or modulo 2^32, where the ends all but agree */
+    if (dot < -ANGLE_ROUNDED)
         square = bisect(arc);
     arc->h = (uint16_t)min32((int32_t)(square >> 17), RIGHT_ANGLE);
     sheen_arc_series(&arc->series, arc->h);

@@ -51,20 +51,34 @@ struct arc {
 
 void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3]);
 
+/* Shares of an arc's ends at t, UQ0.15. */
+static inline void arc_shares(const struct arc_series *s, int32_t t, int32_t share[2])
+{
+    share[0] = arc_share(s, (1 << 15) - t);
+    OPAQUE_BOTH(t, share[0]); /* one after the other: both at once take more registers than there are */
+    share[1] = arc_share(s, t);
+}
+
+/* What is `first` and `second` at the ends, Q0.15. */
+static inline int32_t blended(const int32_t share[2], int32_t first, int32_t second)
+{
+    return round15(share[0] * first + share[1] * second);
+}
+
 /* Somewhere on it: shares of two ends. */
 struct arc_blend {
     const int16_t (*end)[3];
     int32_t share[2];
 };
 
-/* t: UQ0.15; parts: the arc's. */
-static inline void arc_blend_at(const struct arc *arc, unsigned parts, int32_t t, struct arc_blend *b)
+/* t: UQ0.15. */
+static inline void arc_blend_at(const struct arc *arc, int32_t t, struct arc_blend *b)
 {
     const int16_t(*end)[3] = arc->end;
 
-    if (parts == 0)
+    if (arc->parts == 0)
         t = t < 1 << 14 ? 0 : 1 << 15;
-    if (parts == 2) {
+    if (arc->parts == 2) {
         t *= 2;
         if (t > 1 << 15) {
             t -= 1 << 15;
@@ -72,16 +86,14 @@ static inline void arc_blend_at(const struct arc *arc, unsigned parts, int32_t t
         }
     }
     b->end = end;
-    b->share[0] = arc_share(&arc->series, (1 << 15) - t);
-    OPAQUE_BOTH(t, b->share[0]); /* one after the other: both at once take more registers than there are */
-    b->share[1] = arc_share(&arc->series, t);
+    arc_shares(&arc->series, t, b->share);
     OPAQUE_BOTH(b->end, b->share[0]); /* what stands there is loaded when there are registers */
 }
 
 /* Part i of what lies there, Q0.15. */
-static inline int32_t blended(const struct arc_blend *b, int i)
+static inline int32_t blended_part(const struct arc_blend *b, int i)
 {
-    return round15(b->share[0] * b->end[0][i] + b->share[1] * b->end[1][i]);
+    return blended(b->share, b->end[0][i], b->end[1][i]);
 }
 
 #endif

@@ -3,7 +3,6 @@
  * they take: narrow arcs as Phong, others by the arcs' series.
  */
 #include "slerp.h"
-#include "../triangle/reflection.h"
 
 SETUP_FITS(struct slerp_setup);
 
@@ -11,32 +10,42 @@ SETUP_FITS(struct slerp_setup);
 #define WIDEST_ARC (1u << 31)
 #define WIDEST_SHARP (1u << 30)
 
-void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c)
+void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c, const struct facing *f)
 {
     struct slerp_corner *at = s->corner;
+    unsigned from[3] = {0, 1, 2};
 
-    for (unsigned k = 0; k < 3; k++) {
-        at[k].x = c->at.v[k]->x;
-        at[k].y = c->at.v[k]->y;
-        at[k].weight = slerp_weight(c, k);
-        for (int i = 0; i < 3; i++) {
-            const int32_t part = max32(c->at.normal[k][i], -32767);
-            at[k].normal[i] = (int16_t)(c->back ? -part : part);
-        }
-    }
-    s->even = at[1].weight == at[0].weight && at[2].weight == at[0].weight;
     s->long_right = 0;
     for (unsigned i = 0; i < 3; i++) { /* a row's corners as they come, or turned the other way */
-        struct slerp_corner *upper = &at[i % 2], held = *upper;
-        if (upper[1].y < held.y) {
+        unsigned *upper = &from[i % 2], held = *upper;
+        if (c->at.v[upper[1]]->y < c->at.v[held]->y) {
             upper[0] = upper[1];
             upper[1] = held;
             s->long_right ^= 1;
         }
     }
+    for (unsigned k = 0; k < 3; k++, at++) {
+        const unsigned own = from[k];
+        at->x = c->at.v[own]->x;
+        at->y = c->at.v[own]->y;
+        at->weight = slerp_weight(c, own);
+        for (int i = 0; f == NULL && i < 3; i++) {
+            const int32_t part = max32(c->at.normal[own][i], -32767);
+            at->normal[i] = (int16_t)(c->back ? -part : part);
+        }
+        if (f != NULL) {
+            at->lit[0] = (int16_t)f->ln[own];
+            at->lit[1] = (int16_t)f->nv[own];
+        }
+    }
+    at = s->corner;
+    s->even = at[1].weight == at[0].weight && at[2].weight == at[0].weight;
     for (unsigned edge = 0; edge < 3; edge++) {
-        const uint32_t height = (uint32_t)(lower_end(s, edge)->y - upper_end(s, edge)->y);
+        const unsigned upper = edge >> 1, lower = 2 - (edge & 1u);
+        const uint32_t height = (uint32_t)(at[lower].y - at[upper].y);
         s->inverse[edge] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
+        if (f != NULL) /* of pairs 01, 02, 12 by the sum of their numbers */
+            s->h[edge] = (uint16_t)((f->h[from[upper] + from[lower] - 1] + (1u << 16)) >> 17);
     }
 }
 
@@ -57,7 +66,7 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
     int one = f.apart <= (d->power.shininess > 16 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
               way_wanted(d, SHEEN_WAY_SLERP);
     sheen_weigh(c);
-    sheen_slerp_corners(&((struct slerp_setup *)setup)->at, c);
+    sheen_slerp_corners(&((struct slerp_setup *)setup)->at, c, one ? &f : NULL);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
     setup->fast = 0;
     setup->rows = sheen_slerp_rows;

@@ -5,18 +5,23 @@
 #define SHEEN_SLERP_H
 
 #include "../math/arc.h"
+#include "../triangle/reflection.h"
 #include "shading.h"
 
 struct slerp_corner {
-    int16_t x, y;      /* as in struct vertex */
-    int16_t normal[3]; /* as seen, 1.0 = 32767 */
-    uint16_t weight;   /* UQ0.16, proportional to 1/m, not 0 */
+    int16_t x, y; /* as in struct vertex */
+    union {
+        int16_t normal[3]; /* as seen, 1.0 = 32767 */
+        int16_t lit[2];    /* by one light: L.N and N.V, Q0.15 */
+    };
+    uint16_t weight; /* UQ0.16, proportional to 1/m, not 0 */
 };
 
 /* Corners from the top down; edges 02, 01 and 12 of them. */
 struct slerp_corners {
     struct slerp_corner corner[3];
     uint32_t inverse[3]; /* 1 / an edge's height, UQ.31, 1/64 px; 0: no row crosses it */
+    uint16_t h[3];       /* by one light, of edges: sin^2(p/2), UQ0.15, at most RIGHT_ANGLE */
     uint8_t even;        /* no perspective: all weights are equal */
     uint8_t long_right;  /* edge 02 bounds the right */
 };
@@ -42,7 +47,8 @@ static inline uint16_t slerp_weight(const struct surface_corners *c, unsigned k)
     return (uint16_t)(c->flat_weight ? 0xffff : max32((int32_t)(c->weight[k] >> 16), 1));
 }
 
-void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c);
+/* f: of one light; else NULL, and normals are what is kept. */
+void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c, const struct facing *f);
 
 /* ---- rows: slerp_parts.c ---- */
 
@@ -75,10 +81,17 @@ struct arc_row {
     unsigned up;
     uint32_t weight[2]; /* at the crossings, UQ0.16 */
     union {
-        struct place left; /* where the part before ended */
-        int32_t lit[3][2]; /* by one light, where a part begins, its middle and end: L.N, Q0.15; argument / 2^15 */
+        struct {
+            struct arc arc;    /* of normals */
+            struct place left; /* where the part before ended */
+        };
+        struct {                      /* by one light: */
+            struct arc_series series; /* of the arc of normals; */
+            int32_t h;                /* as in struct slerp_corners; */
+            int32_t end[2][2];        /* at the crossings: L.N and N.V, Q0.15; */
+            int32_t lit[3][2];        /* where a part begins, its middle and end: L.N, Q0.15; argument / 2^15 */
+        };
     };
-    struct arc arc; /* of normals; by one light of L.N and N.V, Q0.15 */
 };
 
 /* With s, at, parts and draw. */

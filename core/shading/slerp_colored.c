@@ -1,7 +1,6 @@
 /*
  * slerp_colored.c - slerp with colours of vertices and lights: normals go along arcs, colours are linear in space.
  */
-#include "../triangle/reflection.h"
 #include "../triangle/tinted.h"
 #include "slerp.h"
 
@@ -50,7 +49,7 @@ static APART void tinted_corners(const struct slerp_colored_setup *s, struct sle
         c.at.normal[k] = normal[k];
         c.weight[k] = (uint32_t)s->weight[k] << 16;
     }
-    sheen_slerp_corners(at, &c);
+    sheen_slerp_corners(at, &c, NULL);
 }
 
 static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)

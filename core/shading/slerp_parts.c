@@ -1,12 +1,11 @@
 /*
  * slerp_parts.c - rows cut into parts, even on the screen, with what lies at their ends by the arcs' series.
  *
- * One light: of normals only L.N and N.V are carried along rows, and L.N and 1 - R.V are quadratic over a part. Else
- * normals are, linear over a part and brought to length 1 a pixel. What a part is hangs on the row and the triangle
- * alone, so any band gives the same pixels.
+ * One light: along edges and rows L.N and N.V go with the normals' arcs, and L.N and 1 - R.V are quadratic over a
+ * part. Else normals are, linear over a part and brought to length 1 a pixel. What a part is hangs on the row and the
+ * triangle alone, so any band gives the same pixels.
  */
 #include "../triangle/normal.h"
-#include "../triangle/reflection.h"
 #include "slerp.h"
 
 #define MOST_PARTS 4       /* the logarithm of their number, before perspective adds up to 2 */
@@ -50,16 +49,17 @@ static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weig
 /* What lies at t: see struct arc_row. */
 static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
 {
-    int32_t ln = r->arc.end[0][0], nv = r->arc.end[0][1];
-    struct arc_blend blend;
+    const int32_t *end = r->end[t >> 15];
+    int32_t ln = end[0], nv = end[1];
+    int32_t share[2];
     uint32_t weight;
 
-    if (t > 0) {
+    if ((t & 0x7fff) != 0) {
         if (!r->at->even)
             t = in_space(t, r->weight[0], r->weight[1], &weight);
-        arc_blend_at(&r->arc, 1, t, &blend);
-        ln = blended(&blend, 0);
-        nv = blended(&blend, 1);
+        arc_shares(&r->series, t, share);
+        ln = blended(share, r->end[0][0], r->end[1][0]);
+        nv = blended(share, r->end[0][1], r->end[1][1]);
     }
     OPAQUE_BOTH(r, ln); /* when there are registers */
     const struct draw *d = r->s->draw;
@@ -144,7 +144,7 @@ static void draw_lit(const struct tile *t, struct arc_row *r, const struct part 
 /* The logarithm of the number of parts. */
 static unsigned lit_parts(const struct arc_row *r)
 {
-    const int32_t h = r->arc.h;
+    const int32_t h = r->h;
     const struct draw *d = r->s->draw;
     const unsigned n = d->power.shininess;
     const uint32_t w0 = r->weight[0], w1 = r->weight[1], light = w0 < w1 ? w0 : w1, more = w0 + w1 - 2 * light;
@@ -152,7 +152,7 @@ static unsigned lit_parts(const struct arc_row *r)
     unsigned parts = 0;
 
     if (h > widest && h < DULL_ROW) {
-        const int16_t(*end)[3] = r->arc.end;
+        const int32_t(*end)[2] = r->end;
         const int32_t u0 = d->light.lv1[0] - end[0][0] * end[0][1], u1 = d->light.lv1[0] - end[1][0] * end[1][1];
         const int32_t least = min32(u0, u1), spread = max32(u0, u1) - least;
         if (least - h * (13 << 14) - asr32(spread, 3) > (int32_t)d->power.limit)
@@ -174,9 +174,9 @@ static void normal_place(const struct arc_row *r, int32_t t, struct place *p)
     p->weight = r->weight[0];
     if (!r->at->even)
         t = in_space(t, r->weight[0], r->weight[1], &p->weight);
-    arc_blend_at(&r->arc, r->arc.parts, t, &blend);
+    arc_blend_at(&r->arc, t, &blend);
     for (int i = 0; i < 3; i++)
-        p->part[i] = blended(&blend, i);
+        p->part[i] = blended_part(&blend, i);
 }
 
 /* Times weights the normals are linear on the screen, as they are in space without. */
@@ -225,46 +225,80 @@ static void draw_normals(const struct tile *t, struct arc_row *r, const struct p
 /* ---- rows ---- */
 
 /*
- * Where a row crosses an edge, centre as below: what is kept there. Returns the column, px from the viewport's centre,
- * Q15.16.
+ * Where a row crosses an edge, centre as below: the weight, and how far in space it is from the upper end, *t, UQ0.15.
+ * Returns the column, px from the viewport's centre, Q15.16.
  */
-static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, const struct arc *arc, int32_t centre,
-                                 uint32_t *weight, int16_t normal[3])
+static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, int32_t centre, uint32_t *weight,
+                                 int32_t *t)
 {
     const struct slerp_corner *a = upper_end(at, edge), *b = lower_end(at, edge);
     const int32_t across = b->x - a->x;                                  /* below 2^16 */
     const uint32_t down = (uint32_t)(centre - a->y) * at->inverse[edge]; /* UQ.31, at most 1.0 and 2^-16 of it */
     const int32_t high = (int32_t)(down >> 16), low = (int32_t)(down >> 1 & 0x7fffu); /* 65408 * 2^15 < 2^31 */
-    int32_t t = min32((int32_t)((down + (1u << 15)) >> 16), 32768);
-    struct arc_blend blend;
 
+    *t = min32((int32_t)((down + (1u << 15)) >> 16), 32768);
     *weight = a->weight;
     if (!at->even)
-        t = in_space(t, a->weight, b->weight, weight);
-    arc_blend_at(arc, arc->parts, t, &blend);
-    for (int i = 0; i < 3; i++) {
-        int32_t part = blended(&blend, i);
-        if ((uint32_t)part + 32767 > 65534) /* rarely */
-            part = part < 0 ? -32767 : 32767;
-        normal[i] = (int16_t)part;
-    }
+        *t = in_space(*t, a->weight, b->weight, weight);
     return a->x * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
+}
+
+/* The arc from crossing to crossing, of normals; t: how far down edge 02 and `other` these are. */
+static void begin_normals(struct arc_row *r, const struct arc arc[2], const int32_t t[2])
+{
+    int16_t normal[2][3];
+
+    for (unsigned j = 0; j < 2; j++) {
+        struct arc_blend blend;
+        arc_blend_at(&arc[j], t[j], &blend);
+        for (int i = 0; i < 3; i++)
+            normal[j ^ r->at->long_right][i] = (int16_t)max32(min32(blended_part(&blend, i), 32767), -32767);
+    }
+    sheen_arc_begin(&r->arc, normal[0], normal[1]);
+}
+
+/*
+ * Likewise by one light. The crossings' normals differ by the sum of ci Ni, of corners' unit normals, ci what one takes
+ * of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ..., Q0.15 and fourths.
+ */
+static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
+{
+    const struct slerp_corners *at = r->at;
+    int32_t share[2][2];
+
+    for (unsigned j = 0; j < 2; j++) {
+        const int16_t *a = upper_end(at, j * other)->lit, *b = lower_end(at, j * other)->lit;
+        int32_t *end = r->end[j ^ at->long_right];
+        arc_shares(&arc[j].series, t[j], share[j]);
+        end[0] = blended(share[j], a[0], b[0]);
+        end[1] = blended(share[j], a[1], b[1]);
+    }
+    int32_t c0 = share[0][0], c1 = -share[1][2 - other], c2 = share[0][1];
+    if (other == 1)
+        c0 -= share[1][0];
+    else
+        c2 -= share[1][1];
+    const int32_t sum = c0 + c1 + c2;
+    const int32_t h = asr32(sum * sum, 17) - round15(round15(c0 * c2) * at->h[0]) -
+                      round15(round15(c0 * c1) * at->h[1]) - round15(round15(c1 * c2) * at->h[2]);
+    r->h = min32(max32(h, 0), RIGHT_ANGLE);
+    sheen_arc_series(&r->series, r->h);
 }
 
 /* The row at centre, 1/64 px from the viewport's, between edge 02 and `other`; their arcs are `arc`. */
 static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
                             int32_t centre)
 {
-    int32_t x[2];
-    int16_t normal[2][3];
+    int32_t x[2], down[2];
 
     for (unsigned j = 0; j < 2; j++) {
         const unsigned side = j ^ r->at->long_right; /* of edge 02 */
-        x[side] = cross_edge(r->at, j * other, &arc[j], centre, &r->weight[side], normal[side]);
+        x[side] = cross_edge(r->at, j * other, centre, &r->weight[side], &down[j]);
     }
-    sheen_arc_begin(&r->arc, normal[0], normal[1]);
-    for (int side = 0; r->s->way == SHEEN_WAY_SLERP && side < 2; side++)
-        sheen_keep_cosines(r->s->draw, normal[side], (uint16_t *)r->arc.end[side]);
+    if (r->s->way == SHEEN_WAY_SLERP)
+        begin_lit(r, arc, other, down);
+    else
+        begin_normals(r, arc, down);
     r->from = x[0] + t->centre_x * 1024;
     r->width = max32(x[1] - x[0], 1);
     r->up = clz32((uint32_t)r->width);
@@ -313,9 +347,12 @@ static void draw_row(const struct tile *t, struct arc_row *r, const struct span 
     }
 }
 
-static inline void begin_edge(struct arc *arc, const struct slerp_corners *at, unsigned edge)
+static inline void begin_edge(struct arc *arc, const struct arc_row *r, unsigned edge)
 {
-    sheen_arc_begin(arc, upper_end(at, edge)->normal, lower_end(at, edge)->normal);
+    if (r->s->way == SHEEN_WAY_SLERP)
+        sheen_arc_series(&arc->series, r->at->h[edge]);
+    else
+        sheen_arc_begin(arc, upper_end(r->at, edge)->normal, lower_end(r->at, edge)->normal);
 }
 
 void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
@@ -323,7 +360,7 @@ void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
     unsigned edge = 0; /* that arc[1] is of */
     struct arc arc[2];
 
-    begin_edge(&arc[0], r->at, 0);
+    begin_edge(&arc[0], r, 0);
     r->y = t->first_row;
     for (const struct span *span = t->spans, *end = span + t->rows; span < end; span++, r->y++) {
         const int32_t centre = r->y * SUBPIXEL_ONE + SUBPIXEL_HALF - t->centre_y;
@@ -331,7 +368,7 @@ void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
         if (span->x0 >= span->x1)
             continue;
         if (edge != other)
-            begin_edge(&arc[1], r->at, other);
+            begin_edge(&arc[1], r, other);
         edge = other;
         begin_row(t, r, arc, other, centre);
         draw_row(t, r, span);
