@@ -180,6 +180,18 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
     return 1;
 }
 
+/* Which bit it is that is set, 0..31. On ARMv6-M, whose clz32 is a call, by de Bruijn's sequence, of 32 bits. */
+static inline uint32_t bit_number(uint32_t bit)
+{
+#if FAST_LOOPS && defined(__ARM_ARCH_6M__)
+    static const uint8_t number[32] = {0,  1,  28, 2,  29, 14, 24, 3, 30, 22, 20, 15, 25, 17, 4,  8,
+                                       31, 27, 13, 23, 21, 19, 16, 7, 26, 12, 18, 6,  11, 5,  10, 9};
+    return number[bit * 0x077cb531u >> 27];
+#else
+    return 31 - clz32(bit);
+#endif
+}
+
 static void draw_pending(const struct sheen_frame *f, struct worker *w, struct tile *t)
 {
     const struct draw_record *d = f->draw;
@@ -189,11 +201,11 @@ static void draw_pending(const struct sheen_frame *f, struct worker *w, struct t
     for (uint32_t first = 0; first < f->entries; first += 32) {
         uint32_t bits = w->pending[first / 32], left = bits;
         for (; bits != 0; bits &= bits - 1) {
-            const uint32_t lowest = bits & (0u - bits), e = first + 31 - clz32(lowest);
+            const uint32_t lowest = bits & (0u - bits), e = first + bit_number(lowest);
             while (e >= d->end_entry)
                 d++;
             if (!draw_entry(f, w, t, e, d, &link))
-                left ^= bits & (0u - bits);
+                left ^= lowest;
         }
         w->pending[first / 32] = left;
     }
