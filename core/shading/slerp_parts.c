@@ -257,27 +257,36 @@ static void begin_normals(struct arc_row *r, const struct arc arc[2], const int3
     sheen_arc_begin(&r->arc, normal[0], normal[1]);
 }
 
+/* What lies at a crossing by one light, t down the edge from a to b. */
+static inline void lit_crossing(const struct slerp_corner *a, const struct slerp_corner *b,
+                                const struct arc_series *series, int32_t t, int32_t share[2], int32_t end[2])
+{
+    arc_shares(series, t, share);
+    end[0] = blended(share, a->lit[0], b->lit[0]);
+    end[1] = blended(share, a->lit[1], b->lit[1]);
+}
+
 /*
- * Likewise by one light. The crossings' normals differ by the sum of ci Ni, of corners' unit normals, ci what one takes
- * of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ..., Q0.15 and fourths.
+ * As begin_normals, by one light. The crossings' normals differ by the sum of ci Ni, of corners' unit normals, ci what
+ * one takes of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ..., Q0.15 and fourths.
  */
 static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
 {
     const struct slerp_corners *at = r->at;
-    int32_t share[2][2];
+    const struct slerp_corner *corner = at->corner;
+    int32_t(*end)[2] = r->end, share[2];
 
-    for (unsigned j = 0; j < 2; j++) {
-        const int16_t *a = upper_end(at, j * other)->lit, *b = lower_end(at, j * other)->lit;
-        int32_t *end = r->end[j ^ at->long_right];
-        arc_shares(&arc[j].series, t[j], share[j]);
-        end[0] = blended(share[j], a[0], b[0]);
-        end[1] = blended(share[j], a[1], b[1]);
+    lit_crossing(&corner[0], &corner[2], &arc[0].series, t[0], share, end[at->long_right]);
+    int32_t c0 = share[0], c1, c2 = share[1];
+    corner += other >> 1;
+    lit_crossing(&corner[0], &corner[1], &arc[1].series, t[1], share, end[at->long_right ^ 1]);
+    if (other == 1) {
+        c0 -= share[0];
+        c1 = -share[1];
+    } else {
+        c1 = -share[0];
+        c2 -= share[1];
     }
-    int32_t c0 = share[0][0], c1 = -share[1][2 - other], c2 = share[0][1];
-    if (other == 1)
-        c0 -= share[1][0];
-    else
-        c2 -= share[1][1];
     const int32_t sum = c0 + c1 + c2;
     const int32_t h = asr32(sum * sum, 17) - round15(round15(c0 * c2) * at->h[0]) -
                       round15(round15(c0 * c1) * at->h[1]) - round15(round15(c1 * c2) * at->h[2]);
@@ -289,12 +298,11 @@ static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned
 static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
                             int32_t centre)
 {
+    const unsigned side = r->at->long_right; /* of edge 02 */
     int32_t x[2], down[2];
 
-    for (unsigned j = 0; j < 2; j++) {
-        const unsigned side = j ^ r->at->long_right; /* of edge 02 */
-        x[side] = cross_edge(r->at, j * other, centre, &r->weight[side], &down[j]);
-    }
+    x[side] = cross_edge(r->at, 0, centre, &r->weight[side], &down[0]);
+    x[side ^ 1] = cross_edge(r->at, other, centre, &r->weight[side ^ 1], &down[1]);
     if (r->s->way == SHEEN_WAY_SLERP)
         begin_lit(r, arc, other, down);
     else
