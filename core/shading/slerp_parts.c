@@ -268,7 +268,8 @@ static inline void lit_crossing(const struct slerp_corner *a, const struct slerp
 
 /*
  * As begin_normals, by one light. The crossings' normals differ by the sum of ci Ni, of corners' unit normals, ci what
- * one takes of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ..., Q0.15 and fourths.
+ * one takes of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ...,
+ * Q0.15 and fourths.
  */
 static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
 {
