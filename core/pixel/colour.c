@@ -225,3 +225,11 @@ void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigne
         }
     }
 }
+
+#if !FAST_LOOPS
+void sheen_put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
+                       uint32_t r, uint32_t g, uint32_t b)
+{
+    put_rounded(t, terms, threshold, at, r, g, b, t->format->grey, terms->fraction, t->format->swap);
+}
+#endif

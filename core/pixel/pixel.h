@@ -531,7 +531,7 @@ SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colou
 }
 
 /* The one rounding: floor(channel + threshold), each channel at most 1.0; what is constant of a draw is given. */
-SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
+SPECIALISED void put_rounded(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
                              uint32_t r, uint32_t g, uint32_t b, unsigned grey, unsigned fraction, unsigned swap)
 {
     SHEEN_TEST_TAP(t, at, r, g, b, fraction);
@@ -545,6 +545,16 @@ SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *te
     uint32_t value = (r >> fraction) << 11 | ((g + threshold) >> fraction) << 5 | (b + threshold) >> fraction;
     ((uint16_t *)t->pixels)[at] = pixel_order(value, swap);
 }
+
+/* Builds for size have it once: colour.c. */
+#if FAST_LOOPS
+#define put_clamped put_rounded
+#else
+#define put_clamped(t, terms, threshold, at, r, g, b, grey, fraction, swap)                                            \
+    sheen_put_clamped(t, terms, threshold, at, r, g, b)
+void sheen_put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
+                       uint32_t r, uint32_t g, uint32_t b);
+#endif
 
 SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
                              uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)
