@@ -546,15 +546,18 @@ SPECIALISED void put_rounded(const struct tile *t, const struct colour_terms *te
     ((uint16_t *)t->pixels)[at] = pixel_order(value, swap);
 }
 
-/* Builds for size have it once: colour.c. */
-#if FAST_LOOPS
-#define put_clamped put_rounded
-#else
-#define put_clamped(t, terms, threshold, at, r, g, b, grey, fraction, swap)                                            \
-    sheen_put_clamped(t, terms, threshold, at, r, g, b)
+/* put_rounded where it stands once, in builds for size. */
 void sheen_put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
                        uint32_t r, uint32_t g, uint32_t b);
-#endif
+
+SPECIALISED void put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
+                             uint32_t r, uint32_t g, uint32_t b, unsigned grey, unsigned fraction, unsigned swap)
+{
+    if (FAST_LOOPS)
+        put_rounded(t, terms, threshold, at, r, g, b, grey, fraction, swap);
+    else
+        sheen_put_clamped(t, terms, threshold, at, r, g, b);
+}
 
 SPECIALISED void put_general(const struct tile *t, const struct colour_terms *terms, struct rounding rounding,
                              uint32_t at, int32_t x, uint32_t r, uint32_t g, uint32_t b)

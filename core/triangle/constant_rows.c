@@ -41,8 +41,8 @@ void sheen_constant_rows(const struct tile *t, const struct setup *s)
 }
 
 #if FAST_LOOPS
-/* 565 in the order of a panel's bus. A set-up of planes without steps, here and below. */
-static void packed_constant_rows(const struct tile *t, const struct linear_setup *s)
+/* 565 whose thresholds are the frame's. A set-up of planes without steps, here and below. */
+SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_setup *s, unsigned swap)
 {
     const struct plane *c = s->channel;
     const unsigned fraction = s->s.draw->colour.fraction, down = fraction - 11;
@@ -63,10 +63,17 @@ static void packed_constant_rows(const struct tile *t, const struct linear_setup
         uint32_t z = plane_at(&s->s.depth, x, y);
         do {
             if (nearer(t, depth, z))
-                *pixel_at(depth, to_pixel) = dithered_565(t, depth, colour, threshold_pair(thresholds, depth), 1);
+                *pixel_at(depth, to_pixel) = dithered_565(t, depth, colour, threshold_pair(thresholds, depth), swap);
             z += dz;
         } while (++depth != end);
     }
+}
+#endif
+
+#if FAST_LOOPS
+static COLD void unswapped_constant_rows(const struct tile *t, const struct linear_setup *s)
+{
+    packed_constant_rows(t, s, 0);
 }
 #endif
 
@@ -91,8 +98,11 @@ void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
     const struct linear_setup *planes = (const struct linear_setup *)s;
 
 #if FAST_LOOPS
-    if (s->fast && t->format->swap) {
-        packed_constant_rows(t, planes);
+    if (s->fast) {
+        if (t->format->swap)
+            packed_constant_rows(t, planes, 1);
+        else
+            unswapped_constant_rows(t, planes);
         return;
     }
 #endif

@@ -61,7 +61,7 @@ SPECIALISED uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint
 /* 565 with the loop's terms: from the depth after `depth` to `last`; thresholds: of the row. */
 SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
                            const threshold_t *thresholds, const struct shaded_run *run, enum second second,
-                           unsigned dither)
+                           unsigned dither, unsigned swap)
 {
     const struct loop_terms *q = &d->loop;
     const intptr_t to_pixel = t->to_pixel;
@@ -82,7 +82,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
                 const uint32_t threshold = dither ? threshold_pair(thresholds, depth) << (LOOP_FRACTION - 11) : 0;
                 value = loop_pixel(t, depth, q, lit.diffuse, lit.specular != 0, lit.specular, threshold);
             }
-            *pixel_at(depth, to_pixel) = pixel_order(value, 1);
+            *pixel_at(depth, to_pixel) = pixel_order(value, swap);
         }
         z += dz;
         f += df;
@@ -164,6 +164,15 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
     } while (depth != last);
 }
 
+#if FAST_LOOPS
+/* In the machine's order: one for plain and dithered pixels. */
+static APART void unswapped_power_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
+                                      const threshold_t *thresholds, const struct shaded_run *run)
+{
+    quick_run(t, d, depth, last, thresholds, run, SECOND_POWER, t->dither, 0);
+}
+#endif
+
 static COLD void general_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                              struct shaded_run *run, unsigned second)
 {
@@ -189,9 +198,13 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
         FAST_LOOPS && !t->dither
             ? cosine_shades_run(t, d->shades, before, last, thresholds, run, 0, 0)
             : cosine_shades_run(t, d->shades, before, last, thresholds, run, FAST_LOOPS || t->dither, t->format->swap);
-    else if (FAST_LOOPS && d->swap && d->is_565 && d->loop.usable && second == SECOND_POWER)
-        t->dither ? quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 1)
-                  : quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 0);
+#if FAST_LOOPS
+    else if (d->is_565 && d->loop.usable && second == SECOND_POWER && !d->swap)
+        unswapped_power_run(t, d, before, last, thresholds, run);
+    else if (d->is_565 && d->loop.usable && second == SECOND_POWER)
+        t->dither ? quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 1, 1)
+                  : quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 0, 1);
+#endif
     else
         (d->fog       ? d->fog->mixer->shaded_run
          : d->by_ramp ? d->light.ramp->reader->shaded_run
@@ -235,7 +248,7 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
             quadric_run(&at->f, x, &run.f, &run.df, &run.ddf);
             if (second != SECOND_NONE) {
                 quadric_run(&at->u, x, &run.u, &run.du, &run.ddu);
-                quick_run(t, at->draw, line + x, line + x1, thresholds, &run, second, dither);
+                quick_run(t, at->draw, line + x, line + x1, thresholds, &run, second, dither, 1);
             } else {
                 cosine_shades_run(t, at->draw->shades, line + x, line + x1, thresholds, &run, dither, 1);
             }
