@@ -108,8 +108,8 @@ machine=(-M virt,accel=tcg -cpu cortex-a53 -m 256 -smp 1 -nodefaults -display no
 
 # Where that is allowed the guest goes before what runs beside it: the emulator's threads hand over to each other at
 # every timer, and would wait each time.
-first=(nice -n -10)
-[ -z "$("${first[@]}" true 2>&1)" ] || first=() # says so and goes on where it is not
+urgent=(nice -n -10)
+[ -z "$("${urgent[@]}" true 2>&1)" ] || urgent=() # says so and goes on where it is not
 
 # Boots; ends when the guest powers off, or after $1 seconds. What the guest prints is
 # in $work/console. Further words are for QEMU. norandmaps: programs at the same
@@ -118,7 +118,7 @@ boot() {
     local seconds=$1 status=0
 
     shift
-    timeout "$seconds" "${first[@]}" qemu-system-aarch64 "${machine[@]}" -no-reboot -serial stdio -monitor none \
+    timeout "$seconds" "${urgent[@]}" qemu-system-aarch64 "${machine[@]}" -no-reboot -serial stdio -monitor none \
         -kernel "$work"/v1/boot/vmlinuz-* -initrd "$work/initrd.gz" -dtb "$work/board.dtb" \
         -append 'console=ttyAMA0 quiet panic=-1 norandmaps' \
         -fsdev local,id=host,path="$work/share",security_model=none -device virtio-9p-device,fsdev=host,mount_tag=host \
