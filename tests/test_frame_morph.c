@@ -62,10 +62,7 @@ static void mix(const int16_t *a, const int16_t *b, unsigned weight, int is_posi
     }
     length = sqrt(length);
     for (int k = 0; k < 3; k++)
-        to[k] = (int16_t)floor((is_position                     ? v[k]
-                                : v[k] / length * 32768 > 32767 ? 32767
-                                                                : v[k] / length * 32768) +
-                               0.5);
+        to[k] = (int16_t)floor((is_position ? v[k] : v[k] / length * 32767) + 0.5);
 }
 
 static void make_frames(struct sheen_mesh *first, unsigned weight)
@@ -264,6 +261,29 @@ static void test_opposite(void **unused)
     }
 }
 
+/* A triangle's opposite normals stay as long as a mesh's: 2.0 apart, the square of which wraps, they would be alike. */
+static void test_opposite_corners(void **unused)
+{
+    static const int16_t exact[3] = {16517, 18870, 21090}; /* 32767 long */
+    const struct case_of c = {STAGE_TORUS, PHONG, 16384, 16, 1, 1, 0, 0, 0, 0, 0, 0};
+    struct sheen_mesh first = stage.mesh[c.mesh].mesh;
+    const struct sheen_morph morph = {&made.second, &sheen_morpher, 16384};
+
+    (void)unused;
+    make_frames(&first, 0);
+    for (uint32_t i = 0; i < 3u * first.vertices; i++)
+        made.normals[0][i] = (int16_t)(i / 3 % 2 != 0 ? -exact[i % 3] : exact[i % 3]);
+    first.normals = made.normals[0];
+    made.second = first;
+    for (unsigned i = PHONG; i <= SLERP; i++) {
+        struct case_of one = c;
+        one.shown = (enum shown)i;
+        draw(&one, &first, &morph, picture[0]);
+        draw(&one, &first, NULL, picture[1]);
+        assert_memory_equal(picture[0], picture[1], sizeof picture[0]);
+    }
+}
+
 /* Without polygon normals both frames' own are those of their triangles; the box's faces keep theirs when turned. */
 static void test_facets(void **unused)
 {
@@ -322,9 +342,13 @@ static void test_refused(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_between), cmocka_unit_test(test_bands),
-                                       cmocka_unit_test(test_none),    cmocka_unit_test(test_opposite),
-                                       cmocka_unit_test(test_facets),  cmocka_unit_test(test_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_between),
+                                       cmocka_unit_test(test_bands),
+                                       cmocka_unit_test(test_none),
+                                       cmocka_unit_test(test_opposite),
+                                       cmocka_unit_test(test_opposite_corners),
+                                       cmocka_unit_test(test_facets),
+                                       cmocka_unit_test(test_refused)};
 
     return cmocka_run_group_tests(tests, make_stage, free_stage);
 }

@@ -21,7 +21,10 @@ static void morph_position(const struct draw *d, const int16_t *first, int16_t o
         out[k] = (int16_t)asr32(morphed(d->morph->weight, first[k], second[k]) + WHOLE / 2, 15);
 }
 
-/* Unit length; where the two cancel, or the second does not count, it is the first. */
+/*
+ * Unit length, 1.0 = 32767 as in a mesh: opposite ones of 32768 would lie 2.0 apart, and the square of that wraps. The
+ * first where the two cancel, or the second does not count.
+ */
 static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t second[3], int16_t out[3])
 {
     int64_t sum[3];
@@ -32,7 +35,7 @@ static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t s
         sum[k] = morphed(weight, first[k], second[k]);
     const int known = weight != 0 && sheen_normalize_wide(sum, n) == SHEEN_OK;
     for (int k = 0; k < 3; k++)
-        out[k] = known ? (int16_t)min32(asr32(n[k] + (1 << 14), 15), 32767) : first[k];
+        out[k] = known ? (int16_t)asr32(n[k] - asr32(n[k], 15) + (1 << 14), 15) : first[k];
 }
 
 static void morph_normal(const struct draw *d, const int16_t *first, int16_t out[3])
