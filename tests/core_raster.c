@@ -85,7 +85,6 @@ void core_raster_depths(struct core_raster *r, uint16_t *depth)
 void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels)
 {
     static struct span spans[480];
-    static const threshold_t *dither_rows[8];
     const struct sheen_rect all = r->screen.viewport;
     struct tile tile = {.rect = all,
                         .pitch = (unsigned)all.x1,
@@ -94,13 +93,17 @@ void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels)
                         .to_pixel = (char *)pixels - (char *)depth,
                         .format = &r->format,
                         .thresholds = sheen_thresholds,
-                        .dither_rows = dither_rows,
                         .centre_x = r->screen.centre_x,
                         .centre_y = r->screen.centre_y,
                         .spans = spans};
     struct core_setup setup;
 
+#if FAST_LOOPS
+    static const threshold_t *dither_rows[8];
+
+    tile.dither_rows = dither_rows;
     sheen_dither_begin(&tile, dither_rows);
+#endif
 #if SHEEN_STATS
     uint32_t shaded = 0;
     tile.shaded = &shaded;

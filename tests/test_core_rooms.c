@@ -152,8 +152,9 @@ static void begin(struct core_raster *r, struct scene *s, const struct sheen_sha
     sheen_colour_begin(&r->draw.colour, &r->format, &r->material, r->draw.light.diffuse_sum,
                        r->draw.light.specular_sum);
     sheen_colour_reach(&r->draw.colour, &r->format);
-    sheen_loop_begin(&r->draw.loop, &r->draw.power, &r->draw.colour, &r->format, 0);
     r->draw.is_565 = 1;
+    sheen_power_end(&r->draw.power, &r->draw.colour, &r->format, 0);
+    sheen_loop_begin(&r->draw, NULL, NULL, NULL, NULL);
     r->format.swap = 0; /* this machine's order */
     r->draw.shader = shader;
     for (int i = 0; i < 3; i++)

@@ -222,7 +222,6 @@ static void tile_begin(const struct sheen_frame *f, struct worker *w, struct til
     t->to_pixel = (char *)t->pixels - (char *)t->depth;
     t->format = &f->format;
     t->thresholds = sheen_thresholds;
-    t->dither_rows = w->dither_rows;
     t->centre_x = f->screen.centre_x;
     t->centre_y = f->screen.centre_y;
     t->spans = w->spans;
@@ -247,7 +246,10 @@ int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
     tile_begin(f, w, &t);
     if (f->edges != NULL)
         f->edges->begin(f, w, &t, b);
+#if FAST_LOOPS
+    t.dither_rows = w->dither_rows;
     sheen_dither_begin(&t, w->dither_rows);
+#endif
     collect(f, w, b);
     clear_tile(f, &t);
     draw_pending(f, w, &t);

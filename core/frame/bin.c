@@ -159,16 +159,10 @@ void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 
 void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c)
 {
-    static const uint8_t order[3] = {0, 2, 1}; /* meshes are counterclockwise */
-    uint32_t id = f->entry[entry].triangle;
+    const uint32_t id = f->entry[entry].triangle;
 
     if (is_cut(f, entry)) {
-        const struct piece *piece = &f->piece[id];
-        c->triangle = piece->triangle;
-        for (int k = 0; k < 3; k++) {
-            c->v[k] = &piece->corner[order[k]];
-            c->normal[k] = piece->normal[order[k]];
-        }
+        f->config.clipper->corners(&f->piece[id], c);
         return;
     }
     const struct sheen_mesh *mesh = d->as.mesh;
@@ -176,7 +170,7 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     const uint32_t parts = d->as.shader->needs_uvs ? 2 : 3;
     c->triangle = (uint16_t)id;
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(mesh, 3 * id + order[k]);
+        uint32_t index = mesh_index(mesh, 3 * id + clockwise(k));
         c->v[k] = used_vertex(f, d, index);
         c->normal[k] = own + parts * index;
     }

@@ -271,29 +271,6 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
     return error;
 }
 
-/* The shades of these colours, some that have none of this frame's, or NULL: depends on the frame's draws alone. */
-static const struct shades *shades_of(struct sheen_frame *f, const struct draw *d)
-{
-    const struct shades_maker *maker = d->shader->shades;
-    const struct colour_terms *terms = &d->colour;
-    const unsigned dither = d->dither;
-    struct shades *s = f->shades;
-
-    /* where a ramp makes areas of one colour, 1024 shades are not enough */
-    if (maker == NULL || f->format.grey || d->light.ramp != NULL || !maker->fit(terms, dither))
-        return NULL;
-    for (unsigned i = 0; i < f->config.max_shades; i++, s++) {
-        const int is_of = maker->is_of(s, terms, dither); /* the first that is free often is, from the last frame */
-        if (i < f->shaded_colors && !is_of)
-            continue;
-        if (!is_of)
-            maker->make(s, terms, &f->format, dither);
-        f->shaded_colors += i == f->shaded_colors;
-        return s;
-    }
-    return NULL;
-}
-
 /* What a draw keeps of its material and how it is lit, where its lights are known. */
 static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
 {
@@ -306,10 +283,10 @@ static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sh
     if (m->ramp != NULL)
         m = m->ramp->reader->begin(d, m, &by_ramp, d->shader->at_pixels);
     sheen_colour_begin(&d->colour, &f->format, m, d->light.diffuse_sum, d->light.specular_sum);
-    d->shades = shades_of(f, d);
-    sheen_loop_begin(&d->loop, &d->power, &d->colour, &f->format, f->view.dither);
-    if (d->by_ramp)
-        d->loop.usable = 0; /* its loops know no ramp */
+    d->shades = NULL;
+    if (d->shader->shades != NULL)
+        d->shades = d->shader->shades(d, f->shades, f->config.max_shades, &f->shaded_colors);
+    sheen_power_end(&d->power, &d->colour, &f->format, d->dither);
     if (d->shader->begin != NULL)
         d->shader->begin(d, m, &f->format, object, &f->view.pose);
     d->fog = NULL;

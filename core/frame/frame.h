@@ -158,7 +158,17 @@ static inline int is_cut(const struct sheen_frame *f, uint32_t entry)
 struct sheen_clipper {
     /* Cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */
     void (*cut)(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, uint16_t triangle);
+    /* As sheen_entry_corners, of an entry that is a piece. */
+    void (*corners)(const struct piece *piece, struct corners *c);
 };
+
+/* Corner k of an entry: meshes are counterclockwise. */
+static inline unsigned clockwise(unsigned k)
+{
+    static const uint8_t order[3] = {0, 2, 1};
+
+    return order[k];
+}
 
 /*
  * Pieces that a triangle gives at most: the near plane may leave four corners, two triangles where the screen is

@@ -178,4 +178,13 @@ static void cut_triangle(struct sheen_frame *f, const struct draw_record *d, con
     cut_parts(f, d, triangle, &job, &a);
 }
 
-const struct sheen_clipper sheen_clipper = {cut_triangle};
+static void piece_corners(const struct piece *piece, struct corners *c)
+{
+    c->triangle = piece->triangle;
+    for (unsigned k = 0; k < 3; k++) {
+        c->v[k] = &piece->corner[clockwise(k)];
+        c->normal[k] = piece->normal[clockwise(k)];
+    }
+}
+
+const struct sheen_clipper sheen_clipper = {cut_triangle, piece_corners};

@@ -141,22 +141,14 @@ static uint32_t faint_entry(const struct power *power, uint32_t most, uint32_t f
     return low;
 }
 
-void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
-                      const struct pixel_format *format, unsigned dither)
+void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
+                     unsigned dither)
 {
-    const uint32_t least = 1u << (t->unit - 5), half = dither ? 0 : 1u << (t->fraction - 1);
-    const uint32_t most = most_of(t->c, format->grey), end = faint_entry(power, most, faint_highlight(least, dither));
+    const uint32_t least = 1u << (t->unit - 5), most = most_of(t->c, format->grey);
     const unsigned shift = POWER_STEP - 16u - power->up; /* an entry in Q2.13 */
-    power->limit = end << shift << 16;
+
+    power->limit = faint_entry(power, most, faint_highlight(least, dither)) << shift << 16;
     power->faint = (uint16_t)(faint_entry(power, most, least) << shift);
-    for (int k = 0; k < 3; k++) {
-        q->ab[2 * k] = t->a[k] + half;
-        q->ab[2 * k + 1] = t->b[k];
-        q->c[k] = t->c[k];
-    }
-    q->power_end = end > 0 ? (end << POWER_STEP) + POWER_GUARD : 0;
-    q->power = power->table;
-    q->usable = !format->grey && t->fraction == LOOP_FRACTION;
 }
 
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])
@@ -170,6 +162,18 @@ uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb
     if (format->grey)
         return (uint16_t)((sum - 0x10000u) >> 16);
     return pixel_order((channel[0] >> 16) << 11 | (channel[1] >> 16) << 5 | channel[2] >> 16, format->swap);
+}
+
+uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3])
+{
+    const unsigned fraction = t->fraction;
+    const uint32_t half = 1u << (fraction - 1);
+
+    if (!is_565)
+        return (uint16_t)((channel[0] + channel[1] + channel[2] + half) >> fraction);
+    return pixel_order(((channel[0] + half) >> fraction) << 11 | ((channel[1] + half) >> fraction) << 5 |
+                           (channel[2] + half) >> fraction,
+                       swap);
 }
 
 /* The thresholds 2 B + 1, B the 8x8 Bayer matrix built up from [[0, 2], [3, 1]]. */
@@ -199,6 +203,7 @@ const threshold_t sheen_dither_rows[8][16] = {
     TWICE(31, 95, 15, 79, 27, 91, 11, 75), TWICE(127, 63, 111, 47, 123, 59, 107, 43),
 };
 
+#if FAST_LOOPS
 void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8])
 {
     uint32_t at = (uint32_t)t->rect.x0 - (uint32_t)((uintptr_t)t->depth >> 1); /* of column 0, modulo 8 */
@@ -206,6 +211,7 @@ void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8])
     for (uint32_t y = (uint32_t)t->rect.y0, end = y + 8; y != end; y++, at -= t->pitch)
         thresholds[y & 7u] = &sheen_dither_rows[y & 7u][at & 7u];
 }
+#endif
 
 /* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)

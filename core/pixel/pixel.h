@@ -343,26 +343,14 @@ struct shades {
 /* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
 uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
 
-/*
- * How shades are made: a shading that takes them points to it, so what takes none does not link it.
- * fit: 1 where there can be: what is dithered is linear from end to end.
- */
-struct shades_maker {
-    int (*fit)(const struct colour_terms *t, unsigned dither);
-    int (*is_of)(const struct shades *shades, const struct colour_terms *t, unsigned dither);
-    void (*make)(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format,
-                 unsigned dither);
-};
-extern const struct shades_maker sheen_shades_maker;
-
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* For set-ups that ask how much of an intensity shows: dim, eighth, low and high. */
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
-/* Ends the power table where a highlight gives less than faint_highlight, and fills in *q. */
-void sheen_loop_begin(struct loop_terms *q, struct power *power, const struct colour_terms *t,
-                      const struct pixel_format *format, unsigned dither);
+/* Ends the power table where a highlight gives less than faint_highlight. */
+void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
+                     unsigned dither);
 /* What sheen.h says of a texture; t: NULL too. */
 int sheen_texture_valid(const struct sheen_texture *t);
 /* Of a sphere's picture: it has no other side, so to be mixed it has to clamp. */
@@ -412,7 +400,7 @@ struct tile {
     intptr_t to_pixel; /* on 565: bytes from a pixel's depth to its colour */
     const struct pixel_format *format;
     const uint8_t (*thresholds)[8];        /* as sheen_thresholds */
-    const threshold_t *const *dither_rows; /* by y & 7, where something dithers: of sheen_dither_rows */
+    const threshold_t *const *dither_rows; /* by y & 7, where loops of their own dither: of sheen_dither_rows */
     int32_t centre_x, centre_y;            /* the viewport's, 1/64 px on the target: where struct vertex counts from */
     const struct span *spans;
     int16_t first_row; /* of the spans */
@@ -444,8 +432,16 @@ struct tile {
 #define COUNT_SHADED(t) ((void)0)
 #endif
 
-/* Of a tile's rows: from which entry on a depth's place finds its threshold. */
+/*
+ * The thresholds of row y, from the entry on from which a depth's place finds its own; line: where column 0's depth
+ * would stand. Loops of their own find them made of a tile's rows in advance.
+ */
+#if FAST_LOOPS
 void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8]);
+#define DITHER_ROW(t, line, y) ((void)(line), (t)->dither_rows[(y)&7])
+#else
+#define DITHER_ROW(t, line, y) (&sheen_dither_rows[(y)&7][-(unsigned)((uintptr_t)(line) >> 1) & 7u])
+#endif
 
 /* Where a span's first pixel stands in the tile. */
 SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)

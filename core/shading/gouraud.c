@@ -150,15 +150,13 @@ static void gouraud_light(const struct draw *d, const int16_t normal[3], uint16_
 static void gouraud_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                           const struct sheen_object *object, const struct sheen_pose *view)
 {
-    (void)material;
-    (void)object;
-    (void)view;
+    sheen_loop_begin(d, material, format, object, view);
     sheen_colour_reach(&d->colour, format);
 }
 
 const struct sheen_shader sheen_gouraud = {.begin = gouraud_begin,
                                            .light = gouraud_light,
                                            .setup = gouraud_setup,
-                                           .shades = &sheen_shades_maker,
+                                           .shades = sheen_shades_of,
                                            .needs_normals = 1,
                                            .corners = OF_MESH(normals)};

@@ -222,9 +222,10 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
     (void)normal_planes(s, c, g, NULL);
 }
 
-const struct sheen_shader sheen_phong = {.light = sheen_keep_cosines,
+const struct sheen_shader sheen_phong = {.begin = sheen_loop_begin,
+                                         .light = sheen_keep_cosines,
                                          .setup = phong_setup,
-                                         .shades = &sheen_shades_maker,
+                                         .shades = sheen_shades_of,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),
                                          .reads_normals = 1,

@@ -23,8 +23,9 @@ void sheen_part_of_square(const struct tile *t, const struct square_line *l, int
     const struct packed_at at = {plane_at(l->depth, x, y),
                                  {left.red_blue + n * step.colour.red_blue, left.green + n * step.colour.green}};
     const struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
+    uint16_t *const depth = t->depth + tile_offset(t, x, y);
 
-    packed_run(t, t->depth + tile_offset(t, x, y), x1 - x, at, step, way, t->dither_rows[y & 7]);
+    packed_run(t, depth, x1 - x, at, step, way, DITHER_ROW(t, depth - x, y));
 }
 
 #if FAST_LOOPS

@@ -29,6 +29,7 @@ enum piece_normals {
  *   pieces have in place of normals; NULL: normals.
  * setup: chooses the cheapest way within PICTURE's table and fills in what follows *s; g: NULL
  *   where the triangle is too flat for gradients. Sets way, fast and rows.
+ * shades: sheen_shades_of, so that what takes none does not link it; NULL: it takes none.
  * takes: 0 where the material's texture, or NULL, is none that the shading can show; NULL: it needs none.
  */
 struct sheen_shader {
@@ -38,15 +39,15 @@ struct sheen_shader {
     void (*carry)(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
     int (*takes)(const struct sheen_texture *texture);
-    const struct shades_maker *shades; /* NULL: takes no shades */
-    const struct sheen_light *axes;    /* two lights in place of the object's; NULL: those */
-    uint8_t needs_normals;             /* 1: the mesh has to have vertex normals */
-    uint8_t reads_normals;             /* 1: set-ups read those of front faces too, not what vertices keep alone */
-    uint8_t unit_normals;              /* enum piece_normals */
-    uint8_t needs_uvs;                 /* 1: the mesh has to have uvs */
-    uint8_t corners;                   /* OF_MESH(...): what they have as their `normal`; 0: positions */
-    uint8_t at_pixels;                 /* 1: light is not linear between corners: a ramp is read at pixels */
-    uint8_t lights;                    /* enum lights_taken */
+    const struct shades *(*shades)(const struct draw *d, struct shades *store, unsigned count, unsigned *taken);
+    const struct sheen_light *axes; /* two lights in place of the object's; NULL: those */
+    uint8_t needs_normals;          /* 1: the mesh has to have vertex normals */
+    uint8_t reads_normals;          /* 1: set-ups read those of front faces too, not what vertices keep alone */
+    uint8_t unit_normals;           /* enum piece_normals */
+    uint8_t needs_uvs;              /* 1: the mesh has to have uvs */
+    uint8_t corners;                /* OF_MESH(...): what they have as their `normal`; 0: positions */
+    uint8_t at_pixels;              /* 1: light is not linear between corners: a ramp is read at pixels */
+    uint8_t lights;                 /* enum lights_taken */
 };
 
 static inline const int16_t *corner_parts(const struct sheen_mesh *mesh, const struct sheen_shader *shader)

@@ -72,9 +72,10 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
     setup->rows = sheen_slerp_rows;
 }
 
-const struct sheen_shader sheen_slerp = {.light = sheen_keep_cosines,
+const struct sheen_shader sheen_slerp = {.begin = sheen_loop_begin,
+                                         .light = sheen_keep_cosines,
                                          .setup = slerp_setup,
-                                         .shades = &sheen_shades_maker,
+                                         .shades = sheen_shades_of,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),
                                          .reads_normals = 1,

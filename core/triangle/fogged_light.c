@@ -126,7 +126,8 @@ static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shade
 void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                              struct shaded_run *run, unsigned second)
 {
-    struct fogged_run r = {t, t->depth + at, t->dither_rows[y & 7], run->dz};
+    uint16_t *depth = t->depth + at;
+    struct fogged_run r = {t, depth, DITHER_ROW(t, depth - x, y), run->dz};
 
     /* stippled, thresholds are others than packed channels take */
     if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))

@@ -78,7 +78,7 @@ SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s,
         int32_t x = span->x0, count = span->x1 - x;
         OPAQUE(s); /* the pixels' loop has the registers */
         if (count > 0) {
-            const threshold_t *thresholds = t->dither_rows[y & 7];
+            const threshold_t *thresholds = DITHER_ROW(t, line, y);
             OPAQUE(thresholds); /* early: what loads them needs registers, too */
             const struct packed_at step = {s->s.depth.dx, {s->red_blue.dx, s->green.dx}};
             const struct packed_at at = {plane_at(&s->s.depth, x, y),
@@ -110,7 +110,7 @@ void sheen_packed_rows(const struct tile *t, const struct setup *s)
 
 /* packed_run, written for where it counts. */
 SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *at,
-                          const struct packed_at *step, int32_t y, unsigned dither, unsigned swap)
+                          const struct packed_at *step, const uint16_t *line, int32_t y, unsigned dither, unsigned swap)
 {
 #if THUMB_LOOPS
     if (swap && !dither) {
@@ -120,7 +120,7 @@ SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, 
     }
 #endif
     const struct packed_way way = {.to_pixel = t->to_pixel, .dither = dither, .swap = swap};
-    packed_run(t, depth, count, *at, *step, way, t->dither_rows[y & 7]);
+    packed_run(t, depth, count, *at, *step, way, DITHER_ROW(t, line, y));
 }
 
 /* Wide triangles: packed anew every COLUMN px. */
@@ -138,10 +138,11 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
                                plane_at(&c[2], x, y) + half};
         struct packed_at at = {plane_at(&l->s.depth, x, y), {0, 0}};
         uint16_t *depth = t->depth + tile_offset(t, x, y);
+        const uint16_t *line = depth - x;
         for (int32_t n = COLUMN - (x & (COLUMN - 1)); left > 0; left -= n, n = COLUMN) {
             n = min32(n, left);
             at.colour = pack_channels(channel, fraction);
-            long_run(t, depth, n, &at, &step, y, dither, swap);
+            long_run(t, depth, n, &at, &step, line, y, dither, swap);
             depth += n;
             at.z += (uint32_t)n * step.z;
             for (int k = 0; k < 3; k++)

@@ -189,7 +189,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
                       struct shaded_run *run, enum second second)
 {
     const uint32_t at = tile_offset(t, x, y);
-    const threshold_t *thresholds = t->dither_rows[y & 7];
+    const threshold_t *thresholds = DITHER_ROW(t, t->depth + at - x, y);
     uint16_t *before = t->depth + at - 1, *last = before + (x1 - x);
 
     if (second == SECOND_NONE)

@@ -219,7 +219,7 @@ SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
     OPAQUE(way->half); /* else they are made at every pixel */
     OPAQUE(way->spread);
     way->to_pixel = r->t->to_pixel;
-    way->thresholds = r->t->dither_rows[(uint32_t)r->y & 7u];
+    way->thresholds = DITHER_ROW(r->t, r->depth - r->x, r->y);
 }
 
 SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)

@@ -59,6 +59,15 @@ static inline void take_general_loops(struct draw *d)
     d->colour.low = d->colour.high = NO_DIFFUSE;
 }
 
+/* shades.c: d->loop, as a shader's `begin`. */
+void sheen_loop_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                      const struct sheen_object *object, const struct sheen_pose *view);
+/*
+ * The shades of a draw's colours, of `count` in a store some that have none of this frame's, which are the
+ * first *taken; or NULL. That depends on the frame's draws alone.
+ */
+const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken);
+
 /* 1 where a way is not ruled out by another that is forced. */
 static inline int way_wanted(const struct draw *d, enum sheen_way way)
 {

@@ -1,23 +1,12 @@
 /*
- * shades.c - outside the highlight: finished pixels over the diffuse intensity, or channels that are to be dithered.
+ * shades.c - what loops find ready: colours' terms in their order, and shades, which are, outside the highlight,
+ * finished pixels over the diffuse intensity, or channels that are to be dithered.
  */
 #include <string.h>
 
-#include "pixel.h"
+#include "triangle.h"
 
-uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3])
-{
-    const unsigned fraction = t->fraction;
-    const uint32_t half = 1u << (fraction - 1);
-
-    if (!is_565)
-        return (uint16_t)((channel[0] + channel[1] + channel[2] + half) >> fraction);
-    return pixel_order(((channel[0] + half) >> fraction) << 11 | ((channel[1] + half) >> fraction) << 5 |
-                           (channel[2] + half) >> fraction,
-                       swap);
-}
-
-static int shades_is_of(const struct shades *shades, const struct colour_terms *t, unsigned dither)
+static int is_of(const struct shades *shades, const struct colour_terms *t, unsigned dither)
 {
     int same = shades->fraction == t->fraction && shades->dither == dither;
 
@@ -73,7 +62,8 @@ static COLD void make_pixels(struct shades *shades, const struct colour_terms *t
     }
 }
 
-static int shades_fit(const struct colour_terms *t, unsigned dither)
+/* 1 where there can be: what is dithered is linear from end to end. */
+static int fit(const struct colour_terms *t, unsigned dither)
 {
     const uint32_t little = 1u << (t->fraction - 8);
     int fit = 1;
@@ -83,18 +73,57 @@ static int shades_fit(const struct colour_terms *t, unsigned dither)
     return fit || !dither;
 }
 
-static void shades_make(struct shades *shades, const struct colour_terms *t, const struct pixel_format *format,
-                        unsigned dither)
+static void make(struct shades *shades, const struct colour_terms *t, unsigned swap, unsigned dither)
 {
     SHEEN_TAP(SHADES_MADE, 1);
     if (dither)
         make_segments(shades, t);
     else
-        make_pixels(shades, t, format->swap);
+        make_pixels(shades, t, swap);
     memcpy(shades->a, t->a, sizeof t->a);
     memcpy(shades->b, t->b, sizeof t->b);
     shades->fraction = t->fraction;
     shades->dither = (uint8_t)dither;
 }
 
-const struct shades_maker sheen_shades_maker = {shades_fit, shades_is_of, shades_make};
+void sheen_loop_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                      const struct sheen_object *object, const struct sheen_pose *view)
+{
+    const struct colour_terms *t = &d->colour;
+    const struct power *power = &d->power;
+    const uint32_t half = d->dither ? 0 : 1u << (t->fraction - 1);
+    struct loop_terms *q = &d->loop;
+
+    (void)material;
+    (void)format;
+    (void)object;
+    (void)view;
+    for (int k = 0; k < 3; k++) {
+        q->ab[2 * k] = t->a[k] + half;
+        q->ab[2 * k + 1] = t->b[k];
+        q->c[k] = t->c[k];
+    }
+    q->power_end = power->limit > 0 ? (power->limit << power->up) + POWER_GUARD : 0;
+    q->power = power->table;
+    q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->by_ramp; /* its loops know no ramp */
+}
+
+const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken)
+{
+    const struct colour_terms *terms = &d->colour;
+
+    /* where a ramp makes areas of one colour, 1024 shades are not enough */
+    if (!d->is_565 || d->light.ramp != NULL || !fit(terms, d->dither))
+        return NULL;
+    for (unsigned i = 0; i < count; i++) {
+        struct shades *s = &store[i];
+        const int found = is_of(s, terms, d->dither); /* the first that is free often is, from the last frame */
+        if (i < *taken && !found)
+            continue;
+        if (!found)
+            make(s, terms, d->swap, d->dither);
+        *taken += i == *taken;
+        return s;
+    }
+    return NULL;
+}
