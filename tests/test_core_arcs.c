@@ -24,7 +24,7 @@ static void test_shares(void **unused)
         assert_int_equal(arc_share(&series, 0), 0);
         assert_int_equal(arc_share(&series, 32768), 32768);
     }
-    worst_assert(&worst, 1.8, "shares of an arc");
+    worst_assert(&worst, 1.9, "shares of an arc");
 }
 
 static double part_of(const double v[3], const double w[3])

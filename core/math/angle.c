@@ -17,7 +17,7 @@ static APART int32_t polynomial(const int32_t *term, int last, int32_t square)
 
 /*
  * A quarter of a turn is x = 1.0, and sin(x * pi / 2) is x + x * polynomial, 1.4e-11 off at the most; rounding takes it
- * to 1.7 raw steps. Terms in Q0.31; quarters are exact, as at x = 1.0 the terms' sum is 0 within a step of Q0.31.
+ * to 1.9 raw steps. Terms in Q0.31; quarters are exact, as at x = 1.0 the terms' sum is 0 within a step of Q0.31.
  */
 sheen_q30_t sheen_sin(sheen_angle_t angle)
 {

@@ -16,7 +16,7 @@ struct arc_series {
     int16_t c1, c2; /* Q.16 */
 };
 
-/* h: UQ0.15, at most RIGHT_ANGLE. Shares are off by at most 1.8 / 2^15. */
+/* h: UQ0.15, at most RIGHT_ANGLE. Shares are off by at most 1.9 / 2^15. */
 void sheen_arc_series(struct arc_series *s, int32_t h);
 
 /* floor(x / 2^15 + 1/2): by a number that a product adds at once, or without one that would have to be loaded */
