@@ -4,8 +4,6 @@ list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
 add_library(core_tapped STATIC ${core_sources} test_dither_tap.c)
 set_target_properties(core_tapped PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 30)
 target_include_directories(core_tapped PUBLIC ${PROJECT_SOURCE_DIR}/core)
-# reference.cmake renames the root table in every core that is built here; this takes its own name back.
-target_compile_definitions(core_tapped PRIVATE shipped_root_table=sheen_root_table)
 target_compile_options(core_tapped PRIVATE -include ${CMAKE_CURRENT_SOURCE_DIR}/test_dither_tap.h)
 
 sheen_test(test_dither accuracy SOURCES test_dither.c LIBRARIES core_picture core_tapped)

@@ -63,12 +63,9 @@ sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture
 sheen_test(test_panel_picture accuracy SOURCES test_panel_picture.c LIBRARIES core_picture sheen_sim sheen::core)
 sheen_test(test_grey accuracy SOURCES test_grey.c LIBRARIES core_picture sheen::core)
 
-# The test of test_accuracy: the same core, but its root table is the program's own, to be spoilt.
-get_target_property(core_sources sheen_core SOURCES)
-list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
-add_library(core_spoilt STATIC ${core_sources})
-set_target_properties(core_spoilt PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 30)
-target_include_directories(core_spoilt PUBLIC ${PROJECT_SOURCE_DIR}/core)
-set_source_files_properties(${PROJECT_SOURCE_DIR}/core/math/tables.c PROPERTIES
-  COMPILE_DEFINITIONS sheen_root_table=shipped_root_table)
-sheen_test(test_root_fault accuracy SOURCES test_root_fault.c LIBRARIES core_picture core_spoilt)
+# The test of test_accuracy: the core's tables, but for that of roots, which is the program's own, to be spoilt.
+add_library(core_tables OBJECT ${PROJECT_SOURCE_DIR}/core/math/tables.c)
+target_include_directories(core_tables PRIVATE ${PROJECT_SOURCE_DIR}/core)
+target_compile_definitions(core_tables PRIVATE sheen_root_table=shipped_root_table)
+sheen_test(test_root_fault accuracy SOURCES test_root_fault.c $<TARGET_OBJECTS:core_tables>
+  LIBRARIES core_picture sheen::core)

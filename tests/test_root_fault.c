@@ -1,7 +1,7 @@
 /*
  * test_root_fault.c - the test of the accuracy test: one wrong table entry must fail it.
  *
- * Linked with a core whose root table is this program's own copy (reference.cmake),
+ * Linked with a core whose root table is this program's own copy (core_tables in reference.cmake),
  * so that an entry can be spoilt by 1/64 of its value: each in turn, to find the
  * one that the sphere uses most in a view; with that one the sphere must fail.
  * The way with a root a pixel is forced: the sphere's small triangles would take another.
