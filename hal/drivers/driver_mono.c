@@ -13,7 +13,7 @@
  */
 #include "driver.h"
 
-#define SET_COLUMN 0x21
+#define COLUMN_ADDRESS 0x21
 #define SET_PAGE 0x22
 #define COLUMN_LOW 0x00
 #define COLUMN_HIGH 0x10
@@ -64,7 +64,7 @@ static void push_ssd1306(struct sheen_panel *panel, const struct sheen_rect *rec
 
     sheen_turn_of(panel, rect, &turn);
     unsigned column = record->gap_x + (unsigned)turn.x, page = (record->gap_y + (unsigned)turn.y) / 8;
-    sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + (unsigned)turn.w - 1);
+    sheen_panel_set_window(panel, 0, COLUMN_ADDRESS, column, column + (unsigned)turn.w - 1);
     sheen_panel_set_window(panel, 1, SET_PAGE, page, page + (unsigned)turn.h / 8 - 1);
     for (int16_t row = 0; row < turn.h; row = (int16_t)(row + 8))
         send_page(panel, &turn, pixels, row);

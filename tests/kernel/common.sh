@@ -33,12 +33,14 @@ fetch_packages() {
     "$here/fetch" "$work/v2" arm64 bookworm-backports libgpiod-dev libgpiod3
 }
 
-# The shipped program by the shipped CMake, with one version of libgpiod: v1 or v2.
+# The shipped program by the shipped CMake, with one version of libgpiod: v1 or v2. In units and little optimised, which
+# builds in a third of the time.
 build_panel() {
     local packages=$work/$1 log=$work/panel-$1.log
 
     export PKG_CONFIG_LIBDIR=$packages/usr/lib/aarch64-linux-gnu/pkgconfig PKG_CONFIG_SYSROOT_DIR=$packages
-    if ! { cmake -S "$top" -B "$work/panel-$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_FLAGS=-Werror \
+    if ! { cmake -S "$top" -B "$work/panel-$1" -DCMAKE_C_FLAGS='-O1 -Werror' -DCMAKE_UNITY_BUILD=ON \
+        -DCMAKE_UNITY_BUILD_BATCH_SIZE=30 \
         -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc &&
         cmake --build "$work/panel-$1" --target sheen-panel -j "$(nproc)"; } </dev/null >"$log" 2>&1; then
         cat "$log" >&2
