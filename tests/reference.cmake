@@ -15,6 +15,10 @@ sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_reference_mesh unit SOURCES test_reference_mesh.c LIBRARIES reference)
 sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
+if(NOT SHEEN_SANITIZED) # of the pictures a third in the quick part
+  add_test(NAME test_accuracy_all COMMAND test_accuracy all WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  sheen_part(test_accuracy_all long TARGETS test_accuracy)
+endif()
 sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
