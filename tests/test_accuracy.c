@@ -20,7 +20,7 @@ static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 static const char *prefix;
 static bool draws_all;
 
-/* The pictures of a line that stand for all: each shininess, both sizes, affine too, each turn of what `vary` varies. */
+/* The pictures that stand for all of a line: each shininess, both sizes, affine too, each turn of `vary`. */
 #define SAMPLED(i) ((i) == 0 || (i) == 2 || (i) == 7 || (i) == 9)
 
 #define COARSE 100 /* triangles of a mesh whose highlights are as large as its triangles, at most */
