@@ -7,9 +7,14 @@ sheen_test(test_gif unit SOURCES test_gif.c LIBRARIES sheen::host sheen::core GI
 sheen_test(test_problem unit SOURCES test_problem.c LIBRARIES sheen::host sheen::core)
 sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
+# Of many files, frames or figures each: with sanitizers in the long part.
+set(many cli)
+if(SHEEN_SANITIZED)
+  set(many long)
+endif()
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)
 sheen_script(cli_render cli COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/data/egg.obj)
-sheen_script(cli_plan cli COMMAND tests/cli/plan $<TARGET_FILE:sheen>)
+sheen_script(cli_plan ${many} COMMAND tests/cli/plan $<TARGET_FILE:sheen>)
 sheen_script(cli_plan_table cli COMMAND host-sim/pages/plan.py $<TARGET_FILE:sheen> --readme README.md)
 sheen_script(cli_hero cli COMMAND tests/cli/hero $<TARGET_FILE:sheen> .)
 sheen_script(cli_man cli COMMAND tests/cli/man $<TARGET_FILE:sheen>)
@@ -18,20 +23,15 @@ sheen_script(cli_bad_input cli COMMAND tests/cli/bad_input $<TARGET_FILE:sheen>)
 sheen_test(test_import_hostile unit SOURCES test_import_hostile.c test_import_files.c LIBRARIES sheen::host sheen::core m)
 sheen_script(cli_morph cli COMMAND tests/cli/morph $<TARGET_FILE:sheen> .)
 sheen_script(cli_bake cli COMMAND tests/cli/bake $<TARGET_FILE:sheen> .)
-sheen_script(cli_mesh_files cli COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen>)
+sheen_script(cli_mesh_files ${many} COMMAND tests/cli/mesh_files $<TARGET_FILE:sheen>)
 find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
 sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
-# Every model of assimp's: with sanitizers in the long part.
-set(models cli)
-if(SHEEN_SANITIZED)
-  set(models long)
-endif()
-sheen_script(cli_models ${models} COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
+sheen_script(cli_models ${many} COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
-sheen_script(cli_textures ${models} COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
+sheen_script(cli_textures ${many} COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_colors cli COMMAND tests/cli/colors $<TARGET_FILE:sheen>)
 

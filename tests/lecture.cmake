@@ -17,7 +17,7 @@ sheen_script(frame_sums_tapped accuracy
   COMMAND bash -c "diff <($0) <($1) && $1 | wc -l" $<TARGET_FILE:frame_sum> $<TARGET_FILE:frame_sum_tapped>)
 
 # The command: its figures, their numbers, bad folders.
-sheen_script(cli_lecture cli COMMAND tests/cli/lecture $<TARGET_FILE:sheen> .)
+sheen_script(cli_lecture ${many} COMMAND tests/cli/lecture $<TARGET_FILE:sheen> .)
 
 # What a page refuses to hold.
 find_package(PkgConfig REQUIRED)
