@@ -222,7 +222,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
     (void)normal_planes(s, c, g, NULL);
 }
 
-const struct sheen_shader sheen_phong = {.begin = sheen_loop_begin,
+const struct sheen_shader sheen_phong = {.begin = sheen_reflection_begin,
                                          .light = sheen_keep_cosines,
                                          .setup = phong_setup,
                                          .shades = sheen_shades_of,

@@ -72,7 +72,7 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
     setup->rows = sheen_slerp_rows;
 }
 
-const struct sheen_shader sheen_slerp = {.begin = sheen_loop_begin,
+const struct sheen_shader sheen_slerp = {.begin = sheen_reflection_begin,
                                          .light = sheen_keep_cosines,
                                          .setup = slerp_setup,
                                          .shades = sheen_shades_of,

@@ -12,13 +12,33 @@
 
 SETUP_FITS(struct quadric_setup);
 
-/* `apart` of 26 degrees, without a highlight; */
-#define WIDEST_DIFFUSE 217338131u
-/* with one 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2, as what it is off by grows with both. */
+/*
+ * What a quadric is off by grows with the cube of the angle, and shows by as many levels as light spans. Without a
+ * highlight |Ni - Nj|^2, UQ.9: its cube >> 7 times the square of the levels, of 26 degrees and 125, the most that
+ * count; at most 34 degrees, what series of h are good for. Range: 2^16 * 125^2.
+ */
+#define MOST_DIFFUSE 135828125u
+#define WIDEST_DIFFUSE 175
+#define MOST_LEVELS 125
+/* `apart` with one: 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2: what it is off by grows with both. */
 static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {55039867u, 26439087u}};
 #define REFLECTION_LEAN 32768 /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
 #define MAGNIFIED 12          /* gradients' bits: 16 bits of L.N and N.V at corners 64 px apart show in highlights */
 #define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
+
+void sheen_reflection_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                            const struct sheen_object *object, const struct sheen_pose *view)
+{
+    const struct colour_terms *t = &d->colour;
+    const uint32_t sum = ((uint32_t)t->b[0] + t->b[1] + t->b[2]) >> (t->fraction - 15),
+                   levels = sum < MOST_LEVELS ? sum : MOST_LEVELS;
+    uint32_t widest = WIDEST_DIFFUSE;
+
+    sheen_loop_begin(d, material, format, object, view);
+    while ((widest * widest * widest >> 7) * levels * levels > MOST_DIFFUSE)
+        widest--;
+    d->widest = (uint8_t)widest;
+}
 
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
@@ -154,8 +174,8 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
         sheen_setup_constant(s, &dark);
         return 1;
     }
-    if (f->apart > WIDEST_DIFFUSE >> (s->draw->by_ramp >> 1) || !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) ||
-        !sheen_leans(e.lean, c, REFLECTION_LEAN))
+    if (f->apart > (uint32_t)s->draw->widest << 21 >> (s->draw->by_ramp >> 1) ||
+        !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
         return 0;
     light_excesses(&e, f);
     int highlight = has_highlight(&e, f, s->draw);

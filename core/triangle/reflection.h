@@ -16,6 +16,10 @@ struct facing {
 
 #define CLOSE_ARCS 105105331u /* of `apart`: 18 degrees */
 
+/* sheen_loop_begin, and how far normals may be apart, by the levels that diffuse light spans. */
+void sheen_reflection_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                            const struct sheen_object *object, const struct sheen_pose *view);
+
 /* What a vertex keeps, struct sheen_shader's light: L.N of the first light and N.V, int16_t Q0.15. */
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
 

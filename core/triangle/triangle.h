@@ -31,6 +31,7 @@ struct draw {
     uint8_t stippled;    /* enum stippled */
     uint8_t left_out[8]; /* of a stippled draw's rows, y & 7: a bit a column, x & 7, whose pixels are not drawn */
     uint8_t forced;      /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
+    uint8_t widest;      /* |Ni - Nj|^2 up to which L.N is a quadric, UQ.9: sheen_reflection_begin's */
     int16_t depth_bias;  /* steps of z16, -4096..4095 */
     const struct sheen_mesh *mesh;
     const struct sheen_morph *morph; /* NULL: the mesh as it is */
