@@ -11,8 +11,9 @@ INDIRECT = "__indirect_call"
 # B of libgcc 12's and newlib's on Cortex-M, which push seven and five words; others as deepest() is told.
 OUTSIDE = {"__aeabi_lmul": 40, "__clzsi2": 8, "memcpy": 40, "memset": 40}
 # Functions of sheen_shader, sheen_edges, sheen_clipper, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
-SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|edges_list|morph_fits|cut_triangle)$"),
-                (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|begin_by_ramp|fog_draw)$"),
+SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|_shades_of|edges_list|morph_fits|cut_triangle)$"),
+                (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|_shades_of|begin_by_ramp|fog_draw)$"),
+                (r"(^|:)sheen_entry_corners$", r"(^|:)piece_corners$"),
                 (r"(^|:)object_problem$", r"(morph_fits|_valid)$"),
                 (r"(^|:)sheen_bin_rollback$", r"edges_cover$"),
                 (r"(^|:)(edges_draw|draw_all_lines|draw_lines_of)$", r"(^|:)(draw_lines|draw_smooth|sheen_smooth_finish)$"),
