@@ -84,7 +84,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     size_t marks = c->smooth * (MARK_PITCH(width) / 4) * (c->band_rows + MARK_ROWS);
 
     (void)take(&arena, 1, SHEEN_BYTES_FRAME);
-    f->max_bands = (c->target->height + c->band_rows - 1u) / c->band_rows;
+    f->max_bands = QUOTIENT(c->target->height + c->band_rows - 1u, c->band_rows);
     f->band = take(&arena, f->max_bands, SHEEN_BYTES_BAND);
     f->done = take(&arena, (f->max_bands + 31u) / 32, sizeof(uint32_t));
     f->draw = take(&arena, c->max_draws, SHEEN_BYTES_DRAW);

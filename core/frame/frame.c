@@ -54,9 +54,9 @@ static void bands_begin(struct sheen_frame *f)
     uint32_t rows = f->config.band_rows;
 
     OPAQUE(rows); /* else gcc divides with signs here, by a routine that nothing else links */
-    f->bands = ((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1) / rows;
+    f->bands = QUOTIENT((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1, rows);
     f->bands_left = f->bands;
-    f->band_scale = ((1u << 20) + rows - 1) / rows;
+    f->band_scale = QUOTIENT((1u << 20) + rows - 1, rows);
     memset(f->done, 0, (f->max_bands + 31u) / 32 * sizeof *f->done);
     for (unsigned b = 0; b < f->bands; b++)
         f->band[b].stale = f->band[b].cover;

@@ -68,6 +68,25 @@ static inline int32_t mul_round(int32_t a, int32_t b, unsigned n)
 /* The same once for all who have the time, 1 <= n <= 32: what is done a draw. */
 int32_t sheen_mul_round(int32_t a, int32_t b, unsigned n);
 
+/*
+ * floor(a / b), b > 0. Where a division is a call of 270 B builds for size have one of 30, which is slower: most edges
+ * are short, and do without.
+ */
+#ifndef QUOTIENT_BY_BITS
+#if defined(__OPTIMIZE_SIZE__) && defined(__ARM_ARCH_6M__)
+#define QUOTIENT_BY_BITS 1
+#else
+#define QUOTIENT_BY_BITS 0
+#endif
+#endif
+
+#if QUOTIENT_BY_BITS
+uint32_t sheen_quotient(uint32_t a, uint32_t b);
+#define QUOTIENT(a, b) sheen_quotient(a, b)
+#else
+#define QUOTIENT(a, b) ((a) / (b))
+#endif
+
 /* High word of the product: floor(a * b / 2^32). */
 static inline uint32_t mul_high(uint32_t a, uint32_t b)
 {

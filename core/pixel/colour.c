@@ -49,7 +49,7 @@ static APART uint32_t most_of(const uint16_t factor[3], unsigned grey)
 /* The intensity, UQ1.15, at which the factor gives `level`, with the draw's fraction; 2047 at the most. */
 static uint16_t intensity_of(uint32_t level, uint32_t factor)
 {
-    return (uint16_t)min32((int32_t)(level / (factor + 1)), 2047);
+    return (uint16_t)min32((int32_t)QUOTIENT(level, factor + 1), 2047);
 }
 
 /* Of diffuse intensities; hardly any where there are none. */
@@ -63,8 +63,8 @@ static void diffuse_range(struct colour_terms *t)
         if (a > most) {
             return;
         } else if (b > 0) {
-            low = max_u32(low, a < margin ? (margin - a) / b + 1 : 0);
-            high = high < (most - a) / b ? high : (most - a) / b;
+            low = max_u32(low, a < margin ? QUOTIENT(margin - a, b) + 1 : 0);
+            high = (uint32_t)min32((int32_t)high, (int32_t)QUOTIENT(most - a, b));
         }
     }
     if (low < high) {

@@ -75,7 +75,7 @@ void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format,
         /* rounded up: below 2^15 */
         const uint32_t level =
             ((format->scale[k] << (15 - GREY_BITS)) + (1u << format->level_bits) - 1) >> format->level_bits;
-        t->grey[k] = (uint16_t)((level + highest[k] - 1) / highest[k]);
+        t->grey[k] = (uint16_t)QUOTIENT(level + highest[k] - 1u, highest[k]);
     }
     highlight_terms(t, m, specular);
 }

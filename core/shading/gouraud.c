@@ -119,8 +119,8 @@ static void gouraud_setup(struct setup *s, struct surface_corners *c, const stru
     uint32_t specular = corners_lit(s, c, c->at.normal, lit);
 
     if (g == NULL) {
-        struct lit mean = {(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse) / 3,
-                           (lit[0].specular + lit[1].specular + lit[2].specular) / 3};
+        struct lit mean = {QUOTIENT(lit[0].diffuse + lit[1].diffuse + lit[2].diffuse, 3u),
+                           QUOTIENT(lit[0].specular + lit[1].specular + lit[2].specular, 3u)};
         sheen_setup_constant(s, &mean);
         return;
     }

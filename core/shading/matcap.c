@@ -170,11 +170,11 @@ static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsig
             return 1;
         step += part_square(asr32((int32_t)normal[k].dx, 10)); /* UQ.40 */
     }
-    apart = 2 * apart >= sum ? 2 * apart : apart / 3 * 8;
+    apart = 2 * apart >= sum ? 2 * apart : QUOTIENT(apart, 3u) * 8;
     least = least > apart ? least - apart : 0;
     if (least >> 15 == 0)
         return 1;
-    return block_of(step / (least >> 15), 24 - steps); /* of UQ.25 */
+    return block_of(QUOTIENT(step, least >> 15), 24 - steps); /* of UQ.25 */
 }
 
 static APART void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)

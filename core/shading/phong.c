@@ -127,7 +127,7 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
         return 0;
     const struct draw *draw = p->s.draw;
     const int far = apart > FAR_SUM;
-    const uint32_t turn = cell_turn(draw, far), rate = (xx > yy ? xx : yy) / least; /* UQ.25 */
+    const uint32_t turn = cell_turn(draw, far), rate = QUOTIENT(xx > yy ? xx : yy, least); /* UQ.25 */
     while (shift >= 3 && (rate > (turn * turn * 33u + 500u) >> 2 * shift || pixels < 4u << 2 * shift))
         shift--;
     if (shift < 3)

@@ -43,7 +43,7 @@ void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *
     for (unsigned edge = 0; edge < 3; edge++) {
         const unsigned upper = edge >> 1, lower = 2 - (edge & 1u);
         const uint32_t height = (uint32_t)(at[lower].y - at[upper].y);
-        s->inverse[edge] = height > 0 ? ((1u << 31) + height / 2) / height : 0;
+        s->inverse[edge] = height > 0 ? QUOTIENT((1u << 31) + height / 2, height) : 0;
         if (f != NULL) /* of pairs 01, 02, 12 by the sum of their numbers */
             s->h[edge] = (uint16_t)((f->h[from[upper] + from[lower] - 1] + (1u << 16)) >> 17);
     }

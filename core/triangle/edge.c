@@ -37,10 +37,10 @@ static inline int64_t shifted64(int32_t x, unsigned n)
 static inline struct course by_division(int32_t x, int32_t width, int32_t height, int32_t rest)
 {
     const uint32_t size = (uint32_t)height, wide = magnitude32(width);
-    int32_t whole = width >= 0 ? (int32_t)(wide / size) : -(int32_t)((wide + size - 1) / size),
+    int32_t whole = width >= 0 ? (int32_t)QUOTIENT(wide, size) : -(int32_t)QUOTIENT(wide + size - 1, size),
             part = width - whole * height;
-    uint32_t high = ((uint32_t)part << 16) / size;
-    uint32_t low = ((((uint32_t)part << 16) - high * size) << 16) / size;
+    uint32_t high = QUOTIENT((uint32_t)part << 16, size);
+    uint32_t low = QUOTIENT((((uint32_t)part << 16) - high * size) << 16, size);
     uint32_t part_of_px = high << 16 | low;
     int64_t start = (int64_t)(((uint64_t)(uint32_t)(rest * whole) << 32) + (uint64_t)part_of_px * (uint32_t)rest);
     struct course c = {shifted64(x + SUBPIXEL_HALF, 26) + asr64(start, SUBPIXEL_BITS) - 1,

@@ -23,7 +23,7 @@ void sheen_carry_shares(const struct draw *d, uint16_t triangle, int back, int16
 /* |value| < 2^30 */
 static APART struct plane share_plane(const struct gradients *g, const int32_t value[3])
 {
-    const struct plane even = {((uint32_t)value[0] + (uint32_t)value[1] + (uint32_t)value[2]) / 3, 0, 0};
+    const struct plane even = {QUOTIENT((uint32_t)value[0] + (uint32_t)value[1] + (uint32_t)value[2], 3u), 0, 0};
 
     return g != NULL ? sheen_gradient_plane(g, value, 0) : even;
 }

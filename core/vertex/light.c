@@ -30,7 +30,7 @@ void sheen_to_model(const sheen_q30_t r[9], const int32_t v[3], int32_t out[3])
 static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned count, sheen_q16_t sum)
 {
     for (unsigned i = 0; i < count; i++)
-        weight[i] = (uint16_t)(sum > 0 ? ((uint32_t)intensity[i] << 13) / (((uint32_t)sum + 3) >> 2) : 0);
+        weight[i] = (uint16_t)(sum > 0 ? QUOTIENT((uint32_t)intensity[i] << 13, ((uint32_t)sum + 3) >> 2) : 0);
 }
 
 /* A light in eye space: `view` turns those of the world there, NULL: world and eye space are one. */
