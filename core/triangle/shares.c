@@ -23,9 +23,9 @@ void sheen_carry_shares(const struct draw *d, uint16_t triangle, int back, int16
 /* |value| < 2^30 */
 static APART struct plane share_plane(const struct gradients *g, const int32_t value[3])
 {
-    const struct plane even = {QUOTIENT((uint32_t)value[0] + (uint32_t)value[1] + (uint32_t)value[2], 3u), 0, 0};
-
-    return g != NULL ? sheen_gradient_plane(g, value, 0) : even;
+    if (g != NULL)
+        return sheen_gradient_plane(g, value, 0);
+    return (struct plane){QUOTIENT((uint32_t)value[0] + (uint32_t)value[1] + (uint32_t)value[2], 3u), 0, 0};
 }
 
 void sheen_setup_shares(struct shares_setup *s, struct surface_corners *c, const struct gradients *g)
