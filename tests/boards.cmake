@@ -16,4 +16,6 @@ sheen_script(boards_rp2040 boards COMMAND tests/boards/rp2040 $<TARGET_FILE:boar
 sheen_script(boards_sizes boards COMMAND tests/boards/sizes ${boards})
 set_tests_properties(boards_minimal boards_lm3s6965evb boards_rp2040 boards_sizes PROPERTIES FIXTURES_REQUIRED boards)
 sheen_script(boards_stranger boards COMMAND tests/boards/stranger/build)
-sheen_script(boards_page boards COMMAND tests/checks/readme firmware/README.md)
+if(NOT SHEEN_SANITIZED)
+  sheen_script(boards_page long COMMAND tests/checks/readme firmware/README.md)
+endif()

@@ -13,7 +13,7 @@ if(SHEEN_SANITIZED)
   set(many long)
 endif()
 sheen_script(cli_usage cli COMMAND tests/cli/usage $<TARGET_FILE:sheen>)
-sheen_script(cli_render cli COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/data/egg.obj)
+sheen_script(cli_render ${many} COMMAND tests/cli/render $<TARGET_FILE:sheen> tests/data/egg.obj)
 sheen_script(cli_plan ${many} COMMAND tests/cli/plan $<TARGET_FILE:sheen>)
 sheen_script(cli_plan_table cli COMMAND host-sim/pages/plan.py $<TARGET_FILE:sheen> --readme README.md)
 sheen_script(cli_hero cli COMMAND tests/cli/hero $<TARGET_FILE:sheen> .)
@@ -28,10 +28,11 @@ find_package(draco REQUIRED)
 find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
-sheen_script(cli_gltf cli COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
-sheen_script(cli_models ${many} COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
+sheen_script(cli_gltf ${many} COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
+# Every model of assimp's.
+sheen_script(cli_models long COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
-sheen_script(cli_textures ${many} COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
+sheen_script(cli_textures long COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_colors cli COMMAND tests/cli/colors $<TARGET_FILE:sheen>)
 
