@@ -34,7 +34,7 @@
  * it is sent, and whatever went wrong, the next frame sends everything.
  *
  * Threads. Two frames share nothing. Calls on one frame MUST NOT overlap, but for
- * those of sheen_band() by different workers where the configuration has a lock.
+ * those of sheen_band() and sheen_bands() by different workers where the configuration has a lock.
  *
  * Light (lecture, "Illumination Models"): eye and lights at infinity,
  *   I_ad = ambient + sum over lights of diffuse * max(0, L.N)
@@ -575,6 +575,12 @@ const char *sheen_subject_name(enum sheen_subject subject);
  */
 unsigned sheen_band_count(const struct sheen_frame *frame);
 int sheen_band(struct sheen_frame *frame, unsigned worker, unsigned band);
+
+/*
+ * Worker's share of the bands: its part of the picture from the top, then what others have not begun of theirs, until
+ * none is left. Each worker calls it, and sheen_finish comes when all have returned. 0, or the frame's error.
+ */
+int sheen_bands(struct sheen_frame *frame, unsigned worker);
 int sheen_finish(struct sheen_frame *frame);
 
 /* Wait for the push under way, if any; its result. A negative one is the frame's error, if it is not finished yet. */

@@ -181,6 +181,40 @@ static void band_twice(void **state)
     order_close(&o);
 }
 
+/* A worker's share are all bands that are left: whoever comes first, each is done once and none is left. */
+static void shares_of_bands(void **state)
+{
+    (void)state;
+    for (unsigned workers = 1; workers <= 4; workers++) {
+        for (unsigned first = 0; first < workers; first++) {
+            struct order o = {0};
+            order_open(&o, (int)workers, 1);
+            assert_int_equal(sheen_bands(o.f.frame, 0), SHEEN_ERR_STATE); /* no frame is begun */
+            begin(&o);
+            assert_int_equal(draw_ball(&o), SHEEN_OK);
+            assert_int_equal(sheen_bands(o.f.frame, workers), SHEEN_ERR_ARGUMENT);
+            assert_int_equal(sheen_band(o.f.frame, 0, 3), SHEEN_OK);
+            assert_int_equal(sheen_bands(o.f.frame, first), SHEEN_OK);
+            assert_int_equal(o.target.pushes, BANDS);
+            for (unsigned worker = 0; worker < workers; worker++)
+                assert_int_equal(sheen_bands(o.f.frame, worker), SHEEN_OK);
+            assert_int_equal(o.target.pushes, BANDS);
+            assert_int_equal(sheen_finish(o.f.frame), SHEEN_OK);
+            assert_int_equal(sheen_wait(o.f.frame), SHEEN_OK);
+            assert_int_equal(o.target.area, PIXELS);
+            assert_true(frame_area(&o) < PIXELS / 2); /* no band was left out */
+            begin(&o);
+            assert_int_equal(draw_ball(&o), SHEEN_OK);
+            o.target.fail_push = 2;
+            assert_int_equal(sheen_bands(o.f.frame, first), BROKEN);
+            assert_int_equal(sheen_bands(o.f.frame, 0), BROKEN);
+            assert_int_equal(o.target.pushes, 1);
+            assert_int_equal(sheen_finish(o.f.frame), BROKEN);
+            order_close(&o);
+        }
+    }
+}
+
 /* After the first band nothing is added; what a failed frame left pending is not drawn. */
 static void nothing_after_a_band(void **state)
 {
@@ -237,6 +271,7 @@ int main(void)
         cmocka_unit_test(wait_between_bands),   cmocka_unit_test(workers_in_turn),
         cmocka_unit_test(another_underlay),     cmocka_unit_test(band_twice),
         cmocka_unit_test(nothing_after_a_band), cmocka_unit_test(results_above_zero),
+        cmocka_unit_test(shares_of_bands),
     };
 
     return cmocka_run_group_tests_name("frame_order", tests, make_stage, free_stage);

@@ -48,11 +48,12 @@ static void bus_close(struct bus *bus)
     memory_target_free(&bus->memory);
 }
 
-/* How the bands are dealt out: every other one, by halves, or each to who comes first. */
+/* How the bands are dealt out: every other one, by halves, each to who comes first. */
 enum deal {
     EVERY_OTHER,
     HALVES,
     FIRST_COME,
+    SHARES, /* as sheen_bands deals them */
     DEALS
 };
 
@@ -78,6 +79,10 @@ static void *work(void *argument)
     struct job *job = argument;
     unsigned count = sheen_band_count(job->frame);
 
+    if (job->deal == SHARES) {
+        job->status = sheen_bands(job->frame, job->worker);
+        return NULL;
+    }
     if (job->deal == FIRST_COME) {
         for (int band = take_band(job, count); band >= 0 && job->status == SHEEN_OK; band = take_band(job, count))
             job->status = sheen_band(job->frame, job->worker, (unsigned)band);

@@ -113,3 +113,30 @@ int sheen_send_tile(struct sheen_frame *f, unsigned worker, const struct tile *t
     unlock(f);
     return error;
 }
+
+/* The first band of a worker's part of them. */
+static unsigned part_begin(const struct sheen_frame *f, unsigned worker)
+{
+    return QUOTIENT(f->bands * worker, f->config.workers);
+}
+
+/* Downwards its own, which carries set-ups on; of others' parts from the end, where their workers come last. */
+int sheen_bands(struct sheen_frame *f, unsigned worker)
+{
+    const unsigned workers = f->config.workers;
+
+    lock(f);
+    const int idle = f->state == IDLE;
+    unlock(f);
+    if (idle || worker >= workers)
+        return idle ? SHEEN_ERR_STATE : SHEEN_ERR_ARGUMENT;
+    for (unsigned i = 0, part = worker; i < workers; i++, part = part + 1 < workers ? part + 1 : 0) {
+        const unsigned begin = part_begin(f, part), end = part_begin(f, part + 1);
+        for (unsigned k = 0; k < end - begin; k++) {
+            int error = sheen_band(f, worker, i == 0 ? begin + k : end - 1 - k);
+            if (error < 0 && error != SHEEN_ERR_STATE) /* that one is done */
+                return error;
+        }
+    }
+    return SHEEN_OK;
+}

@@ -1,5 +1,5 @@
 /*
- * two_cores.c - two workers share the bands of a frame: this core takes the even ones, the other the odd ones.
+ * two_cores.c - two workers share the bands of a frame, one on this core, one on the other.
  *
  * The board starts work on the other core and has a lock (example.h): on a Pico multicore_fifo and a mutex, on an ESP32
  * a task pinned to core 1, elsewhere a thread.
@@ -7,19 +7,10 @@
 #include "example.h"
 #include "meshes/teapot.h"
 
-struct share {
-    struct sheen_frame *frame;
-    unsigned worker;
-};
-
 /* An error ends the frame for both; sheen_finish() returns it. */
-static void draw_share(void *ctx)
+static void draw_other_share(void *frame)
 {
-    const struct share *share = ctx;
-
-    for (unsigned band = share->worker; band < sheen_band_count(share->frame); band += 2)
-        if (sheen_band(share->frame, share->worker, band) < 0)
-            return;
+    (void)sheen_bands(frame, 1);
 }
 
 static const struct sheen_material gold = {.base = {200, 160, 80},
@@ -51,10 +42,8 @@ int example(const struct sheen_target *target, unsigned frames)
         if (!error)
             error = sheen_draw(frame, &object);
         if (!error) {
-            struct share mine = {frame, 0}, other = {frame, 1};
-
-            board_start(draw_share, &other);
-            draw_share(&mine);
+            board_start(draw_other_share, frame);
+            (void)sheen_bands(frame, 0);
             while (!board_ended())
                 ;
             error = sheen_finish(frame);
