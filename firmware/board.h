@@ -4,6 +4,7 @@
 #ifndef BOARD_H
 #define BOARD_H
 
+#include "demo.h"
 #include "sheen_panel.h"
 
 extern const char board_name[];
@@ -16,6 +17,10 @@ extern const uint8_t board_buffers; /* 2 where the bus sends by itself while the
 
 /* Clocks, serial line, watchdog; the bus at clock_hz or less. Returns 1 after a restart by the watchdog, else 0. */
 int board_open(uint32_t clock_hz, unsigned spi_mode);
+
+/* The other core, which board_open has started; NULL where there is none. */
+const struct demo_crew *board_crew(void);
+unsigned board_core(void); /* which one this is, 0 or 1 */
 
 /* Another clock for the bus, from the next write on. Returns what it really is, Hz. */
 uint32_t board_bus_clock(uint32_t clock_hz);

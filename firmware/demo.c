@@ -110,7 +110,8 @@ static void set_scene(struct demo *demo)
     demo->draw = (struct sheen_object){.mesh = &teapot, .material = &demo->material, .shader = shadings[0].shader};
 }
 
-int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers)
+int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers,
+              const struct demo_crew *crew)
 {
     struct sheen_config config = {.target = target,
                                   .buffers = (uint8_t)buffers,
@@ -119,8 +120,14 @@ int demo_open(struct demo *demo, const struct sheen_target *target, void *arena,
                                   .max_triangles = MAX_FRONT,
                                   .max_draws = 1};
 
+    if (crew != NULL) {
+        config.workers = 2;
+        config.lock = crew->lock;
+        config.unlock = crew->unlock;
+    }
     memset(demo, 0, sizeof *demo);
     demo->target = target;
+    demo->crew = crew;
     set_scene(demo);
     int error = sheen_init(&demo->frame, arena, size, &config);
     if (error == SHEEN_OK)
@@ -157,6 +164,21 @@ int demo_due(const struct demo *demo)
     return !demo->held || demo->step;
 }
 
+static void draw_other_share(void *frame)
+{
+    (void)sheen_bands(frame, 1); /* its error is the frame's */
+}
+
+static int end_frame(struct demo *demo)
+{
+    if (demo->crew == NULL)
+        return sheen_end(demo->frame);
+    demo->crew->start(draw_other_share, demo->frame);
+    (void)sheen_bands(demo->frame, 0);
+    demo->crew->join();
+    return sheen_finish(demo->frame);
+}
+
 int demo_frame(struct demo *demo, unsigned tenths)
 {
     struct sheen_object *draw = &demo->draw;
@@ -174,7 +196,7 @@ int demo_frame(struct demo *demo, unsigned tenths)
     if (error == SHEEN_OK)
         error = sheen_mark(demo->frame, rect);
     if (error == SHEEN_OK)
-        error = sheen_end(demo->frame);
+        error = end_frame(demo);
     if (error == SHEEN_OK && demo->held)
         error = sheen_wait(demo->frame);
     if (error == SHEEN_OK) {

@@ -11,8 +11,17 @@
 
 #define DEMO_YAW_STEP SHEEN_DEGREES(6) /* a frame */
 
+/* Another core. */
+struct demo_crew {
+    void (*start)(void (*work)(void *ctx), void *ctx); /* runs work(ctx) there, once */
+    void (*join)(void);                                /* waits until it has ended */
+    void (*lock)(void *ctx);                           /* of a sheen_config, with its lock_ctx */
+    void (*unlock)(void *ctx);
+};
+
 struct demo {
     const struct sheen_target *target;
+    const struct demo_crew *crew;
     struct sheen_frame *frame;
     struct sheen_view view;
     struct sheen_material material;
@@ -28,9 +37,11 @@ struct demo {
 
 /*
  * target is borrowed. arena: aligned to 8, of *size bytes; *size becomes the size
- * that is needed. buffers: 1, or 2 where the bus sends by itself.
+ * that is needed. buffers: 1, or 2 where the bus sends by itself. crew: who draws bands
+ * beside the caller, borrowed too, or NULL.
  */
-int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers);
+int demo_open(struct demo *demo, const struct sheen_target *target, void *arena, size_t *size, unsigned buffers,
+              const struct demo_crew *crew);
 
 /*
  * h: hold or go on. n: held, the next frame. s: the next shading. l: the next

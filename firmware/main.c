@@ -34,11 +34,17 @@ void start_fault(uint32_t pc, uint32_t lr)
 /* Since when, and what has happened since. */
 static struct {
     uint32_t clocks, bytes;
-    uint32_t waited; /* clocks, with the bus instead of drawing */
+    uint32_t waited; /* clocks of core 0, with the bus or for the other core instead of drawing */
     unsigned frames;
     unsigned tenths; /* frames a second, times ten, of the last second that ran through */
 } lap;
 static uint32_t bus_hz;
+
+static void waited(uint32_t since)
+{
+    if (board_core() == 0)
+        lap.waited += ticks() - since;
+}
 
 /* Every band feeds the watchdog on its way to the panel. */
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -47,7 +53,7 @@ static int push(void *ctx, struct sheen_rect rect, const void *pixels)
 
     board_feed();
     int error = panel_target.push(ctx, rect, pixels);
-    lap.waited += ticks() - since;
+    waited(since);
     return error;
 }
 
@@ -56,8 +62,28 @@ static int wait(void *ctx)
     uint32_t since = ticks();
     int error = panel_target.wait(ctx);
 
-    lap.waited += ticks() - since;
+    waited(since);
     return error;
+}
+
+static void join(void)
+{
+    uint32_t since = ticks();
+
+    board_crew()->join();
+    waited(since);
+}
+
+/* The board's, with the time counted that core 0 waits for it. */
+static const struct demo_crew *open_crew(void)
+{
+    static struct demo_crew crew;
+
+    if (board_crew() == NULL)
+        return NULL;
+    crew = *board_crew();
+    crew.join = join;
+    return &crew;
 }
 
 static int open_all(void)
@@ -71,7 +97,7 @@ static int open_all(void)
     target.push = push;
     target.wait = wait;
     if (error == SHEEN_OK)
-        error = demo_open(&demo, &target, arena, &size, board_buffers);
+        error = demo_open(&demo, &target, arena, &size, board_buffers, open_crew());
     log_text("arena ");
     log_number((uint32_t)size);
     log_text(" B of ");
@@ -209,7 +235,7 @@ int main(void)
     log_number(hz);
     log_text(" Hz, SPI ");
     log_number(bus_hz);
-    log_text(" Hz\n");
+    log_text(board_crew() != NULL ? " Hz, two cores\n" : " Hz\n");
     int error = open_all();
     if (error == SHEEN_OK) {
         error = sheen_panel_init(&panel); /* else the first frame would pay for it */

@@ -28,7 +28,8 @@ __attribute__((weak)) void start_board(void)
 /*
  * The processor has stacked r0-r3, r12, lr, pc, xpsr (Armv6-M manual, B1.5.6),
  * unless the stack had run over: then pc and lr are reported as 0. The report
- * gets the whole stack, which nothing will use again.
+ * gets the whole stack, which nothing will use again; another core's, which lies
+ * above it, goes on where it is.
  */
 __attribute__((naked)) static void on_fault(void)
 {
@@ -41,8 +42,10 @@ __attribute__((naked)) static void on_fault(void)
                    "    ldr r0, [r2, #24]\n"
                    "    ldr r1, [r2, #20]\n"
                    "1:  ldr r3, =link_stack_top\n"
+                   "    cmp r2, r3\n"
+                   "    bhi 2f\n"
                    "    mov sp, r3\n"
-                   "    ldr r3, =start_fault\n"
+                   "2:  ldr r3, =start_fault\n"
                    "    bx r3\n");
 }
 

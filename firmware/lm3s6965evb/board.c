@@ -78,7 +78,17 @@ static int bus_wait(void *ctx)
 /* The board resets the OLED with the processor: there is no line of its own. */
 const struct sheen_bus board_bus = {.send = bus_send, .delay = both_delay, .wait = bus_wait};
 
-/* ---- serial line, keys, watchdog ---- */
+/* ---- one core, serial line, keys, watchdog ---- */
+
+const struct demo_crew *board_crew(void)
+{
+    return NULL;
+}
+
+unsigned board_core(void)
+{
+    return 0;
+}
 
 int board_open(uint32_t clock_hz, unsigned spi_mode)
 {

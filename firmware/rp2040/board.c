@@ -4,6 +4,7 @@
 #include "board.h"
 
 #include "both.h"
+#include "cores.h"
 #include "pl011.h"
 #include "pl022.h"
 #include "registers.h"
@@ -155,6 +156,8 @@ int board_open(uint32_t clock_hz, unsigned spi_mode)
     PSM_WDSEL = WATCHDOG_RESETS;
     board_feed();
     SET(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
+    if (BOARD_CORES == 2)
+        cores_open();
     return restarted;
 }
 

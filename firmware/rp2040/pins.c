@@ -68,7 +68,7 @@ static void pin_open(unsigned pin, uint32_t function, uint32_t pad)
 void start_board(void)
 {
     clock_open();
-    unreset(RESET_IO_BANK0 | RESET_PADS_BANK0 | RESET_DMA | RESET_SPI0 | RESET_UART0);
+    unreset(RESET_IO_BANK0 | RESET_PADS_BANK0 | RESET_DMA | RESET_SPI0 | RESET_TIMER | RESET_UART0);
     SIO_OUT_SET = 1u << PIN_CS | 1u << PIN_RESET | 1u << PIN_DC;
     SIO_OE_SET = 1u << PIN_CS | 1u << PIN_RESET | 1u << PIN_DC | 1u << PIN_BACKLIGHT;
     pin_open(PIN_CS, FUNCTION_SIO, PAD_OUTPUT);

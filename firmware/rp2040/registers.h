@@ -19,6 +19,7 @@
 #define RESET_PADS_BANK0 (1u << 8)
 #define RESET_PLL_SYS (1u << 12)
 #define RESET_SPI0 (1u << 16)
+#define RESET_TIMER (1u << 21)
 #define RESET_UART0 (1u << 22)
 
 #define XOSC_CTRL 0x40024000u /* 2.16.7 */
@@ -36,7 +37,10 @@
 #define PLL_SYS_FBDIV REG(0x40028008u)
 #define PLL_SYS_PRIM REG(0x4002800Cu)
 
-#define PSM_WDSEL REG(0x40010008u)     /* 2.13.5 */
+#define PSM_FRCE_OFF 0x40010004u /* 2.13.5 */
+#define PSM_PROC1 (1u << 16)
+#define PSM_WDSEL REG(0x40010008u)
+#define TIMER_RAW_LOW REG(0x40054028u) /* 4.6.5: microseconds, by the watchdog's tick */
 #define WATCHDOG_CTRL 0x40058000u      /* 4.7.6 */
 #define WATCHDOG_LOAD REG(0x40058004u) /* counts down by 2 a tick (erratum RP2040-E1) */
 #define WATCHDOG_REASON REG(0x40058008u)
@@ -48,10 +52,15 @@
 #define FUNCTION_UART 2u
 #define FUNCTION_SIO 5u
 
-#define SIO_IN REG(0xD0000004u) /* 2.3.1.7 */
+#define SIO_CPUID REG(0xD0000000u) /* 2.3.1.7: registers that each core has of its own */
+#define SIO_IN REG(0xD0000004u)
 #define SIO_OUT_SET REG(0xD0000014u)
 #define SIO_OUT_CLEAR REG(0xD0000018u)
 #define SIO_OE_SET REG(0xD0000024u)
+#define SIO_FIFO_STATUS REG(0xD0000050u)
+#define SIO_FIFO_WRITE REG(0xD0000054u)
+#define SIO_FIFO_READ REG(0xD0000058u)
+#define SIO_LOCK REG(0xD0000100u) /* spinlock 0: what is read is not 0 for the one who got it; a write lets it go */
 
 #define DMA_READ REG(0x50000000u) /* channel 0, 2.5.7 */
 #define DMA_WRITE REG(0x50000004u)

@@ -33,15 +33,16 @@ def frames(table, scene):
 
 def main(path):
     table = budget(path)
-    mean, worst = (table[f"RP2040 teapot phong, {which}"] for which in ("mean", "worst"))
+    mean, worst, alone = (table[f"RP2040 teapot phong, {which}"] for which in ("mean", "worst", "1 core, mean"))
     print("# Numbers {#numbers}\n\nWhat the bench measured last (`tests/run bench`; gcc -O2, bands of 16 rows; instructions",
           "by QEMU and callgrind,\nclocks by rp2040js).")
     for scene, words in SCENES.items():
         print(f"\n## Million instructions a frame: {words}\n", *frames(table, scene), sep="\n")
     print(f"\n## Raspberry Pi Pico at {PICO_MHZ} MHz, measured\n\nThe demo's teapot on 240x240 in Phong takes {mean:.1f}",
           f"million clocks in the mean of 60 views, {worst:.1f} at most: {PICO_MHZ / worst:.0f} to {PICO_MHZ / mean:.0f}",
-          "frames a\nsecond, sending beside drawing. Other processors: clock over instructions is the most that can come;",
-          "flash\nwith wait states and slow memories take from it.")
+          f"frames a\nsecond on both cores, sending beside drawing; {PICO_MHZ / alone:.0f} on one.",
+          "Other processors: clock over instructions is the most that can\ncome; flash with wait states and slow memories",
+          "take from it.")
     print(f"\n## Memory\n\nThe first sphere's frame takes {table['RAM of S1, whole']:.1f} KB in all:",
           f"{table['RAM of S1, bands']:.1f} a band's colour and depth, {table['RAM of S1, vertices']:.1f}\nits vertices,",
           f"{table['RAM of S1, lists']:.1f} its lists. The stack of the core stays within 1 KB.")

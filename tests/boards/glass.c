@@ -66,7 +66,7 @@ static int run_demo(const struct sheen_sim_choice *choice, const char *keys, FIL
     int status = values && arena ? sheen_sim_panel_open(&panel, choice) : SHEEN_ERR_MEMORY;
 
     if (status == SHEEN_OK)
-        status = demo_open(&demo, sheen_sim_panel_target(panel), arena, &size, 1);
+        status = demo_open(&demo, sheen_sim_panel_target(panel), arena, &size, 1, NULL);
     if (status == SHEEN_OK)
         demo_key(&demo, 'h');
     for (; status >= 0 && *keys; keys++) {

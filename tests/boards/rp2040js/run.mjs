@@ -1,13 +1,13 @@
 /*
  * run.mjs - a Raspberry Pi Pico with nothing but a display: runs the UF2, plays keys, writes down what leaves SPI0.
  *
- *   node run.mjs FIRMWARE.uf2 KEYS OUT
+ *   node run.mjs FIRMWARE.uf2 KEYS OUT [alone]      alone: the second core does not answer
  *
  * Starts as the boot ROM does: checks boot2's checksum, copies boot2 to RAM, jumps
  * to it. Each key is sent over UART0 once the firmware has answered the one before
  * with a line that begins with "frame" or "first light". ! in KEYS: the bus stops
  * answering until the firmware has logged an error; the next key is played with it.
- * # : a HardFault. ~ : the firmware hangs, until the watchdog restarts it. . : it runs
+ * # : a HardFault, @ : one of core 1 while the next frame is drawn. ~ : the firmware hangs, until the watchdog restarts it. . : it runs
  * by itself until it reports.
  *
  * OUT.wire holds what a panel sees (format: tests/boards/glass.c); OUT.json the
@@ -16,6 +16,7 @@
 import fs from 'node:fs';
 import process from 'node:process';
 import { ConsoleLogger, LogLevel, Simulator } from 'rp2040js';
+import { Cores, enterFault } from './cores.mjs';
 
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00, VECTORS = FLASH + 0x100;
 const PIN = { keys: [12, 13, 14, 15], dc: 16, cs: 17, sck: 18, tx: 19, backlight: 20, reset: 21 };
@@ -102,7 +103,7 @@ class Wire {
 }
 
 class Pico {
-    constructor(flash, out) {
+    constructor(flash, out, alone) {
         this.flash = flash;
         const { clock, rp2040 } = new Simulator();
         this.clock = clock;
@@ -111,6 +112,9 @@ class Pico {
         this.chip.flash.set(flash);
         this.wire = new Wire(`${out}.wire`);
         this.profile = new Float64Array(flash.length / 2);
+        this.ran = (pc, cycles) => {
+            if (pc >= FLASH && pc < FLASH + flash.length) this.profile[(pc - FLASH) >> 1] += cycles;
+        };
         this.log = '';
         this.cycles = 0;
         this.busyNs = 0;
@@ -119,12 +123,15 @@ class Pico {
         this.rectangles = 0;
         this.stalled = false;
         this.restarts = 0;
+        this.cores = new Cores(rp2040, fail);
+        this.cores.deaf = alone;
         this.watch();
         this.boot();
         for (const pin of PIN.keys) this.chip.gpio[pin].setInputValue(true); /* up: the pads pull */
     }
 
     boot() {
+        this.cores.off();
         const { core } = this.chip, sum = this.flash.readUInt32LE(252);
         if (crc32(this.flash.subarray(0, 252)) !== sum) fail('the boot ROM finds a wrong checksum in boot2');
         this.chip.sram.set(this.flash.subarray(0, 256), BOOT2_AT - 0x20000000);
@@ -132,6 +139,7 @@ class Pico {
         core.SP = 0x20042000;
         core.LR = 0;
         core.IPSR = 0;
+        core.waiting = false;
         core.PC = BOOT2_AT;
     }
 
@@ -187,10 +195,11 @@ class Pico {
     }
 
     step() {
-        const { core } = this.chip, { PC: pc } = core;
-        const cycles = this.hung ? 10 : core.executeInstruction();
+        const { core } = this.chip, { PC: pc } = core, still = this.hung || core.waiting;
+        const cycles = still ? 1 : core.executeInstruction();
         this.cycles += cycles;
-        if (pc >= FLASH && pc < FLASH + this.flash.length) this.profile[(pc - FLASH) >> 1] += cycles;
+        if (!still) this.ran(pc, cycles);
+        if (!this.hung) this.cores.follow(cycles, this.ran);
         this.clock.tick((cycles * 1e9) / this.chip.clkSys);
     }
 
@@ -218,12 +227,6 @@ class Pico {
         }
     }
 
-    /* The firmware ran into something: hardware would enter the handler like this; the emulator has no faults. */
-    fault() {
-        this.chip.core.exceptionEntry(3);
-        this.chip.core.PC &= ~1;
-    }
-
     resume() {
         this.stalled = false;
         if (this.stuck) this.chip.spi[0].completeTransmit(0);
@@ -231,9 +234,9 @@ class Pico {
     }
 }
 
-const [firmware, keys, out] = process.argv.slice(2);
-if (!out) fail('usage: node run.mjs FIRMWARE.uf2 KEYS OUT');
-const pico = new Pico(image(firmware), out), frames = [];
+const [firmware, keys, out, alone] = process.argv.slice(2);
+if (!out) fail('usage: node run.mjs FIRMWARE.uf2 KEYS OUT [alone]');
+const pico = new Pico(image(firmware), out, alone !== undefined), frames = [];
 pico.until(/arena .*\n/, 0);
 if (pico.chip.clkSys !== 125e6 || pico.chip.clkPeri !== 125e6) fail(`clocks at ${pico.chip.clkSys}, ${pico.chip.clkPeri} Hz`);
 for (const key of keys) {
@@ -247,8 +250,14 @@ for (const key of keys) {
         continue;
     }
     if (key === '#' || key === '~') {
-        if (key === '#') pico.fault();
+        if (key === '#') enterFault(pico.chip.core);
         else pico.hung = true;
+        pico.until(/arena .*\n/, from);
+        continue;
+    }
+    if (key === '@') {
+        pico.cores.faulty = true;
+        pico.chip.uart[0].feedByte('n'.charCodeAt(0));
         pico.until(/arena .*\n/, from);
         continue;
     }
