@@ -15,7 +15,7 @@ static int target_valid(const struct sheen_target *t)
 }
 
 /* Defaults filled in and the band's height aligned; what is out of range, or SHEEN_ABOUT_NOTHING. */
-static enum sheen_subject config_complete(struct sheen_config *c)
+static COLD enum sheen_subject config_complete(struct sheen_config *c)
 {
     if (c->target == NULL || !target_valid(c->target))
         return SHEEN_ABOUT_TARGET;
@@ -41,7 +41,7 @@ static enum sheen_subject config_complete(struct sheen_config *c)
                                                       : SHEEN_ABOUT_NOTHING;
 }
 
-enum sheen_subject sheen_config_about(const struct sheen_config *config)
+COLD enum sheen_subject sheen_config_about(const struct sheen_config *config)
 {
     struct sheen_config c = *config;
 
@@ -75,7 +75,7 @@ static APART void *take(struct arena *a, size_t count, size_t bytes)
 }
 
 /* Lay the stores out in the arena; returns its size. With base NULL nothing is written but f. */
-static size_t lay_out(struct sheen_frame *f, uint8_t *base)
+static COLD size_t lay_out(struct sheen_frame *f, uint8_t *base)
 {
     const struct sheen_config *c = &f->config;
     struct arena arena = {base, 0};
@@ -112,7 +112,7 @@ static size_t lay_out(struct sheen_frame *f, uint8_t *base)
     return arena.used;
 }
 
-size_t sheen_arena_size(const struct sheen_config *config)
+COLD size_t sheen_arena_size(const struct sheen_config *config)
 {
     struct sheen_frame f;
 
@@ -120,7 +120,7 @@ size_t sheen_arena_size(const struct sheen_config *config)
     return config_complete(&f.config) != SHEEN_ABOUT_NOTHING ? 0 : lay_out(&f, NULL);
 }
 
-int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config)
+COLD int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const struct sheen_config *config)
 {
     if (frame == NULL || arena == NULL || size == NULL || config == NULL || ((uintptr_t)arena & 7u) != 0)
         return SHEEN_ERR_ARGUMENT;

@@ -140,7 +140,7 @@ void sheen_bin_clear(struct sheen_frame *f)
 }
 
 /* Forget the entries from `entries` on: the others are listed anew, each in its place, and rectangles are as before. */
-void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
+COLD void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 {
     struct corners c;
     unsigned d = 0;

@@ -89,7 +89,7 @@ static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct s
     return SHEEN_ABOUT_NOTHING;
 }
 
-int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
+COLD int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 {
     if (f->state != IDLE)
         return SHEEN_ERR_STATE;

@@ -76,7 +76,7 @@ static int band_refused(const struct sheen_frame *f, unsigned worker, unsigned b
     return (f->done[b >> 5] >> (b & 31u) & 1u) != 0 ? SHEEN_ERR_STATE : SHEEN_OK;
 }
 
-int sheen_claim_band(struct sheen_frame *f, unsigned worker, unsigned b)
+COLD int sheen_claim_band(struct sheen_frame *f, unsigned worker, unsigned b)
 {
     lock(f);
     int error = band_refused(f, worker, b);

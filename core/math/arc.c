@@ -63,7 +63,7 @@ static APART uint32_t bisect(struct arc *arc)
     return square_of(v);
 }
 
-void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3])
+COLD void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3])
 {
     uint32_t square = 0;
     int32_t dot = 0;

@@ -23,7 +23,7 @@
 #define APART
 #endif
 
-/* What is done once a draw, or at pixels of rare targets, is made for size also where the rest is not. */
+/* Made for size also where the rest is not: what is done once a draw, at pixels of rare targets, or is as fast so. */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define COLD __attribute__((noinline, cold))
 #else

@@ -23,7 +23,7 @@ void sheen_pose_identity(struct sheen_pose *pose)
 }
 
 /* Range: |part| < 1.001, so that what dot products are modulo 4.0 tells them from 0. */
-int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
+COLD int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
 {
     for (int k = 0; k < 9; k++)
         if (magnitude32(r[k]) > LENGTHY)
@@ -54,7 +54,7 @@ int sheen_pose_is_zero(const struct sheen_pose *p)
            (p->translation[0] | p->translation[1] | p->translation[2]) == 0;
 }
 
-int sheen_pose_valid(const struct sheen_pose *p)
+COLD int sheen_pose_valid(const struct sheen_pose *p)
 {
     return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation, 1 << 20));
 }
@@ -118,7 +118,7 @@ int64_t sheen_pose_part(const struct sheen_pose *pose, int i, const sheen_q24_t 
     return round_shift64(high * scale + ((low * scale) >> 30), 16) + pose->translation[i];
 }
 
-int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+COLD int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
     struct sheen_pose a = *outer, b = *inner;
 

@@ -89,8 +89,8 @@ void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *forma
  * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, by a ramp 52, so h <= 6 and fraction >= 17; scale * colour * intensity
  * is 2^24 * 2^16 * 2^22.
  */
-void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
-                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
+COLD void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                             sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
     static const uint8_t white[3] = {255, 255, 255};
     const int none = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0; /* white then */
@@ -141,8 +141,8 @@ static uint32_t faint_entry(const struct power *power, uint32_t most, uint32_t f
     return low;
 }
 
-void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
-                     unsigned dither)
+COLD void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
+                          unsigned dither)
 {
     const uint32_t least = 1u << (t->unit - 5), most = most_of(t->c, format->grey);
     const unsigned shift = POWER_STEP - 16u - power->up; /* an entry in Q2.13 */

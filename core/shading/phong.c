@@ -30,8 +30,8 @@ static int32_t square_excess(const int32_t w[3], int i, int j, uint32_t h)
 }
 
 /* 0 where N.N would be off. */
-static APART int square_root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
-                                 const struct facing *f)
+static APART COLD int square_root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                                      const struct facing *f)
 {
     struct phong_setup *p = (struct phong_setup *)s;
     struct quadric_steps steps;
@@ -140,7 +140,7 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
     return shift | (squares ? CELLS_IN_SQUARES : 0);
 }
 
-void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
+COLD void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
 {
     const struct plane *p = ((const struct phong_normals_setup *)s)->normal;
 

@@ -10,7 +10,7 @@ SETUP_FITS(struct slerp_setup);
 #define WIDEST_ARC (1u << 31)
 #define WIDEST_SHARP (1u << 30)
 
-void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c, const struct facing *f)
+COLD void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corners *c, const struct facing *f)
 {
     struct slerp_corner *at = s->corner;
     unsigned from[3] = {0, 1, 2};

@@ -180,7 +180,7 @@ static void normal_place(const struct arc_row *r, int32_t t, struct place *p)
 }
 
 /* Times weights the normals are linear on the screen, as they are in space without. */
-void sheen_slerp_normals(struct arc_row *r, const struct part *p, uint32_t n[3], uint32_t dn[3])
+COLD void sheen_slerp_normals(struct arc_row *r, const struct part *p, uint32_t n[3], uint32_t dn[3])
 {
     struct place end;
 

@@ -36,7 +36,7 @@ void sheen_setup_constant(struct setup *s, const struct lit *lit)
 }
 
 /* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */
-void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c)
+COLD void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c)
 {
     sheen_q30_t sum[3], unit[3] = {0, 0, 0};
     int16_t normal[3];

@@ -157,7 +157,7 @@ void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t col
     to->dyy = q->dyy;
 }
 
-void sheen_quadric_rows(const struct tile *t, const struct setup *s)
+COLD void sheen_quadric_rows(const struct tile *t, const struct setup *s)
 {
     const struct quadric_setup *q = (const struct quadric_setup *)s;
     const enum second second = (enum second)s->detail;

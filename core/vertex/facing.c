@@ -65,8 +65,8 @@ static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9],
     viewpoint->a_warp = (int32_t)((distance + (CORNER >> shift)) << (15 - WARP_BITS));
 }
 
-void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
-                           const struct sheen_pose *pose)
+COLD void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
+                                const struct sheen_pose *pose)
 {
     sheen_q24_t origin[3];
 

@@ -8,7 +8,7 @@
 #include "vertex.h"
 
 /* A matrix whose rows' parts are `part` apart, and rows `row`, times v. */
-static APART void matrix_times(const sheen_q30_t *m, int row, int part, const int32_t v[3], int32_t out[3])
+static APART COLD void matrix_times(const sheen_q30_t *m, int row, int part, const int32_t v[3], int32_t out[3])
 {
     for (int k = 0; k < 3; k++, m += row) {
         out[k] = 0;
@@ -54,8 +54,8 @@ static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, e
     return SHEEN_OK;
 }
 
-int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
-                      const sheen_q30_t rotation[9], const sheen_q30_t *view, enum lights_taken taken)
+COLD int sheen_light_begin(struct lighting *l, const struct sheen_light *lights, unsigned count,
+                           const sheen_q30_t rotation[9], const sheen_q30_t *view, enum lights_taken taken)
 {
     const sheen_q30_t eye[3] = {0, 0, 1 << 30};
     sheen_q16_t diffuse[SHEEN_MAX_LIGHTS], specular[SHEEN_MAX_LIGHTS];

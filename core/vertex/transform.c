@@ -9,7 +9,7 @@
 #include "vertex.h"
 
 /* s * value / 2^fraction, value > 0. */
-static APART void scale_by(struct scaled *s, uint32_t value, int fraction)
+static APART COLD void scale_by(struct scaled *s, uint32_t value, int fraction)
 {
     const unsigned zeros = clz32(value);
     const uint64_t product = (uint64_t)s->mantissa * (value << zeros); /* in [2^62, 2^64) */
@@ -102,7 +102,7 @@ sheen_angle_t sheen_fov(const struct sheen_view *view)
     return view->fov < SHEEN_DEGREES(0.99) || view->fov > SHEEN_DEGREES(150.01) ? 0 : view->fov;
 }
 
-int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height)
+COLD int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height)
 {
     sheen_angle_t fov = sheen_fov(view), half = fov / 2;
     struct scaled depth;
@@ -167,8 +167,8 @@ sheen_q24_t sheen_origin(const struct sheen_mesh *mesh, const struct sheen_pose 
     return (sheen_q24_t)scale;
 }
 
-int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
-                          const struct sheen_pose *pose)
+COLD int sheen_transform_begin(struct transform *t, const struct projection *p, const struct sheen_mesh *mesh,
+                               const struct sheen_pose *pose)
 {
     sheen_q24_t origin[3];
     const sheen_q24_t scale = sheen_origin(mesh, pose, origin);
