@@ -51,8 +51,83 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
     lit.diffuse = diffuse < 32768 ? diffuse : 32768;
     /* u = 1 - R.V = (1 + L.V) - 2 (L.N)(V.N), Q2.29: a product of two Q0.15 is half of itself there */
     int32_t u = (int32_t)((uint32_t)draw->light.lv1[0] - lit.diffuse * (uint32_t)normalised(nv, root));
-    lit.specular = highlight_at(draw->power, u, lit.diffuse);
+    if (u < (int32_t)draw->power.limit)
+        lit.specular = highlight_at(draw->power, u, lit.diffuse);
     return lit;
+}
+
+/* Pixels of a row: at the first, and what the next one has more; d: N.N, whose step changes by `bend`. */
+struct root_run {
+    uint32_t z, ln, nv, d, step;
+    uint32_t dz, dln, dnv, bend;
+};
+
+SPECIALISED void root_step(struct root_run *at)
+{
+    at->z += at->dz;
+    at->ln += at->dln;
+    at->nv += at->dnv;
+    at->d += at->step;
+    at->step += at->bend;
+}
+
+#if FAST_LOOPS
+/* On M0+ a pixel is a function of its own: it has the registers that it takes. */
+#if defined(__ARM_ARCH_6M__)
+#define PIXEL static APART
+#else
+#define PIXEL SPECIALISED
+#endif
+
+/* What a row's pixels have in common. */
+struct root_row {
+    const struct draw *draw;
+    const threshold_t *thresholds; /* NULL: nothing dithers */
+    const struct tile *t;
+    const uint16_t *depth;
+};
+
+PIXEL uint32_t root_pixel(const struct root_row *row, int32_t ln, int32_t nv, uint32_t d)
+{
+    const struct lit lit = lit_by_root(row->draw, ln, nv, d);
+    const uint32_t pair = row->thresholds != NULL ? threshold_pair(row->thresholds, row->depth) : 0;
+
+    return loop_pixel(row->t, row->depth, &row->draw->loop, lit.diffuse, lit.specular != 0, lit.specular,
+                      pair << (LOOP_FRACTION - 11));
+}
+
+/* 565 with the loop's terms. */
+static void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
+                           uint16_t *depth, const uint16_t *last, const struct root_run *run)
+{
+    struct root_row row = {draw, thresholds, t, NULL};
+    const intptr_t to_pixel = t->to_pixel;
+    const unsigned swap = draw->swap;
+    struct root_run at = *run;
+
+    do {
+        depth++;
+        if (nearer(t, depth, at.z)) {
+            row.depth = depth;
+            *pixel_at(depth, to_pixel) = pixel_order(root_pixel(&row, (int32_t)at.ln, (int32_t)at.nv, at.d), swap);
+        }
+        root_step(&at);
+    } while (depth != last);
+}
+#endif
+
+/* Any format, clamp and dither. */
+static COLD void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
+                                  struct root_run *run)
+{
+    struct rounding rounding = rounding_of(t, &draw->colour, y);
+
+    for (uint32_t at = tile_offset(t, x, y); x < x1; x++, at++, root_step(run)) {
+        if (nearer(t, t->depth + at, run->z)) {
+            struct lit lit = lit_by_root(draw, (int32_t)run->ln, (int32_t)run->nv, run->d);
+            put_any(t, draw, rounding, at, x, &lit);
+        }
+    }
 }
 
 void sheen_phong_rows(const struct tile *t, const struct setup *s)
@@ -66,19 +141,23 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
         if (x >= x1)
             continue;
-        struct rounding rounding = rounding_of(t, &draw->colour, y);
-        uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
-        uint32_t ln = plane_at(&p->light, x, y), nv = plane_at(&p->view, x, y);
-        uint32_t d, step, bend;
-        quadric_run(&square, x, &d, &step, &bend);
-        for (; x < x1; x++, at++) {
-            if (nearer(t, t->depth + at, z))
-                put_lit(t, draw, rounding, at, x, lit_by_root(draw, (int32_t)ln, (int32_t)nv, d));
-            z += s->depth.dx;
-            ln += p->light.dx;
-            nv += p->view.dx;
-            d += step;
-            step += bend;
+        struct root_run run = {plane_at(&s->depth, x, y),
+                               plane_at(&p->light, x, y),
+                               plane_at(&p->view, x, y),
+                               0,
+                               0,
+                               s->depth.dx,
+                               p->light.dx,
+                               p->view.dx,
+                               0};
+        quadric_run(&square, x, &run.d, &run.step, &run.bend);
+#if FAST_LOOPS
+        if (draw->is_565 && draw->loop.usable) {
+            uint16_t *before = t->depth + tile_offset(t, x, y) - 1;
+            quick_root_run(t, draw, t->dither ? t->dither_rows[y & 7] : NULL, before, before + (x1 - x), &run);
+            continue;
         }
+#endif
+        general_root_run(t, draw, x, x1, y, &run);
     }
 }
