@@ -49,8 +49,8 @@ static APART void smooth_begin(const struct sheen_frame *f)
 }
 
 /* The lines of a draw whose triangles are listed. What is noted of triangles stands at the end of the lines' store. */
-static int edges_list(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
-                      const struct transform *t)
+static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
+                           const struct transform *t)
 {
     const struct sheen_mesh *mesh = d->as.mesh;
     const uint32_t noted = front_lines(mesh), most = f->config.max_edges, first = f->stats.edges;

@@ -82,7 +82,7 @@ static int same_shape(const struct sheen_mesh *a, const struct sheen_mesh *b)
            a->offset[0] == b->offset[0] && a->offset[1] == b->offset[1] && a->offset[2] == b->offset[2];
 }
 
-static int morph_fits(const struct sheen_object *o)
+static COLD int morph_fits(const struct sheen_object *o)
 {
     const struct sheen_morph *m = o->morph;
 

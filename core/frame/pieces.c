@@ -161,8 +161,8 @@ static void cut_parts(struct sheen_frame *f, const struct draw_record *d, uint16
     }
 }
 
-static void cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                         uint16_t triangle)
+static COLD void cut_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                              uint16_t triangle)
 {
     struct clip_corner *scratch = f->scratch;
     struct clip_job job = {&f->projection, t, 0, scratch, scratch + MAX_CLIP_CORNERS, 3};

@@ -4,7 +4,7 @@
 #include "frame.h"
 #include "ways.h"
 
-void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
+COLD void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
 {
     const struct sheen_config *c = &f->config;
     size_t tile = (size_t)c->target->width * (c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0)),
@@ -28,7 +28,7 @@ void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *stats)
     stats->ram_bands = (uint32_t)(c->workers * tile * (c->buffers * pixel + sizeof(uint16_t)));
 }
 
-void sheen_frame_ways(const struct sheen_frame *f, uint32_t by_way[SHEEN_WAYS])
+COLD void sheen_frame_ways(const struct sheen_frame *f, uint32_t by_way[SHEEN_WAYS])
 {
     for (unsigned way = 0; way < SHEEN_WAYS; way++) {
         by_way[way] = 0;
@@ -42,7 +42,7 @@ void sheen_frame_force(struct sheen_frame *f, unsigned way)
     f->forced = (uint8_t)way;
 }
 
-enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *needed)
+COLD enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t *needed)
 {
     if (needed != NULL)
         *needed = f->needed;
@@ -61,7 +61,7 @@ const char *sheen_subject_name(enum sheen_subject subject)
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }
 
-int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
+COLD int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count)
 {
     if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->vertices == 0 ||
         mesh->triangles == 0 || mesh->scale <= 0 || mesh->index_bytes < 1 || mesh->index_bytes > 2)

@@ -16,7 +16,7 @@ static void complete(struct sheen_pose *pose)
         pose->scale = 1 << 16;
 }
 
-void sheen_pose_identity(struct sheen_pose *pose)
+COLD void sheen_pose_identity(struct sheen_pose *pose)
 {
     *pose = (struct sheen_pose){.scale = 0};
     complete(pose);
@@ -39,7 +39,7 @@ COLD int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
     return 1;
 }
 
-int sheen_rotation_is_zero(const sheen_q30_t r[9])
+COLD int sheen_rotation_is_zero(const sheen_q30_t r[9])
 {
     int32_t any = 0;
 
@@ -48,7 +48,7 @@ int sheen_rotation_is_zero(const sheen_q30_t r[9])
     return any == 0;
 }
 
-int sheen_pose_is_zero(const struct sheen_pose *p)
+COLD int sheen_pose_is_zero(const struct sheen_pose *p)
 {
     return sheen_rotation_is_zero(p->rotation) && p->scale == 0 &&
            (p->translation[0] | p->translation[1] | p->translation[2]) == 0;
@@ -91,7 +91,7 @@ static int rotation_from(const int32_t back[3], const int32_t up[3], sheen_q30_t
     return SHEEN_OK;
 }
 
-int sheen_pose_orthonormalize(struct sheen_pose *pose)
+COLD int sheen_pose_orthonormalize(struct sheen_pose *pose)
 {
     sheen_q30_t r[9];
     const sheen_q30_t *first = pose->rotation;
@@ -142,7 +142,7 @@ COLD int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pos
     return SHEEN_OK;
 }
 
-int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
+COLD int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out)
 {
     struct sheen_pose p;
 
@@ -153,7 +153,7 @@ int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *
     return SHEEN_OK;
 }
 
-int sheen_pose_rotate(struct sheen_pose *pose, unsigned axis, sheen_angle_t angle)
+COLD int sheen_pose_rotate(struct sheen_pose *pose, unsigned axis, sheen_angle_t angle)
 {
     unsigned first = axis == 2 ? 0 : axis + 1, second = axis == 0 ? 2 : axis - 1;
     struct sheen_pose turn;
@@ -167,22 +167,22 @@ int sheen_pose_rotate(struct sheen_pose *pose, unsigned axis, sheen_angle_t angl
     return sheen_pose_compose(&turn, pose, pose);
 }
 
-int sheen_pose_scale(struct sheen_pose *pose, sheen_q16_t factor)
+COLD int sheen_pose_scale(struct sheen_pose *pose, sheen_q16_t factor)
 {
     const struct sheen_pose larger = {.scale = factor};
 
     return factor <= 0 ? SHEEN_ERR_ARGUMENT : sheen_pose_compose(&larger, pose, pose);
 }
 
-int sheen_pose_translate(struct sheen_pose *pose, sheen_q24_t x, sheen_q24_t y, sheen_q24_t z)
+COLD int sheen_pose_translate(struct sheen_pose *pose, sheen_q24_t x, sheen_q24_t y, sheen_q24_t z)
 {
     const struct sheen_pose moved = {.translation = {x, y, z}};
 
     return sheen_pose_compose(&moved, pose, pose);
 }
 
-int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],
-                       const int32_t up[3])
+COLD int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],
+                            const int32_t up[3])
 {
     struct sheen_pose p;
     int32_t back[3];
@@ -221,8 +221,8 @@ static APART void turn_rows(sheen_q30_t *a, sheen_q30_t *b, int32_t cosine, int3
  * The command line's order, R = Rz(roll) * Rx(pitch) * Ry(yaw). Each entry is within 6 raw steps of exact, so rows are
  * unit vectors to 1e-8.
  */
-void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
-                      sheen_q24_t distance)
+COLD void sheen_pose_orbit(struct sheen_pose *pose, sheen_angle_t yaw, sheen_angle_t pitch, sheen_angle_t roll,
+                           sheen_q24_t distance)
 {
     int32_t *r = pose->rotation;
 

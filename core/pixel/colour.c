@@ -15,7 +15,7 @@ static uint32_t max_u32(uint32_t a, uint32_t b)
  * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
  * UQ0.16 and their sum exactly 1.0.
  */
-void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target)
+COLD void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target)
 {
     static const uint32_t weight[3] = {13933, 46871, 4732};
     static const uint8_t level_bits[] = {6, 6, 1, 4, 8};

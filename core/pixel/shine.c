@@ -9,7 +9,7 @@ static uint32_t multiply(uint32_t a, uint32_t b)
     return (uint32_t)(((uint64_t)a * b + a + b) >> 32);
 }
 
-uint32_t sheen_raised(uint32_t s, unsigned n)
+COLD uint32_t sheen_raised(uint32_t s, unsigned n)
 {
     uint32_t result = UINT32_MAX;
 
@@ -36,7 +36,7 @@ static uint32_t power_exact(unsigned i, unsigned shift, unsigned n)
  * entries, but for the first, which is 1.0. What is left is at most
  * n (n - 1) / 12 / (256 * 2^shift)^2 < 7e-4 of the highlight, to either side.
  */
-int sheen_shine_make(struct sheen_shine *shine, unsigned shininess)
+COLD int sheen_shine_make(struct sheen_shine *shine, unsigned shininess)
 {
     uint32_t before = UINT32_MAX, here = UINT32_MAX;
     unsigned shift = 0;

@@ -37,13 +37,13 @@ static void highlight_terms(struct texel_terms *t, const struct sheen_material *
     t->gloss = (uint16_t)(tinted(colour[0], specular) >> 17);
 }
 
-int sheen_texture_valid(const struct sheen_texture *t)
+COLD int sheen_texture_valid(const struct sheen_texture *t)
 {
     return t != NULL && t->texels != NULL && t->width_log2 <= 9 && t->height_log2 <= 9 &&
            (t->bits == 0 || t->bits == 16 || ((t->bits == 8 || t->bits == 4) && t->palette != NULL));
 }
 
-int sheen_sphere_valid(const struct sheen_texture *t)
+COLD int sheen_sphere_valid(const struct sheen_texture *t)
 {
     return sheen_texture_valid(t) && (!t->bilinear || (t->clamp_u && t->clamp_v));
 }
@@ -52,8 +52,8 @@ int sheen_sphere_valid(const struct sheen_texture *t)
  * fraction: 30 less the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31 and b below 2^16.
  * Range: light <= 4 + 4 * 4 = 20, by a ramp 36, highlights 63 * 16 = 1008 levels.
  */
-void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
-                       sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
+COLD void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
+                            sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
     const uint32_t ambient = (uint32_t)m->ambient, diffuse = intensities(m->diffuse, diffuse_sum),
                    specular = intensities(m->specular, specular_sum);

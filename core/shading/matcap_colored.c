@@ -7,9 +7,9 @@
 #include "matcap.h"
 
 /* The material's colour is all the light that there is. */
-static void matcap_colored_begin(struct draw *d, const struct sheen_material *material,
-                                 const struct pixel_format *format, const struct sheen_object *object,
-                                 const struct sheen_pose *view)
+static COLD void matcap_colored_begin(struct draw *d, const struct sheen_material *material,
+                                      const struct pixel_format *format, const struct sheen_object *object,
+                                      const struct sheen_pose *view)
 {
     const struct sheen_material unlit = {.base = {material->base[0], material->base[1], material->base[2]},
                                          .ambient = 1 << 16};

@@ -240,8 +240,8 @@ static int32_t fogged_line_run(const struct fog_terms *fog, const struct pixel_f
 
 /* ---- what is fogged ---- */
 
-static int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
-                     const struct pixel_format *format)
+static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
+                          const struct pixel_format *format)
 {
     if (fog->start <= 0 || fog->end <= fog->start)
         return SHEEN_ERR_ARGUMENT;

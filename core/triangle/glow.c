@@ -60,8 +60,8 @@ void sheen_vertex_glow(const struct draw *d, ptrdiff_t place, int back, struct g
 }
 
 /* What lights have; ambient light as its colour has it, apart from what a ramp's low makes of the lights. */
-void sheen_glow_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                      const struct sheen_object *object, const struct sheen_pose *view)
+COLD void sheen_glow_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                           const struct sheen_object *object, const struct sheen_pose *view)
 {
     const struct sheen_material *own = object->material;
     const uint8_t *ambient = own->ambient_color;

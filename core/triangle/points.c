@@ -38,7 +38,7 @@ static void place_point(struct draw *d, const struct sheen_light *light, const s
     d->light.lv1[i] = light->radius * 16;
 }
 
-static void points_place(struct draw *d, const struct sheen_object *object, const struct sheen_pose *view)
+static COLD void points_place(struct draw *d, const struct sheen_object *object, const struct sheen_pose *view)
 {
     struct sheen_pose pose;
 

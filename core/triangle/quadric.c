@@ -99,8 +99,8 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     q->dyy = (uint32_t)yy << (room + 1);
 }
 
-void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
-                        const int32_t k[3])
+COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                             const int32_t k[3])
 {
     unsigned drop = surplus(magnitudes(k[0], k[1], k[2]), MOST_EXCESS);
     int32_t high[3], low[3];

@@ -32,7 +32,7 @@ static int64_t rise_at(uint32_t i, sheen_q16_t ambient, sheen_q16_t diffuse)
  * D times diffuse rises from `dark` to `bright`; above an ambient light of 1.0 it is negative in the dark. Range: both
  * are below 2^32, diffuse is at least 2^6.
  */
-int sheen_ramp_make_gamma(struct sheen_ramp *ramp, sheen_q16_t ambient, sheen_q16_t diffuse)
+COLD int sheen_ramp_make_gamma(struct sheen_ramp *ramp, sheen_q16_t ambient, sheen_q16_t diffuse)
 {
     if (ambient < 0 || ambient > 4 << 16 || diffuse < 64 || diffuse > 4 << 16)
         return SHEEN_ERR_ARGUMENT;

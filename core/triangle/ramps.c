@@ -15,8 +15,8 @@ static int32_t held_product(sheen_q16_t x, sheen_q16_t y)
 }
 
 /* `low` is there wherever there are lights: 16.0 of four. */
-static const struct sheen_material *begin_by_ramp(struct draw *d, const struct sheen_material *m,
-                                                  struct sheen_material *by, int at_pixels)
+static COLD const struct sheen_material *begin_by_ramp(struct draw *d, const struct sheen_material *m,
+                                                       struct sheen_material *by, int at_pixels)
 {
     const int64_t low = (int64_t)held_product(m->diffuse, m->ramp->low) * d->light.diffuse_sum;
 

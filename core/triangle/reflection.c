@@ -26,8 +26,9 @@ static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {550398
 #define MAGNIFIED 12          /* gradients' bits: 16 bits of L.N and N.V at corners 64 px apart show in highlights */
 #define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
 
-void sheen_reflection_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                            const struct sheen_object *object, const struct sheen_pose *view)
+COLD void sheen_reflection_begin(struct draw *d, const struct sheen_material *material,
+                                 const struct pixel_format *format, const struct sheen_object *object,
+                                 const struct sheen_pose *view)
 {
     const struct colour_terms *t = &d->colour;
     const uint32_t sum = ((uint32_t)t->b[0] + t->b[1] + t->b[2]) >> (t->fraction - 15),

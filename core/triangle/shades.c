@@ -86,8 +86,8 @@ static void make(struct shades *shades, const struct colour_terms *t, unsigned s
     shades->dither = (uint8_t)dither;
 }
 
-void sheen_loop_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
-                      const struct sheen_object *object, const struct sheen_pose *view)
+COLD void sheen_loop_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
+                           const struct sheen_object *object, const struct sheen_pose *view)
 {
     const struct colour_terms *t = &d->colour;
     const struct power *power = &d->power;
@@ -108,7 +108,7 @@ void sheen_loop_begin(struct draw *d, const struct sheen_material *material, con
     q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->by_ramp; /* its loops know no ramp */
 }
 
-const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken)
+COLD const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken)
 {
     const struct colour_terms *terms = &d->colour;
 

@@ -179,7 +179,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
 }
 
 /* Columns, a bit each, that a row leaves out. */
-static int stipple_begin(struct draw *d, const struct sheen_object *o)
+static COLD int stipple_begin(struct draw *d, const struct sheen_object *o)
 {
     if (o->transparency > 64 || o->phase > 7)
         return SHEEN_ERR_ARGUMENT;

@@ -154,7 +154,7 @@ int64_t sheen_twice_area(const struct vertex *a, const struct vertex *b, const s
     return (int64_t)x1 * y2 - (int64_t)y1 * x2;
 }
 
-int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2])
+COLD int sheen_clip_line(const struct clip_job *job, struct clip_corner end[2])
 {
     for (unsigned plane = 0; plane < CLIP_PLANES; plane++) {
         const unsigned first = (unsigned)end[0].v.flags >> plane & 1u, second = (unsigned)end[1].v.flags >> plane & 1u;

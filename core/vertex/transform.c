@@ -135,7 +135,7 @@ COLD int sheen_project_begin(struct projection *p, const struct sheen_view *view
     return SHEEN_OK;
 }
 
-int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m)
+COLD int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m)
 {
     const int32_t away = p->far - m;
     int64_t depth = (int64_t)DEPTH_FAR << 16;
