@@ -66,12 +66,20 @@ static int answers(uint32_t word, uint32_t since)
     return SIO_FIFO_READ == word;
 }
 
-/* Out of a reset, for a debugger may have restarted core 0 alone, core 1 empties its FIFO and sends 0. */
+/* What core 1 has sent. */
+static void drop_words(void)
+{
+    for (int i = 0; i < FIFO_DEPTH && (SIO_FIFO_STATUS & FIFO_VALID); i++)
+        (void)SIO_FIFO_READ;
+}
+
+/* Out of a reset, for a debugger may have restarted core 0 alone, core 1 empties its own FIFO and sends 0. */
 static int reset_core_1(uint32_t since)
 {
     SET(PSM_FRCE_OFF) = PSM_PROC1;
     while (!(REG(PSM_FRCE_OFF) & PSM_PROC1))
         ;
+    drop_words();
     CLEAR(PSM_FRCE_OFF) = PSM_PROC1;
     return answers(0, since);
 }
@@ -89,8 +97,8 @@ void cores_open(void)
     if (!reset_core_1(since))
         return;
     while (sent < count && ticks() - since <= ticks_of_us(PATIENCE_US)) {
-        for (int i = 0; words[sent] == 0 && i < FIFO_DEPTH && (SIO_FIFO_STATUS & FIFO_VALID); i++)
-            (void)SIO_FIFO_READ;
+        if (words[sent] == 0)
+            drop_words();
         fifo_send(words[sent]);
         sent = answers(words[sent], since) ? sent + 1 : 0;
     }

@@ -21,8 +21,7 @@ export class Cores {
         this.fail = fail;
         this.running = 0; /* whose instruction it is */
         this.deaf = this.faulty = false; /* core 1 never answers; its next instruction faults */
-        this.fifos = [[], []]; /* what each can read */
-        this.off();
+        this.reset();
         sio.readUint32 = (offset) => {
             if (offset === CPUID) return this.running;
             if (offset === FIFO_ST) return this.status();
@@ -68,11 +67,16 @@ export class Cores {
         other.waiting = false;
     }
 
+    /* The whole chip's; a word is left as where a debugger restarts core 0 alone. */
+    reset() {
+        this.fifos = [[1], []]; /* what each core can read */
+        this.off();
+    }
+
     off() {
         this.core = null;
         this.waits = false;
         this.heard = [];
-        this.fifos[0].length = this.fifos[1].length = 0;
     }
 
     /* In the boot ROM. */
@@ -80,6 +84,7 @@ export class Cores {
         this.off();
         if (this.deaf) return;
         this.waits = true;
+        this.fifos[1].length = 0;
         this.fifos[0].push(0);
     }
 

@@ -131,7 +131,7 @@ class Pico {
     }
 
     boot() {
-        this.cores.off();
+        this.cores.reset();
         const { core } = this.chip, sum = this.flash.readUInt32LE(252);
         if (crc32(this.flash.subarray(0, 252)) !== sum) fail('the boot ROM finds a wrong checksum in boot2');
         this.chip.sram.set(this.flash.subarray(0, 256), BOOT2_AT - 0x20000000);
