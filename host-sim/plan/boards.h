@@ -13,6 +13,7 @@ struct sheen_plan_board {
     const char *processor; /* its core */
     uint32_t clock_hz, bus_hz;
     uint32_t ram, flash;     /* B that a program has */
+    unsigned cores;          /* 1 or 2 */
     enum sheen_plan_cpu cpu; /* whose costs its own are */
     int measured;            /* 1: they are cycles of this processor, from an emulator of it */
     int nearest;             /* 1: the processor is another one, the nearest that can be counted */

@@ -40,6 +40,13 @@ void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *confi
     ram->bands = target->width * rows * (2 + buffers * pixel);
     ram->rest = ram->arena - ram->vertices - ram->lists - ram->bands;
     ram->all = ram->arena + SHEEN_PLAN_STACK + PANEL_STATE;
+    ram->second_core = (2 - buffers) * target->width * rows * pixel + SHEEN_PLAN_STACK +
+                       (uint32_t)SHEEN_WORKER_BYTES(target->width, pixel, rows, 2, config->max_triangles,
+                                                    or_else(config->max_carried, 80));
+    if (config->max_edges > 0)
+        ram->second_core += (uint32_t)SHEEN_EDGE_WORKER_BYTES(target->width, pixel, rows, 2);
+    if (config->smooth)
+        ram->second_core += (uint32_t)SHEEN_SMOOTH_BYTES(target->width, rows);
 }
 
 static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *record)

@@ -15,6 +15,7 @@ struct sheen_plan_ram {
     uint32_t arena;                        /* all of a frame's, sheen_arena_size() */
     uint32_t vertices, lists, bands, rest; /* of it */
     uint32_t all;                          /* with the stack, and the panel's state */
+    uint32_t second_core;                  /* what it takes besides, two buffers each */
 };
 
 struct sheen_plan_flash {

@@ -38,7 +38,7 @@ double sheen_plan_drawing(const struct sheen_plan_time *time)
 
 /* ---- a frame ---- */
 
-/* A band's seconds by stage, added to *time; their sum. */
+/* Seconds of what was counted by stage, added to *time; their sum. */
 static double band_time(const struct sheen_plan_counts *counts, const struct sheen_plan_board *board,
                         struct sheen_plan_time *time)
 {
@@ -55,24 +55,75 @@ static double band_time(const struct sheen_plan_counts *counts, const struct she
     return sum;
 }
 
+/* Seconds of a frame's parts. */
+struct frame_parts {
+    double front, drawing[480], bus[480];
+    unsigned bands;
+};
+
+/* Bands that are left of a core's own. */
+struct core_share {
+    unsigned next, end;
+    double clock; /* when it is free */
+};
+
+/* The core that has its next band ready first, and which: of its own the first, or else of the other's the last. */
+static unsigned next_ready(struct core_share core[2], const struct frame_parts *frame, unsigned *band, double *ready)
+{
+    unsigned first = 2;
+
+    for (unsigned c = 0; c < 2; c++) {
+        const struct core_share *own = &core[c], *from = own->next < own->end ? own : &core[1 - c];
+        if (from->next == from->end || own->clock < 0)
+            continue;
+        const unsigned b = from == own ? own->next : from->end - 1;
+        if (first < 2 && own->clock + frame->drawing[b] >= *ready)
+            continue;
+        first = c;
+        *band = b;
+        *ready = own->clock + frame->drawing[b];
+    }
+    return first;
+}
+
 /*
  * With one buffer a band is drawn when the last one has left; with two it is drawn meanwhile, and sent once both are
- * done. A frame begins when the last band of the one before has left.
+ * done; two cores share bands as sheen_bands() does. A frame begins when the last band of the one before has left.
  */
+static double period_of(const struct frame_parts *frame, enum sheen_plan_period how)
+{
+    const unsigned two = how == SHEEN_PLAN_TWO_CORES, half = two ? frame->bands / 2 : frame->bands;
+    struct core_share core[2] = {{0, half, frame->front}, {half, frame->bands, two ? frame->front : -1}};
+    double sent = frame->front, ready = 0;
+
+    for (unsigned left = frame->bands, band = 0; left > 0; left--) {
+        struct core_share *own = &core[next_ready(core, frame, &band, &ready)];
+        if (band == own->next)
+            own->next++;
+        else
+            core[own == core].end--;
+        const double start = ready > sent ? ready : sent;
+        sent = start + frame->bus[band];
+        own->clock = how == SHEEN_PLAN_ONE_BUFFER ? sent : start;
+    }
+    return sent;
+}
+
 static void frame_time(const struct sheen_plan_run *run, const struct sheen_plan_board *board, double bus_hz,
                        struct sheen_plan_time *time)
 {
-    double start = 0, sent = 0;
+    struct frame_parts frame;
 
     memset(time, 0, sizeof *time);
+    frame.front = band_time(&run->front, board, time);
+    frame.bands = run->bands;
     for (unsigned b = 0; b < run->bands; b++) {
-        double drawing = band_time(&run->band[b].counts, board, time), bus = 8 * run->band[b].bytes / bus_hz;
-        time->bus += bus;
-        time->period[0] += drawing + bus;
-        start = start + drawing > sent ? start + drawing : sent;
-        sent = start + bus;
+        frame.drawing[b] = band_time(&run->band[b].counts, board, time);
+        frame.bus[b] = 8 * run->band[b].bytes / bus_hz;
+        time->bus += frame.bus[b];
     }
-    time->period[1] = sent;
+    for (int how = 0; how < SHEEN_PLAN_PERIODS; how++)
+        time->period[how] = period_of(&frame, (enum sheen_plan_period)how);
 }
 
 static void add_frame(struct sheen_plan_times *times, const struct sheen_plan_time *time, double share)
@@ -80,7 +131,7 @@ static void add_frame(struct sheen_plan_times *times, const struct sheen_plan_ti
     for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
         times->mean.stage[i] += share * time->stage[i];
     times->mean.bus += share * time->bus;
-    for (unsigned i = 0; i < 2; i++) {
+    for (unsigned i = 0; i < SHEEN_PLAN_PERIODS; i++) {
         times->mean.period[i] += share * time->period[i];
         times->worst[i] = time->period[i] > times->worst[i] ? time->period[i] : times->worst[i];
     }

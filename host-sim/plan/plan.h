@@ -10,18 +10,26 @@
 #define SHEEN_PLAN_VIEWS 60 /* of a turn */
 #define SHEEN_PLAN_BOARDS 16
 
+/* How a frame is drawn and sent. */
+enum sheen_plan_period {
+    SHEEN_PLAN_ONE_BUFFER,
+    SHEEN_PLAN_TWO_BUFFERS,
+    SHEEN_PLAN_TWO_CORES, /* with two buffers each */
+    SHEEN_PLAN_PERIODS
+};
+
 /* Seconds. */
 struct sheen_plan_time {
     double stage[SHEEN_PLAN_STAGES]; /* the processor, by enum sheen_plan_stage */
     double bus;
-    double period[2]; /* from one frame to the next, with one buffer and with two */
+    double period[SHEEN_PLAN_PERIODS]; /* from one frame to the next */
 };
 
 /* Of the views of a turn. */
 struct sheen_plan_times {
     struct sheen_plan_time mean;
-    double worst[2]; /* period */
-    double bytes;    /* on the bus, in the mean */
+    double worst[SHEEN_PLAN_PERIODS];
+    double bytes; /* on the bus, in the mean */
 };
 
 struct sheen_plan {

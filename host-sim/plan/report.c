@@ -64,10 +64,24 @@ static void put_times(FILE *out, const struct sheen_plan *plan, const struct she
     fprintf(out, "\ncounted    bus: %.1f ms for what changed, %.0f B, %.1f ms for a whole frame, %.0f B, at %g MHz\n",
             MS * t->bus, times[0].bytes, MS * times[1].mean.bus, times[1].bytes, sheen_plan_bus_hz(plan, board) / 1e6);
     for (int whole = 0; whole < 2; whole++)
-        for (int two = 0; two < 2; two++)
+        for (int two = SHEEN_PLAN_ONE_BUFFER; two <= SHEEN_PLAN_TWO_BUFFERS; two++)
             fprintf(out, "%s  %-12s %s  %5.1f frames/s in the mean, %5.1f at worst\n", how(board),
                     whole ? "whole frames" : "what changed", two ? "two buffers" : "one buffer ",
                     1 / times[whole].mean.period[two], 1 / times[whole].worst[two]);
+}
+
+/* A second core, where there is one and RAM does. */
+static void put_two_cores(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board,
+                          const struct sheen_plan_times times[2])
+{
+    const uint32_t more = plan->ram.second_core;
+
+    if (board->cores < 2 || plan->ram.all + more > board->ram)
+        return;
+    for (int whole = 0; whole < 2; whole++)
+        fprintf(out, "%s  %-12s two cores    %5.1f frames/s in the mean, %5.1f at worst, %u B of RAM more\n",
+                how(board), whole ? "whole frames" : "what changed", 1 / times[whole].mean.period[SHEEN_PLAN_TWO_CORES],
+                1 / times[whole].worst[SHEEN_PLAN_TWO_CORES], more);
 }
 
 static void put_ram(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board)
@@ -163,6 +177,7 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
 
     fprintf(out, "%s, %s at %g MHz: %s\n", board->title, board->processor, board->clock_hz / 1e6, board->basis);
     put_times(out, plan, board, plan->times[number]);
+    put_two_cores(out, plan, board, plan->times[number]);
     put_ram(out, plan, board);
     put_flash(out, plan, board, number);
     put_changes(out, plan, board, number);

@@ -19,7 +19,7 @@ static void put_quoted(FILE *out, const char *text)
     putc('"', out);
 }
 
-static void put_times(FILE *out, const char *name, const struct sheen_plan_times *times)
+static void put_times(FILE *out, const char *name, const struct sheen_plan_times *times, unsigned cores)
 {
     static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
     const struct sheen_plan_time *t = &times->mean;
@@ -29,7 +29,11 @@ static void put_times(FILE *out, const char *name, const struct sheen_plan_times
         fprintf(out, "\"%s\": %.7f, ", stages[i], t->stage[i]);
     fprintf(out, "\"bus\": %.7f, \"bytes\": %.0f, ", t->bus, times->bytes);
     fprintf(out, "\"one_buffer\": {\"mean\": %.2f, \"worst\": %.2f}, ", 1 / t->period[0], 1 / times->worst[0]);
-    fprintf(out, "\"two_buffers\": {\"mean\": %.2f, \"worst\": %.2f}}", 1 / t->period[1], 1 / times->worst[1]);
+    fprintf(out, "\"two_buffers\": {\"mean\": %.2f, \"worst\": %.2f}", 1 / t->period[1], 1 / times->worst[1]);
+    if (cores > 1)
+        fprintf(out, ", \"two_cores\": {\"mean\": %.2f, \"worst\": %.2f}", 1 / t->period[SHEEN_PLAN_TWO_CORES],
+                1 / times->worst[SHEEN_PLAN_TWO_CORES]);
+    fputs("}", out);
 }
 
 static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
@@ -43,9 +47,9 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
             b->clock_hz, sheen_plan_bus_hz(plan, b), b->measured ? "true" : "false");
     put_quoted(out, b->basis);
     fputs(", ", out);
-    put_times(out, "changed", &plan->times[number][0]);
+    put_times(out, "changed", &plan->times[number][0], b->cores);
     fputs(", ", out);
-    put_times(out, "whole", &plan->times[number][1]);
+    put_times(out, "whole", &plan->times[number][1], b->cores);
     fprintf(out,
             ", \"flash\": {\"all\": %u, \"core\": %u, \"panel\": %u, \"mesh\": %u, \"tables\": %u, \"textures\": %u, "
             "\"all_Os\": %u, "
@@ -73,8 +77,8 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
     put_quoted(out, sheen_plan_found);
     fprintf(out,
             ", \"ram\": {\"all\": %u, \"arena\": %u, \"vertices\": %u, \"lists\": %u, \"bands\": %u, \"rest\": %u, "
-            "\"stack\": %u}, \"boards\": [",
-            r->all, r->arena, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK);
+            "\"stack\": %u, \"second_core\": %u}, \"boards\": [",
+            r->all, r->arena, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK, r->second_core);
     for (unsigned i = 0; sheen_plan_board_at(i); i++) {
         if (board >= 0 && i != (unsigned)board)
             continue;

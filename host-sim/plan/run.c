@@ -67,7 +67,7 @@ static void count_rest(struct sheen_plan_run *run)
     struct sheen_plan_counts rest, *last;
     uint32_t vertices = 0;
 
-    if (run->bands == 0) /* nothing was sent: the transform all the same */
+    if (run->bands == 0) /* nothing was sent */
         memset(&run->band[run->bands++], 0, sizeof run->band[0]);
     sheen_plan_counts_take(&rest);
     last = &run->band[run->bands - 1].counts;
@@ -75,7 +75,7 @@ static void count_rest(struct sheen_plan_run *run)
         last->of[i] += rest.of[i];
     for (size_t i = 0; i < scene->count; i++)
         vertices += scene->meshes[i].mesh.vertices;
-    sheen_plan_count_draws(&run->band[0].counts, scene->frame, (unsigned)scene->count, vertices);
+    sheen_plan_count_draws(&run->front, scene->frame, (unsigned)scene->count, vertices);
 }
 
 int sheen_plan_draw(struct sheen_plan_run *run, int number, int whole, struct sheen_problem *problem)
@@ -95,6 +95,7 @@ int sheen_plan_draw(struct sheen_plan_run *run, int number, int whole, struct sh
         if (room != scene->config.max_clipped && !error)
             (void)sheen_finish(scene->frame);
     } while (!error && room != scene->config.max_clipped);
+    sheen_plan_counts_take(&run->front);
     if (!error)
         error = sheen_end(scene->frame);
     if (!error)
@@ -108,7 +109,7 @@ int sheen_plan_draw(struct sheen_plan_run *run, int number, int whole, struct sh
 
 void sheen_plan_sum(const struct sheen_plan_run *run, struct sheen_plan_counts *counts)
 {
-    memset(counts, 0, sizeof *counts);
+    *counts = run->front;
     for (unsigned b = 0; b < run->bands; b++)
         for (unsigned i = 0; i < SHEEN_PLAN_COUNTS; i++)
             counts->of[i] += run->band[b].counts.of[i];

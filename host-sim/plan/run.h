@@ -17,8 +17,9 @@ struct sheen_plan_run {
     struct sheen_turntable table;
     struct sheen_target target; /* the panel's, watched */
     const struct sheen_target *panel;
-    uint64_t bytes, calls; /* of the bus, at the last push */
-    unsigned bands;        /* of the last frame, those that were sent */
+    uint64_t bytes, calls;          /* of the bus, at the last push */
+    struct sheen_plan_counts front; /* of the last frame, what comes before its bands */
+    unsigned bands;                 /* those that were sent */
     struct sheen_plan_band band[480];
 };
 
