@@ -86,7 +86,7 @@ static inline struct setup *slot_of(const struct worker *w, unsigned slot)
     return (struct setup *)(void *)(w->carried + slot * SETUP_BYTES);
 }
 
-/* What is small stands first, within reach of one instruction; and what is used much before what is not. */
+/* What is small stands first, within reach of one instruction; the rest as it takes least code on ARMv6-M. */
 struct sheen_frame {
     uint8_t state;         /* enum frame_state */
     uint8_t send_all;      /* this frame sends every band whole */
@@ -94,19 +94,18 @@ struct sheen_frame {
     uint8_t forced;        /* for the draws to come, as in struct draw */
     uint8_t about;         /* enum sheen_subject of the last error, see `needed` */
     uint8_t flying;        /* the worker whose push awaits its wait, or NOBODY */
+    uint32_t needed;       /* how much would have done, for the last error */
     struct sheen_config config;
     const struct sheen_target *target;
     uint16_t *place; /* of each vertex of the drawn meshes its place in `vertex`; config.max_used and more: none */
     struct vertex *vertex; /* the used ones: transformed */
     struct entry *entry;
-    uint32_t *cut; /* a bit an entry: its triangle is a piece */
+    struct shades *shades; /* config.max_shades */
+    uint32_t *cut;         /* a bit an entry: its triangle is a piece */
     struct piece *piece;
     struct draw_record *draw;
     struct band *band;
-    struct worker *worker; /* config.workers */
-    uint32_t band_scale;   /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
-    struct sheen_rect viewport;
-    unsigned max_bands;
+    struct worker *worker;           /* config.workers */
     const struct sheen_edges *edges; /* NULL: no draw has any yet; else the first one's. From here on: COUNTED_BYTES */
     uint32_t vertices, draws;
     int error;                                        /* the first of this frame's pushes and waits */
@@ -115,18 +114,19 @@ struct sheen_frame {
     unsigned shaded_colors; /* of `shades`, which have this frame's */
     struct sheen_stats stats;
     unsigned bands, bands_left;
-    uint32_t *done; /* a bit a band of this frame that has begun */
+    uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
+    unsigned max_bands;
+    uint32_t *done;                      /* a bit a band of this frame that has begun */
+    const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
+    struct line *line;                   /* config.max_edges, the first stats.edges are listed */
+    void *scratch;                       /* of worker 0: two polygons of MAX_CLIP_CORNERS */
     struct pixel_format format;
     struct screen screen;
     struct projection projection;
-    struct sheen_view view;
-    uint32_t needed;                     /* how much would have done, for the last error */
-    void *scratch;                       /* of worker 0: two polygons of MAX_CLIP_CORNERS */
-    struct shades *shades;               /* config.max_shades */
-    struct fog_terms fog;                /* of the view */
-    const struct sheen_stipple *stipple; /* of the draws that leave pixels out */
-    struct line *line;                   /* config.max_edges, the first stats.edges are listed */
+    struct fog_terms fog; /* of the view */
     size_t arena_bytes;
+    struct sheen_view view;
+    struct sheen_rect viewport;
 };
 
 /* Screen coordinates of a vertex on the target, 1/64 px. */
