@@ -1,7 +1,9 @@
 """The scenes (guest.c) and an example (example.c) on processors in qemu: instructions and memory."""
+import os
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -52,12 +54,27 @@ EXAMPLE = [f"-I{TOP / 'firmware'}", f"-I{TOP / 'firmware/examples'}", HERE / "ex
            TOP / "firmware/examples/mist.c"]
 
 
+FLAGS = ["-std=c11", "-O2", f"-I{HERE}", f"-I{TOP / 'core'}"]
+
+
+def core(compiler, work):
+    """The objects of the core, made once for all programs of a compiler."""
+    folder = Path(work, "_".join(compiler).replace("/", "_"))
+    sources = sorted((TOP / "core").rglob("*.c"))
+    objects = [folder / f"{i}.o" for i in range(len(sources))]
+    if not folder.exists():
+        folder.mkdir()
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(lambda pair: run([*compiler, *FLAGS, "-c", pair[0], "-o", pair[1]]), zip(sources, objects)))
+    return objects
+
+
 def build(guest, program, work):
     """An image of a program's flags and sources, and of the core."""
     image = f"{work}/guest.elf"
-    run([*guest.compiler, "-std=c11", "-O2", "-nostartfiles", "-T", HERE / "guest.ld",
-         f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", f"-I{HERE}", f"-I{TOP / 'core'}",
-         HERE / guest.source, *program, *sorted((TOP / "core").rglob("*.c")), "-o", image])
+    run([*guest.compiler, *FLAGS, "-nostartfiles", "-T", HERE / "guest.ld",
+         f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", HERE / guest.source, *program,
+         *core(guest.compiler, work), "-o", image])
     return image
 
 
