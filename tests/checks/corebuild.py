@@ -3,6 +3,7 @@ import os
 import re
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 
 from armcode import disassemble
 
@@ -31,10 +32,11 @@ class Build:
     def _compile(self, pair):
         subprocess.run([TOOL + "gcc", *self.flags, "-c", pair[0], "-o", pair[1]], check=True)
 
-    def functions(self):
-        """{source: its functions as machine code}"""
-        return {s: disassemble(TOOL + "objdump", o) for s, o in self.objects.items()}
+    def functions(self, chosen):
+        """{source: its functions as machine code} of the sources that are chosen"""
+        return {s: disassemble(TOOL + "objdump", o) for s, o in self.objects.items() if chosen(s)}
 
+    @cache
     def sizes(self, source):
         """(bytes of code, of constants, of state)"""
         code = constants = state = 0
@@ -57,6 +59,7 @@ class Build:
         return sum(int(line.split()[1]) for line in tool("size", "-A", program).splitlines()
                    if line.startswith(".text"))
 
+    @cache
     def symbols(self, source):
         """[(name, letter of nm)]; common variables, which no section of an object holds, are C."""
         return [tuple(line.split()[:2]) for line in tool("nm", "-P", self.objects[source]).splitlines()]
