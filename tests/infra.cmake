@@ -7,10 +7,11 @@ sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)
 sheen_script(names format COMMAND tests/checks/names
   $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
+# Of the scenes one in seven.
 sheen_script(same_bits cross COMMAND tests/checks/cross)
 if(NOT SHEEN_SANITIZED)
-  sheen_script(same_bits_whole long COMMAND tests/checks/cross --whole . gcc-O2 gcc-O0 gcc-O3 tcc sanitizers armhf
-    m0plus m3 riscv64 powerpc lx106 rv32imc)
+  sheen_script(same_bits_whole long COMMAND tests/checks/cross --whole . gcc-O2 gcc-O0 gcc-O3 small-core
+    slow-loops clang-O2 tcc sanitizers armhf m0plus m3 riscv64 powerpc lx106 rv32imc)
   sheen_script(thumb_faults long COMMAND tests/checks/thumb_faults)
 endif()
 
