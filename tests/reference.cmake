@@ -15,14 +15,16 @@ sheen_test(test_reference unit SOURCES test_reference.c LIBRARIES reference)
 sheen_test(test_reference_mesh unit SOURCES test_reference_mesh.c LIBRARIES reference)
 sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
-if(NOT SHEEN_SANITIZED) # of the pictures a third in the quick part
-  add_test(NAME test_accuracy_all COMMAND test_accuracy all WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-  sheen_part(test_accuracy_all long TARGETS test_accuracy)
-endif()
 sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
+if(NOT SHEEN_SANITIZED) # of the pictures a third in the quick part
+  foreach(name test_accuracy test_textured test_matcap)
+    add_test(NAME ${name}_all COMMAND ${name} all WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    sheen_part(${name}_all long TARGETS ${name})
+  endforeach()
+endif()
 sheen_test(test_colored accuracy SOURCES test_colored.c LIBRARIES core_picture sheen::core)
 sheen_test(test_gltf_picture accuracy SOURCES test_gltf_picture.c LIBRARIES core_picture sheen_host sheen::core)
 sheen_test(test_fog accuracy SOURCES test_fog.c textured_scene.c accuracy_line.c
