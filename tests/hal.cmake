@@ -3,7 +3,7 @@ sheen_test(test_bus sim SOURCES test_bus.c LIBRARIES sheen_sim)
 sheen_test(test_controller_dcs sim SOURCES test_controller_dcs.c LIBRARIES sheen_sim)
 sheen_test(test_controller_oled sim SOURCES test_controller_oled.c LIBRARIES sheen_sim)
 
-sheen_script(cli_panels cli COMMAND tests/cli/panels $<TARGET_FILE:sheen>)
+sheen_script(cli_panels ${many} COMMAND tests/cli/panels $<TARGET_FILE:sheen>)
 
 foreach(name test_panel test_panel_corners test_panel_faults test_panel_first_light test_panel_settings test_i2c)
   sheen_test(${name} panel SOURCES ${name}.c test_panel_canvas.c LIBRARIES sheen_sim sheen_hal)
