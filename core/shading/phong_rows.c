@@ -97,8 +97,8 @@ PIXEL uint32_t root_pixel(const struct root_row *row, int32_t ln, int32_t nv, ui
 }
 
 /* 565 with the loop's terms. */
-static void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
-                           uint16_t *depth, const uint16_t *last, const struct root_run *run)
+SPECIALISED void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
+                                uint16_t *depth, const uint16_t *last, const struct root_run *run)
 {
     struct root_row row = {draw, thresholds, t, NULL};
     const intptr_t to_pixel = t->to_pixel;
@@ -117,7 +117,7 @@ static void quick_root_run(const struct tile *t, const struct draw *draw, const 
 #endif
 
 /* Any format, clamp and dither. */
-static COLD void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
+SPECIALISED void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
                                   struct root_run *run)
 {
     struct rounding rounding = rounding_of(t, &draw->colour, y);
@@ -130,7 +130,8 @@ static COLD void general_root_run(const struct tile *t, const struct draw *draw,
     }
 }
 
-void sheen_phong_rows(const struct tile *t, const struct setup *s)
+/* quick: 565 with the loop's terms. */
+SPECIALISED void root_rows(const struct tile *t, const struct setup *s, int quick)
 {
     const struct phong_setup *p = (const struct phong_setup *)s;
     const struct draw *draw = s->draw;
@@ -152,12 +153,27 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
                                0};
         quadric_run(&square, x, &run.d, &run.step, &run.bend);
 #if FAST_LOOPS
-        if (draw->is_565 && draw->loop.usable) {
+        if (quick) {
             uint16_t *before = t->depth + tile_offset(t, x, y) - 1;
             quick_root_run(t, draw, t->dither ? t->dither_rows[y & 7] : NULL, before, before + (x1 - x), &run);
             continue;
         }
+#else
+        (void)quick;
 #endif
         general_root_run(t, draw, x, x1, y, &run);
     }
+}
+
+static COLD void general_root_rows(const struct tile *t, const struct setup *s)
+{
+    root_rows(t, s, 0);
+}
+
+void sheen_phong_rows(const struct tile *t, const struct setup *s)
+{
+    if (FAST_LOOPS && s->draw->is_565 && s->draw->loop.usable)
+        root_rows(t, s, 1);
+    else
+        general_root_rows(t, s);
 }
