@@ -215,6 +215,24 @@ static void shares_of_bands(void **state)
     }
 }
 
+/* A target's error that is the number of a band done already ends its frame as any other does. */
+static void error_like_a_done_band(void **state)
+{
+    struct order o = {0};
+
+    (void)state;
+    order_open(&o, 2, 1);
+    o.target.fail_code = SHEEN_ERR_STATE;
+    begin(&o);
+    assert_int_equal(draw_ball(&o), SHEEN_OK);
+    o.target.fail_push = BANDS / 2;
+    assert_int_equal(sheen_bands(o.f.frame, 0), SHEEN_ERR_STATE);
+    assert_int_equal(sheen_bands(o.f.frame, 1), SHEEN_ERR_STATE);
+    assert_int_equal(o.target.pushes, BANDS / 2 - 1);
+    assert_int_equal(sheen_finish(o.f.frame), SHEEN_ERR_STATE);
+    order_close(&o);
+}
+
 /* After the first band nothing is added; what a failed frame left pending is not drawn. */
 static void nothing_after_a_band(void **state)
 {
@@ -271,7 +289,7 @@ int main(void)
         cmocka_unit_test(wait_between_bands),   cmocka_unit_test(workers_in_turn),
         cmocka_unit_test(another_underlay),     cmocka_unit_test(band_twice),
         cmocka_unit_test(nothing_after_a_band), cmocka_unit_test(results_above_zero),
-        cmocka_unit_test(shares_of_bands),
+        cmocka_unit_test(shares_of_bands),      cmocka_unit_test(error_like_a_done_band),
     };
 
     return cmocka_run_group_tests_name("frame_order", tests, make_stage, free_stage);

@@ -26,7 +26,7 @@ static void break_off(struct sheen_frame *f, int error)
         f->error = error;
 }
 
-/* The result of the push under way, once; MUST be called between lock and unlock, as all below that is static. */
+/* The result of the push under way, once; MUST be called between lock and unlock, as push_tile and band_refused. */
 static int collect_push(struct sheen_frame *f)
 {
     const struct sheen_target *t = f->target;
@@ -114,6 +114,14 @@ int sheen_send_tile(struct sheen_frame *f, unsigned worker, const struct tile *t
     return error;
 }
 
+static int frame_error(const struct sheen_frame *f)
+{
+    lock(f);
+    int error = f->state == IDLE ? SHEEN_ERR_STATE : f->error;
+    unlock(f);
+    return error;
+}
+
 /* The first band of a worker's part of them. */
 static unsigned part_begin(const struct sheen_frame *f, unsigned worker)
 {
@@ -124,19 +132,17 @@ static unsigned part_begin(const struct sheen_frame *f, unsigned worker)
 int sheen_bands(struct sheen_frame *f, unsigned worker)
 {
     const unsigned workers = f->config.workers;
+    int error = frame_error(f);
 
-    lock(f);
-    const int idle = f->state == IDLE;
-    unlock(f);
-    if (idle || worker >= workers)
-        return idle ? SHEEN_ERR_STATE : SHEEN_ERR_ARGUMENT;
+    if (error < 0 || worker >= workers)
+        return error < 0 ? error : SHEEN_ERR_ARGUMENT;
     for (unsigned i = 0, part = worker; i < workers; i++, part = part + 1 < workers ? part + 1 : 0) {
         const unsigned begin = part_begin(f, part), end = part_begin(f, part + 1);
         for (unsigned k = 0; k < end - begin; k++) {
-            int error = sheen_band(f, worker, i == 0 ? begin + k : end - 1 - k);
-            if (error < 0 && error != SHEEN_ERR_STATE) /* that one is done */
+            error = sheen_band(f, worker, i == 0 ? begin + k : end - 1 - k);
+            if (error < 0 && error != SHEEN_ERR_STATE) /* that one is done, or a target's error is the same number */
                 return error;
         }
     }
-    return SHEEN_OK;
+    return frame_error(f);
 }
