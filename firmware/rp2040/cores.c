@@ -79,6 +79,7 @@ static int reset_core_1(uint32_t since)
     SET(PSM_FRCE_OFF) = PSM_PROC1;
     while (!(REG(PSM_FRCE_OFF) & PSM_PROC1))
         ;
+    SIO_LOCK = 0;
     drop_words();
     CLEAR(PSM_FRCE_OFF) = PSM_PROC1;
     return answers(0, since);
@@ -93,7 +94,6 @@ void cores_open(void)
     const uint32_t since = ticks();
     unsigned sent = 0;
 
-    SIO_LOCK = 0;
     if (!reset_core_1(since))
         return;
     while (sent < count && ticks() - since <= ticks_of_us(PATIENCE_US)) {

@@ -52,12 +52,12 @@
 #define FUNCTION_UART 2u
 #define FUNCTION_SIO 5u
 
-#define SIO_CPUID REG(0xD0000000u) /* 2.3.1.7: registers that each core has of its own */
+#define SIO_CPUID REG(0xD0000000u) /* 2.3.1.7: which core reads it */
 #define SIO_IN REG(0xD0000004u)
 #define SIO_OUT_SET REG(0xD0000014u)
 #define SIO_OUT_CLEAR REG(0xD0000018u)
 #define SIO_OE_SET REG(0xD0000024u)
-#define SIO_FIFO_STATUS REG(0xD0000050u)
+#define SIO_FIFO_STATUS REG(0xD0000050u) /* each core has its own */
 #define SIO_FIFO_WRITE REG(0xD0000054u)
 #define SIO_FIFO_READ REG(0xD0000058u)
 #define SIO_LOCK REG(0xD0000100u) /* spinlock 0: what is read is not 0 for the one who got it; a write lets it go */

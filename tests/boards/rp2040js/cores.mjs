@@ -36,7 +36,9 @@ export class Cores {
             const before = psm.readUint32(FRCE_OFF);
             power(offset, value);
             if (offset === FRCE_OFF && (before & ~value & PROC1) !== 0) this.boot();
-            if (offset === FRCE_OFF && (value & PROC1) !== 0) this.off();
+            if (offset !== FRCE_OFF || (value & PROC1) === 0) return;
+            this.off();
+            sio.spinLock |= 1; /* at worst it had just got it */
         };
         const info = chip.logger.info.bind(chip.logger);
         chip.logger.info = (name, text) => (text === 'SEV' ? this.wake() : info(name, text));

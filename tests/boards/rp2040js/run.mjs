@@ -7,8 +7,8 @@
  * to it. Each key is sent over UART0 once the firmware has answered the one before
  * with a line that begins with "frame" or "first light". ! in KEYS: the bus stops
  * answering until the firmware has logged an error; the next key is played with it.
- * # : a HardFault, @ : one of core 1 while the next frame is drawn. ~ : the firmware hangs, until the watchdog restarts it. . : it runs
- * by itself until it reports.
+ * # : a HardFault, @ : one of core 1 while the next frame is drawn. ~ : the firmware
+ * hangs, until the watchdog restarts it. . : it runs by itself until it reports.
  *
  * OUT.wire holds what a panel sees (format: tests/boards/glass.c); OUT.json the
  * measurements; OUT.log the serial line.
