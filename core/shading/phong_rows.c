@@ -56,12 +56,6 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
     return lit;
 }
 
-/* Pixels of a row: at the first, and what the next one has more; d: N.N, whose step changes by `bend`. */
-struct root_run {
-    uint32_t z, ln, nv, d, step;
-    uint32_t dz, dln, dnv, bend;
-};
-
 SPECIALISED void root_step(struct root_run *at)
 {
     at->z += at->dz;
@@ -96,7 +90,7 @@ PIXEL uint32_t root_pixel(const struct root_row *row, int32_t ln, int32_t nv, ui
                       pair << (LOOP_FRACTION - 11));
 }
 
-/* 565 with the loop's terms. */
+/* 565 with the loop's terms: from the depth after `depth` to `last`. */
 SPECIALISED void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
                                 uint16_t *depth, const uint16_t *last, const struct root_run *run)
 {
@@ -117,7 +111,7 @@ SPECIALISED void quick_root_run(const struct tile *t, const struct draw *draw, c
 #endif
 
 /* Any format, clamp and dither. */
-SPECIALISED void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
+static COLD void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
                                   struct root_run *run)
 {
     struct rounding rounding = rounding_of(t, &draw->colour, y);
@@ -130,50 +124,15 @@ SPECIALISED void general_root_run(const struct tile *t, const struct draw *draw,
     }
 }
 
-/* quick: 565 with the loop's terms. */
-SPECIALISED void root_rows(const struct tile *t, const struct setup *s, int quick)
+void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
+                    struct root_run *run)
 {
-    const struct phong_setup *p = (const struct phong_setup *)s;
-    const struct draw *draw = s->draw;
-    struct quadric square;
-
-    sheen_quadric_from(&square, &p->square, -p->x, t->first_row - p->y);
-    for (unsigned row = 0; row < t->rows; row++, quadric_down(&square)) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        if (x >= x1)
-            continue;
-        struct root_run run = {plane_at(&s->depth, x, y),
-                               plane_at(&p->light, x, y),
-                               plane_at(&p->view, x, y),
-                               0,
-                               0,
-                               s->depth.dx,
-                               p->light.dx,
-                               p->view.dx,
-                               0};
-        quadric_run(&square, x, &run.d, &run.step, &run.bend);
 #if FAST_LOOPS
-        if (quick) {
-            uint16_t *before = t->depth + tile_offset(t, x, y) - 1;
-            quick_root_run(t, draw, t->dither ? t->dither_rows[y & 7] : NULL, before, before + (x1 - x), &run);
-            continue;
-        }
-#else
-        (void)quick;
-#endif
-        general_root_run(t, draw, x, x1, y, &run);
+    if (draw->is_565 && draw->loop.usable) {
+        uint16_t *before = t->depth + tile_offset(t, x, y) - 1;
+        quick_root_run(t, draw, t->dither ? t->dither_rows[y & 7] : NULL, before, before + (x1 - x), run);
+        return;
     }
-}
-
-static COLD void general_root_rows(const struct tile *t, const struct setup *s)
-{
-    root_rows(t, s, 0);
-}
-
-void sheen_phong_rows(const struct tile *t, const struct setup *s)
-{
-    if (FAST_LOOPS && s->draw->is_565 && s->draw->loop.usable)
-        root_rows(t, s, 1);
-    else
-        general_root_rows(t, s);
+#endif
+    general_root_run(t, draw, x, x1, y, run);
 }
