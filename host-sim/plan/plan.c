@@ -58,13 +58,14 @@ static double band_time(const struct sheen_plan_counts *counts, const struct she
 /* Seconds of a frame's parts. */
 struct frame_parts {
     double front, drawing[480], bus[480];
+    double again[480]; /* where the band above is not its core's: what goes on from there is set up once more */
     unsigned bands;
 };
 
 /* Bands that are left of a core's own. */
 struct core_share {
-    unsigned next, end;
-    double clock; /* when it is free */
+    unsigned next, end, below; /* below: the band under its last one */
+    double clock;              /* when it is free */
 };
 
 /* The core that has its next band ready first, and which: of its own the first, or else of the other's the last. */
@@ -77,11 +78,12 @@ static unsigned next_ready(struct core_share core[2], const struct frame_parts *
         if (from->next == from->end || own->clock < 0)
             continue;
         const unsigned b = from == own ? own->next : from->end - 1;
-        if (first < 2 && own->clock + frame->drawing[b] >= *ready)
+        const double done = own->clock + frame->drawing[b] + (b == own->below ? 0 : frame->again[b]);
+        if (first < 2 && done >= *ready)
             continue;
         first = c;
         *band = b;
-        *ready = own->clock + frame->drawing[b];
+        *ready = done;
     }
     return first;
 }
@@ -93,7 +95,7 @@ static unsigned next_ready(struct core_share core[2], const struct frame_parts *
 static double period_of(const struct frame_parts *frame, enum sheen_plan_period how)
 {
     const unsigned two = how == SHEEN_PLAN_TWO_CORES, half = two ? frame->bands / 2 : frame->bands;
-    struct core_share core[2] = {{0, half, frame->front}, {half, frame->bands, two ? frame->front : -1}};
+    struct core_share core[2] = {{0, half, 0, frame->front}, {half, frame->bands, 0, two ? frame->front : -1}};
     double sent = frame->front, ready = 0;
 
     for (unsigned left = frame->bands, band = 0; left > 0; left--) {
@@ -104,6 +106,7 @@ static double period_of(const struct frame_parts *frame, enum sheen_plan_period 
             core[own == core].end--;
         const double start = ready > sent ? ready : sent;
         sent = start + frame->bus[band];
+        own->below = band + 1;
         own->clock = how == SHEEN_PLAN_ONE_BUFFER ? sent : start;
     }
     return sent;
@@ -117,11 +120,15 @@ static void frame_time(const struct sheen_plan_run *run, const struct sheen_plan
     memset(time, 0, sizeof *time);
     frame.front = band_time(&run->front, board, time);
     frame.bands = run->bands;
+    const double listed = time->stage[SHEEN_PLAN_TRIANGLES];
     for (unsigned b = 0; b < run->bands; b++) {
         frame.drawing[b] = band_time(&run->band[b].counts, board, time);
         frame.bus[b] = 8 * run->band[b].bytes / bus_hz;
         time->bus += frame.bus[b];
     }
+    const double setup = run->setups > 0 ? (time->stage[SHEEN_PLAN_TRIANGLES] - listed) / run->setups : 0;
+    for (unsigned b = 0; b < run->bands; b++)
+        frame.again[b] = setup * run->band[b].counts.of[SHEEN_PLAN_CARRIED];
     for (int how = 0; how < SHEEN_PLAN_PERIODS; how++)
         time->period[how] = period_of(&frame, (enum sheen_plan_period)how);
 }

@@ -65,6 +65,7 @@ static void count_rest(struct sheen_plan_run *run)
 {
     const struct sheen_scene *scene = &run->table.scene;
     struct sheen_plan_counts rest, *last;
+    struct sheen_stats stats;
     uint32_t vertices = 0;
 
     if (run->bands == 0) /* nothing was sent */
@@ -75,6 +76,8 @@ static void count_rest(struct sheen_plan_run *run)
         last->of[i] += rest.of[i];
     for (size_t i = 0; i < scene->count; i++)
         vertices += scene->meshes[i].mesh.vertices;
+    sheen_frame_stats(scene->frame, &stats);
+    run->setups = stats.setups;
     sheen_plan_count_draws(&run->front, scene->frame, (unsigned)scene->count, vertices);
 }
 

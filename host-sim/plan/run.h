@@ -20,6 +20,7 @@ struct sheen_plan_run {
     uint64_t bytes, calls;          /* of the bus, at the last push */
     struct sheen_plan_counts front; /* of the last frame, what comes before its bands */
     unsigned bands;                 /* those that were sent */
+    uint32_t setups;
     struct sheen_plan_band band[480];
 };
 
