@@ -26,6 +26,7 @@ void start_fault(uint32_t pc, uint32_t lr)
     log_hex(pc);
     log_text(", lr ");
     log_hex(lr);
+    log_text(board_core() == 1 ? ", core 1" : "");
     log_text(pc == 0 && lr == 0 ? ": the stack ran over\n" : "\n");
     for (;;)
         ;

@@ -73,10 +73,9 @@ static void drop_words(void)
         (void)SIO_FIFO_READ;
 }
 
-/* Out of a reset, for a debugger may have restarted core 0 alone, core 1 empties its own FIFO and sends 0. */
-static int reset_core_1(uint32_t since)
+/* Off since start_board; out of its reset core 1 empties its own FIFO and sends 0. */
+static int release_core_1(uint32_t since)
 {
-    SET(PSM_FRCE_OFF) = PSM_PROC1;
     while (!(REG(PSM_FRCE_OFF) & PSM_PROC1))
         ;
     SIO_LOCK = 0;
@@ -94,7 +93,7 @@ void cores_open(void)
     const uint32_t since = ticks();
     unsigned sent = 0;
 
-    if (!reset_core_1(since))
+    if (!release_core_1(since))
         return;
     while (sent < count && ticks() - since <= ticks_of_us(PATIENCE_US)) {
         if (words[sent] == 0)

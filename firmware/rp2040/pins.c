@@ -67,6 +67,7 @@ static void pin_open(unsigned pin, uint32_t function, uint32_t pad)
 
 void start_board(void)
 {
+    SET(PSM_FRCE_OFF) = PSM_PROC1; /* a debugger that restarts core 0 alone leaves it running */
     clock_open();
     unreset(RESET_IO_BANK0 | RESET_PADS_BANK0 | RESET_DMA | RESET_SPI0 | RESET_TIMER | RESET_UART0);
     SIO_OUT_SET = 1u << PIN_CS | 1u << PIN_RESET | 1u << PIN_DC;
