@@ -113,7 +113,8 @@ struct sheen_mesh {
     const int16_t *normals;         /* 3 a vertex: unit vectors, 1.0 = 32767; NULL: flat shading only */
     const int16_t *polygon_normals; /* 3 a polygon, likewise, for flat; NULL: from each triangle's corners */
     const uint16_t *polygons;       /* a triangle's polygon; NULL: triangle t is polygon t */
-    const uint8_t *warp;   /* 1 a polygon, of sheen_mesh_warp: those that face away are passed over; NULL: none is */
+    const uint8_t *warp;   /* 1 a polygon, of sheen_mesh_warp: those that face away are passed over, of plane ones two
+                              triangles may be drawn as one; NULL: none are */
     const void *indices;   /* 3 a triangle */
     uint8_t index_bytes;   /* 1 or 2: uint8_t or uint16_t indices */
     uint16_t vertices;     /* 1..65535 */
@@ -445,6 +446,16 @@ struct sheen_clipper;
  */
 extern const struct sheen_clipper sheen_clipper;
 
+/*
+ * What draws two triangles of a plane polygon as one, where a mesh's warp tells of them and light is linear over both:
+ * they take the time and the room of one. On the front of objects that do not morph; a fan's triangles, convex on the
+ * screen and within the viewport; by sheen_flat, by sheen_gouraud on the lit side without a highlight, by sheen_phong
+ * and sheen_slerp where the corners' normals are linear and near each other, as on globes, drums and the faces of
+ * boxes. One light, no ramp, but for flat. Pictures are the same by flat, else within a step. How many triangles are
+ * listed then depends on the light and the view: max_triangles has to be what triangles alone need, or be seen to do.
+ */
+extern const struct sheen_quads sheen_quads;
+
 /* Capacities, fixed at init. Totals of a frame; 0 takes the default in brackets. */
 struct sheen_config {
     const struct sheen_target *target; /* borrowed for the frame's life */
@@ -467,6 +478,7 @@ struct sheen_config {
     uint16_t max_edges;
     const struct sheen_clipper
         *clipper; /* &sheen_clipper: MUST be there where max_clipped is not 0; NULL: what it would cut is refused */
+    const struct sheen_quads *quads; /* &sheen_quads: see there; NULL: by triangles */
     /*
      * For workers on several threads: one at a time is let through between lock and
      * unlock, both with lock_ctx. The core calls them in pairs, never one pair within
@@ -591,7 +603,7 @@ void sheen_invalidate(struct sheen_frame *frame);
 
 /* Counters of the frame since sheen_begin; those marked * count only in builds with SHEEN_STATS=1. */
 struct sheen_stats {
-    uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed; cut */
+    uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed, two of a plane polygon as one; cut */
     uint32_t used;                             /* vertices: what max_used holds */
     uint32_t edges;                            /* listed to be drawn */
     uint32_t setups, spans;   /* set-ups made, more than one for a triangle that was not carried; rows of triangles */
@@ -609,9 +621,12 @@ void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stat
  * For a mesh that is made or moves at run time: its `warp`. Of a polygon's triangles the largest |unit normal - the
  * polygon's stored one|, plus the distance of its plane from the first corner of the polygon's first triangle, of
  * which 56,756 raw units (a corner's farthest from the origin) count as 1.0; UQ-2.10 rounded up, SHEEN_WARP_UNKNOWN
- * where that is too small. The mesh MUST have polygon normals and have passed sheen_mesh_check.
+ * where that is too small. At least SHEEN_WARP_PLANE where the vertices' normals are not linear, within 6 steps, over
+ * two triangles that follow each other as a fan, or the first has no area. The mesh MUST have polygon normals and have
+ * passed sheen_mesh_check.
  */
 #define SHEEN_WARP_UNKNOWN 255
+#define SHEEN_WARP_PLANE 2 /* up to here two triangles of a polygon may be drawn as one quad */
 void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp);
 
 /*

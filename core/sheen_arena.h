@@ -17,15 +17,15 @@
 
 /* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 568
+#define SHEEN_BYTES_FRAME 576
 #define SHEEN_BYTES_DRAW 328
 #define SHEEN_BYTES_WORKER 240
-#define SHEEN_BYTES_SETUP 184
+#define SHEEN_BYTES_SETUP 192
 #else
-#define SHEEN_BYTES_FRAME 452
-#define SHEEN_BYTES_DRAW 272
+#define SHEEN_BYTES_FRAME 456
+#define SHEEN_BYTES_DRAW 276
 #define SHEEN_BYTES_WORKER 184
-#define SHEEN_BYTES_SETUP 168
+#define SHEEN_BYTES_SETUP 176
 #endif
 #define SHEEN_BYTES_VERTEX 12
 #define SHEEN_BYTES_ENTRY 4

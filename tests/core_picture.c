@@ -128,9 +128,10 @@ static int make_frame(struct core_mesh *to, const struct ref_mesh *from, const s
     to->colors = calloc(vertices, 3);
     to->polygon_normals = calloc(from->polygon_count, 3 * sizeof *to->polygon_normals);
     to->polygons = calloc(from->triangle_count, sizeof *to->polygons);
+    to->warp = calloc(from->polygon_count, 1);
     to->indices = calloc(from->triangle_count, 3 * sizeof *to->indices);
-    if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->indices ||
-        !to->uvs || !to->colors)
+    if (vertices > 65535 || !to->positions || !to->normals || !to->polygon_normals || !to->polygons || !to->warp ||
+        !to->indices || !to->uvs || !to->colors)
         return -1;
     fill(to, from, vertex_of, reach);
     to->mesh = (struct sheen_mesh){.positions = to->positions,
@@ -146,6 +147,8 @@ static int make_frame(struct core_mesh *to, const struct ref_mesh *from, const s
                                    .vertices = (uint16_t)vertices,
                                    .triangles = (uint16_t)from->triangle_count,
                                    .scale = (sheen_q24_t)lround(reach * 32768 / 32767 * 16777216)};
+    sheen_mesh_warp(&to->mesh, (uint32_t)from->polygon_count, to->warp);
+    to->mesh.warp = to->warp;
     return 0;
 }
 
@@ -193,6 +196,7 @@ void core_mesh_free(struct core_mesh *mesh)
     free(mesh->uvs);
     free(mesh->colors);
     free(mesh->polygons);
+    free(mesh->warp);
     free(mesh->indices);
     memset(mesh, 0, sizeof *mesh);
 }
@@ -380,7 +384,8 @@ static int draw_scene(const struct sheen_target *target, const struct ref_scene 
                                   .max_vertices = mesh->vertices,
                                   .max_triangles = (uint16_t)(mesh->triangles + CLIPPED),
                                   .max_clipped = CLIPPED,
-                                  .clipper = &sheen_clipper};
+                                  .clipper = &sheen_clipper,
+                                  .quads = &sheen_quads};
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_material material;
     struct core_tables tables;

@@ -14,7 +14,7 @@
 struct core_mesh {
     struct sheen_mesh mesh;
     int16_t *positions, *normals, *polygon_normals, *uvs;
-    uint8_t *colors;
+    uint8_t *colors, *warp;
     uint16_t *polygons, *indices;
 };
 

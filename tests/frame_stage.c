@@ -101,7 +101,8 @@ void stage_config(struct sheen_config *config, const struct memory_target *targe
                                     .max_vertices = (uint16_t)(200 * actors),
                                     .max_triangles = (uint16_t)(400 * actors),
                                     .max_draws = (uint16_t)actors,
-                                    .clipper = &sheen_clipper};
+                                    .clipper = &sheen_clipper,
+                                    .quads = &sheen_quads};
 }
 
 uint32_t stage_random(uint32_t *state)

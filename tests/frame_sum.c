@@ -22,7 +22,7 @@
 static uint8_t picture[WIDTH * HEIGHT * 2];
 static uint64_t arena[40 * 1024];
 
-static const char *const mesh_name[] = {"ball", "torus", "box"};
+static const char *const mesh_name[] = {"ball", "torus", "box", "globe"};
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
 /* Beyond the lecture's. */
@@ -78,6 +78,7 @@ struct scene {
     uint16_t weight;      /* of another frame */
     uint8_t orthographic; /* 1: drawn so */
     uint8_t mixed;        /* 1: a texture is bilinear in all views, with a key but for matcaps */
+    uint8_t quads;        /* 1: of polygons with four corners, with warp */
     uint8_t twice;        /* 1: drawn once more in another colour, which lies at the same depths and does not show */
 };
 
@@ -218,25 +219,40 @@ static uint32_t corner_index(const struct sheen_mesh *mesh, uint32_t corner)
                                   : ((const uint16_t *)mesh->indices)[corner];
 }
 
-/* Each triangle is a polygon. */
+/* Each triangle is a polygon, or two that follow each other, a fan, are one. */
+static void find_polygons(struct sheen_mesh *mesh, int quads)
+{
+    static int16_t normals[3 * 1400];
+    static uint16_t polygons[1400];
+    static uint8_t warp[1400];
+    static const uint32_t corners[4] = {0, 1, 2, 3};
+    const uint32_t size = quads ? 2 : 1;
+
+    for (uint32_t t = 0; t < mesh->triangles; t += size) {
+        int32_t points[12];
+        sheen_q30_t normal[3];
+        for (uint32_t i = 0; i < 12; i++)
+            points[i] = mesh->positions[3 * corner_index(mesh, 3 * t + (i < 9 || !quads ? i / 3 % 3 : 5)) + i % 3];
+        if (sheen_polygon_normal(points, corners, 2 + size, normal) < 0)
+            normal[0] = normal[1] = normal[2] = 0;
+        for (uint32_t i = 0; i < 3; i++)
+            normals[3 * (t / size) + i] = (int16_t)(normal[i] / (1 << 15) - (normal[i] == 1 << 30));
+        for (uint32_t i = 0; i < size; i++)
+            polygons[t + i] = (uint16_t)(t / size);
+    }
+    mesh->polygon_normals = normals;
+    if (quads) {
+        mesh->polygons = polygons;
+        sheen_mesh_warp(mesh, mesh->triangles / 2, warp);
+        mesh->warp = warp;
+    }
+}
+
 static void find_edges(struct sheen_mesh *mesh)
 {
     static struct sheen_triangle_edges of_mesh[1400];
     static uint32_t scratch[SHEEN_EDGES_WORDS(1400, 1400)];
-    static int16_t normals[3 * 1400];
-    static const uint32_t corners[3] = {0, 1, 2};
 
-    for (uint32_t t = 0; t < mesh->triangles; t++) {
-        int32_t points[9];
-        sheen_q30_t normal[3];
-        for (uint32_t i = 0; i < 9; i++)
-            points[i] = mesh->positions[3 * corner_index(mesh, 3 * t + i / 3) + i % 3];
-        if (sheen_polygon_normal(points, corners, 3, normal) < 0)
-            normal[0] = normal[1] = normal[2] = 0;
-        for (uint32_t i = 0; i < 3; i++)
-            normals[3 * t + i] = (int16_t)(normal[i] / (1 << 15) - (normal[i] == 1 << 30));
-    }
-    mesh->polygon_normals = normals;
     sheen_mesh_edges(mesh, 0x37000000, scratch, of_mesh); /* sharp from 30.8 degrees on */
     mesh->edges = of_mesh;
 }
@@ -402,6 +418,7 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
         .max_triangles = 1400,
         .max_clipped = 600,
         .clipper = &sheen_clipper,
+        .quads = s->quads ? &sheen_quads : NULL,
         .max_carried = way->carried,
         .max_edges = s->edging != 0 ? 8000 : 0,
         .smooth = s->edging == SHEEN_SMOOTH};
@@ -451,6 +468,8 @@ static int print_sums(const struct scene *s)
         make_second(&own, &second);
         draw.morph = &morph;
     }
+    if (s->edging != 0 || s->quads)
+        find_polygons(&own, s->quads);
     if (s->edging != 0)
         find_edges(&own);
     for (int i = 0; i < 6; i++) {
@@ -461,13 +480,13 @@ static int print_sums(const struct scene *s)
                     shading_name[s->shading], s->view, format_name[s->format], way->rows, sheen_strerror(status));
             return status;
         }
-        printf("%-5s %-7s %s %d %s%s%s%s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
+        printf("%-5s %-7s %s %d %s%s%s%s%s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
                s->lights == LIGHTS_WHITE && s->weight != 0 ? "morph" : lights_name[s->lights], s->view,
                s->orthographic ? "ortho "
                : s->twice      ? "twice "
                                : "",
-               s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside], edging_name[s->edging],
-               format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
+               s->quads ? "quads " : "", s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside],
+               edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
                (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
@@ -708,11 +727,31 @@ static int colored_pixels(void)
     return status;
 }
 
+/* Plane quads, from the front, affine, where they are lit from behind and orthographic. */
+static int quads(void)
+{
+    static const uint8_t views[4] = {0, 1, 3, 0};
+    int status = SHEEN_OK;
+
+    for (int i = 0; i < 3 * 4 * SHEEN_SHADINGS && status == SHEEN_OK; i++) {
+        struct scene s = {.mesh = SUM_TORUS + i % 3,
+                          .shading = i / 3 % SHEEN_SHADINGS,
+                          .view = views[i / 3 / SHEEN_SHADINGS],
+                          .format = i * 2 % 5,
+                          .quads = 1};
+        s.orthographic = i / 3 / SHEEN_SHADINGS == 3;
+        s.beside = i % 4 == 1 ? 1 + i / 4 % (BESIDES - 1) : BESIDE_NOTHING;
+        s.edging = i % 5 == 2 ? (unsigned)(1 + i / 5 % (SHEEN_EDGINGS - 1)) : 0;
+        status = print_sums(&s);
+    }
+    return status;
+}
+
 int main(void)
 {
     static int (*const part[])(void) = {shadings,           ties,           besides,         morphs, with_edges,
                                         own_lights,         flat_texels,    bilinear_texels, ramps,  orthographic,
-                                        own_lights_besides, colored_texels, colored_pixels};
+                                        own_lights_besides, colored_texels, colored_pixels,  quads};
 
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (part[i]() < 0)

@@ -138,6 +138,31 @@ static void make_box(void)
     }
 }
 
+static void make_globe(void)
+{
+    enum {
+        STEPS = 16, /* a quarter's: 7 degrees at the most */
+        EAST = 20,
+        NORTH = 16
+    };
+
+    for (int32_t i = 0; i <= EAST; i++)
+        for (int32_t j = 0; j <= NORTH; j++, mesh.vertices++) {
+            int32_t c, s, up_c, up_s;
+            circle(i + 40, STEPS, &c, &s); /* towards the eye */
+            circle((j + 4 * STEPS - NORTH / 2) % (4 * STEPS), STEPS, &up_c, &up_s);
+            const int32_t v[3] = {up_c * c / 32767, up_s, -up_c * s / 32767};
+            unit(v, normals + 3 * mesh.vertices);
+            unit(v, positions + 3 * mesh.vertices);
+        }
+    for (unsigned i = 0; i < EAST; i++)
+        for (unsigned j = 0; j < NORTH; j++) {
+            const unsigned here = i * (NORTH + 1) + j, there = here + NORTH + 1;
+            add_triangle(here, there, there + 1);
+            add_triangle(here, there + 1, here + 1);
+        }
+}
+
 const struct sheen_mesh *sum_mesh(enum sum_mesh which)
 {
     mesh = (struct sheen_mesh){.positions = positions,
@@ -149,6 +174,8 @@ const struct sheen_mesh *sum_mesh(enum sum_mesh which)
         make_ball();
     else if (which == SUM_TORUS)
         make_torus();
+    else if (which == SUM_GLOBE)
+        make_globe();
     else
         make_box();
     return &mesh;

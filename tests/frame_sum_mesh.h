@@ -10,7 +10,8 @@ enum sum_mesh {
     SUM_BALL,
     SUM_TORUS,
     SUM_BOX,
-    SUM_MESHES
+    SUM_MESHES,            /* of which most scenes draw each */
+    SUM_GLOBE = SUM_MESHES /* a part of one, of small plane quads whose normals are linear */
 };
 
 /* Lives until the next call. */

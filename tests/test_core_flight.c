@@ -123,6 +123,7 @@ static int draw_frame(struct flight *f, int i, int one_sided, enum sheen_shading
     sheen_q24_t at[3], target[3];
     int background = 0;
 
+    mesh.warp = NULL; /* of what faces outwards */
     if (one_sided)
         mesh.indices = f->inverted;
     fly(i, eye, at, target);

@@ -54,10 +54,10 @@ static void check(const struct screen_corner *upper, int32_t width, int32_t heig
 static void walk_back(const struct screen_corner *upper, int32_t width, int32_t height, const struct edge *e,
                       int32_t first, int32_t next)
 {
-    int64_t at = e->at;
+    int64_t at = whole_of(e->at);
 
     for (int32_t row = next - 1; row >= first; row--) {
-        at -= e->step;
+        at -= whole_of(e->step);
         check(upper, width, height, row, (int32_t)(at >> 32));
     }
 }
@@ -70,12 +70,12 @@ static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t fr
 {
     const struct screen_corner upper = {x, y, first_row(y)}, lower = {x + width, y + height, first_row(y + height)};
     const struct screen_corner at[3] = {lower, lower, upper};
-    struct edge_rows to = {rows ? from : upper.row, rows ? from + rows : lower.row, rows == 0};
+    struct edge_rows to = {rows ? from : upper.row, rows ? from + rows : lower.row, rows == 0, 0};
     struct setup s = {.end_row = (int16_t)lower.row};
 
     if (upper.row == lower.row)
         return;
-    s.right = (uint8_t)sheen_edges_begin(s.edge, at, &to, spans);
+    s.right = right_edges(sheen_edges_begin(s.edge, at, &to, spans), 0);
     for (;;) {
         for (int32_t row = max32(upper.row, to.row); row < min32(lower.row, to.end); row++) {
             check(&upper, width, height, row, spans[row - to.row].x0);

@@ -83,6 +83,7 @@ static void make_frames(struct sheen_mesh *first, unsigned weight)
         bend(from->polygon_normals + 3 * i, made.polygon_normals[0] + 3 * i, 0);
         mix(from->polygon_normals + 3 * i, made.polygon_normals[0] + 3 * i, weight, 0, made.polygon_normals[1] + 3 * i);
     }
+    first->warp = NULL; /* of one frame */
     first->uvs = made.uvs;
     first->uv_bits = 15;
     made.second = made.between = *first;

@@ -112,6 +112,7 @@ static APART unsigned set_up(const struct sheen_frame *f, const struct worker *w
         d->as.fog->mixer->setup(s);
     SHEEN_TAP_SETUP(&c, &g);
     SHEEN_TAP(PARTIAL, s->row < s->end_row);
+    SHEEN_TAP(QUAD, c.at.v[3] != NULL);
     return rows;
 }
 

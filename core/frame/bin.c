@@ -47,12 +47,14 @@ struct box {
 };
 
 /* Pixels whose centres may lie inside: the box of the corners, within the viewport. */
-static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[3], unsigned flags)
+static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[4], unsigned flags)
 {
     const int32_t across = f->screen.centre_x + SUBPIXEL_HALF - 1, down = f->screen.centre_y + SUBPIXEL_HALF - 1;
     struct box b = {min32(v[0]->x, min32(v[1]->x, v[2]->x)), min32(v[0]->y, min32(v[1]->y, v[2]->y)),
                     max32(v[0]->x, max32(v[1]->x, v[2]->x)), max32(v[0]->y, max32(v[1]->y, v[2]->y))};
 
+    if (v[3] != NULL)
+        b = (struct box){min32(b.x0, v[3]->x), min32(b.y0, v[3]->y), max32(b.x1, v[3]->x), max32(b.y1, v[3]->y)};
     b.x0 = asr32(b.x0 + across, SUBPIXEL_BITS);
     b.y0 = asr32(b.y0 + down, SUBPIXEL_BITS);
     b.x1 = asr32(b.x1 + across, SUBPIXEL_BITS);
@@ -89,10 +91,11 @@ static inline void cover(struct sheen_rect *r, struct box b)
 }
 
 /*
- * Link a triangle into the band where its box begins, and grow the bands it crosses; where no entry is left
- * f->entries_short counts it. flags: what some corner has, and LIT_AS_SEEN of a piece. 0: it covers no pixel's centre.
+ * Link a triangle or quad into the band where its box begins, and grow the bands it crosses; where no entry is left
+ * f->entries_short counts it. v[3]: NULL, or of a quad, whose `triangle` has QUAD. flags: what some corner has, and
+ * LIT_AS_SEEN of a piece. 0: it covers no pixel's centre.
  */
-int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, unsigned flags)
+int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[4], uint32_t triangle, unsigned flags)
 {
     struct box b = covered(f, v, flags);
     uint32_t e = f->entries;
@@ -165,10 +168,15 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
         f->config.clipper->corners(&f->piece[id], c);
         return;
     }
+    if (is_quad(d, id)) {
+        f->config.quads->corners(f, d, id & (QUAD - 1), c);
+        return;
+    }
     const struct sheen_mesh *mesh = d->as.mesh;
     const int16_t *own = corner_parts(mesh, d->as.shader);
     const uint32_t parts = d->as.shader->needs_uvs ? 2 : 3;
     c->triangle = (uint16_t)id;
+    c->v[3] = NULL;
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t index = mesh_index(mesh, 3 * id + clockwise(k));
         c->v[k] = used_vertex(f, d, index);

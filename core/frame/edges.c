@@ -103,13 +103,17 @@ static int begins_above(const struct sheen_frame *f, uint32_t e, int32_t row)
 {
     const int32_t below = row * SUBPIXEL_ONE + SUBPIXEL_HALF - f->screen.centre_y;
     const struct draw_record *d = f->draw;
-    const uint32_t first = 3u * f->entry[e].triangle;
+    uint32_t first = 3u * f->entry[e].triangle, corners = 3;
 
     if (is_cut(f, e))
         return 1;
     while (e >= d->end_entry)
         d++;
-    for (uint32_t i = first; i < first + 3; i++)
+    if (is_quad(d, f->entry[e].triangle)) {
+        first -= 3 * QUAD;
+        corners = 6;
+    }
+    for (uint32_t i = first; i < first + corners; i++)
         if (used_vertex(f, d, mesh_index(d->as.mesh, i))->y <= below - SUBPIXEL_ONE)
             return 1;
     return 0;

@@ -112,15 +112,15 @@ COLD int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 
 /* ---- draw: transform, light, clip, bin ---- */
 
-/* Transform the vertices of a triangle that are used for the first time; 0 where one found no room. */
-static APART int use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
-                             const uint32_t index[3])
+/* Transform those of `count` vertices that are used for the first time; 0 where one found no room. */
+int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                      const uint32_t *index, int count)
 {
     const uint32_t none = f->config.max_used;
     int16_t store[3];
     int all = 1;
 
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < count; k++) {
         uint16_t *place = &f->place[d->first_vertex + index[k]];
         if (*place < none)
             continue;
@@ -138,10 +138,10 @@ static APART int use_corners(struct sheen_frame *f, const struct draw_record *d,
     return all;
 }
 
-/* Light the corners of a listed triangle, each vertex once. */
-static APART void light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t index[3])
+/* Light `count` corners of what is listed, each vertex once. */
+void sheen_light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t *index, int count)
 {
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < count; k++) {
         struct vertex *v = used_vertex(f, d, index[k]);
         int16_t store[3];
         if ((v->flags & LIT) != 0)
@@ -170,9 +170,10 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
                    none = f->config.max_used;
 
     SHEEN_TAP(LOOKED_AT, 1);
-    if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) && !use_corners(f, d, t, index))
+    if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) &&
+        !sheen_use_corners(f, d, t, index, 3))
         return;
-    const struct vertex *const v[3] = {f->vertex + place[index[0]], f->vertex + place[index[1]],
+    const struct vertex *const v[4] = {f->vertex + place[index[0]], f->vertex + place[index[1]],
                                        f->vertex + place[index[2]]};
     unsigned all = v[0]->flags & v[1]->flags & v[2]->flags, any = v[0]->flags | v[1]->flags | v[2]->flags;
     if ((any & OUTSIDE) != 0) {
@@ -185,7 +186,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
         return;
     f->stats.front++;
     if (sheen_bin_triangle(f, v, triangle, any) && (all & LIT) == 0 && d->as.shader->light != NULL)
-        light_corners(f, d, index);
+        sheen_light_corners(f, d, index, 3);
 }
 
 /* What of an object is missing or out of range, or SHEEN_ABOUT_NOTHING. */
@@ -255,13 +256,20 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
     const struct sheen_mesh *mesh = d->as.mesh;
     uint16_t *const place = f->place + d->first_vertex;
     uint32_t faces = UINT32_MAX, end = mesh->triangles;
+    int quads = 0;
 
     memset(place, 0xff, mesh->vertices * sizeof *place);
     for (uint32_t i = 0; i < end; i++) {
-        if (viewpoint->a_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces) &&
-            (i = sheen_next_facing(viewpoint, mesh, i, &faces)) == end)
-            break;
-        draw_triangle(f, d, t, place, i);
+        if (viewpoint->a_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces)) {
+            i = sheen_next_facing(viewpoint, mesh, i, &faces);
+            if (i == end)
+                break;
+            quads = d->as.quads != 0 && mesh->warp[faces] <= d->as.quads;
+        }
+        if (quads && f->config.quads->list(f, d, t, place, i))
+            i++;
+        else
+            draw_triangle(f, d, t, place, i);
     }
     if (f->used_short > 0)
         return room_for(f, f->config.max_used + f->used_short, f->config.max_used, SHEEN_ABOUT_MAX_USED);
@@ -306,6 +314,7 @@ static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *ob
     d->morph = object->morph;
     d->shader = object->shader;
     d->two_sided = object->two_sided;
+    d->quads = f->config.quads != NULL ? f->config.quads->most(f, object) : 0;
     d->dither = f->view.dither != 0;
     d->is_565 = !f->format.grey;
     d->swap = f->format.swap;

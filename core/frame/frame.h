@@ -31,9 +31,11 @@ struct draw_record {
 
 /* A visible triangle, in submission order; `next` links those that begin in the same band. */
 struct entry {
-    uint16_t triangle; /* of the draw's mesh, or a piece's index where its bit in `cut` is set */
+    uint16_t triangle; /* of the draw's mesh, a quad's first | QUAD; or a piece's index where its bit in `cut` is set */
     uint16_t next;
 };
+
+#define QUAD 0x8000u /* two triangles of a plane polygon as one, of draws that list quads */
 
 /* A piece of a triangle that was cut. */
 struct piece {
@@ -154,6 +156,12 @@ static inline int is_cut(const struct sheen_frame *f, uint32_t entry)
     return f->cut != NULL && (f->cut[entry >> 5] >> (entry & 31u) & 1u) != 0;
 }
 
+/* Whether it begins a quad, of an entry that is no piece. */
+static inline int is_quad(const struct draw_record *d, uint32_t triangle)
+{
+    return d->as.quads && (triangle & QUAD) != 0;
+}
+
 /* pieces.c, linked where a caller names it. */
 struct sheen_clipper {
     /* Cut a triangle and list what is left; pieces that find no room are counted in f->pieces_short. */
@@ -169,6 +177,19 @@ static inline unsigned clockwise(unsigned k)
 
     return order[k];
 }
+
+/* quads.c, linked where a caller names it. */
+struct sheen_quads {
+    uint8_t (*most)(const struct sheen_frame *f, const struct sheen_object *o); /* what struct draw's `quads` is */
+    /*
+     * List triangles i and i + 1 of a plane polygon as a quad, or pass over them where both face away: 1; 0 where they
+     * have to be drawn by themselves.
+     */
+    int (*list)(struct sheen_frame *f, const struct draw_record *d, const struct transform *t, const uint16_t *place,
+                uint32_t i);
+    /* As sheen_entry_corners, of a quad. */
+    void (*corners)(const struct sheen_frame *f, const struct draw_record *d, uint32_t triangle, struct corners *c);
+};
 
 /*
  * Pieces that a triangle gives at most: the near plane may leave four corners, two triangles where the screen is
@@ -226,9 +247,17 @@ static inline uint32_t or_default(uint32_t value, uint32_t fallback)
     return value != 0 ? value : fallback;
 }
 
+/*
+ * frame.c: transform those of `count` vertices that are used for the first time, 0 where one found no room; light them,
+ * each once.
+ */
+int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
+                      const uint32_t *index, int count);
+void sheen_light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t *index, int count);
+
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);
-int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[3], uint32_t triangle, unsigned flags);
+int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[4], uint32_t triangle, unsigned flags);
 /* Grow the bands that a rectangle within the viewport, not empty, crosses. */
 void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect);
 void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries);

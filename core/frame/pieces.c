@@ -98,7 +98,7 @@ static APART void list_pieces(struct sheen_frame *f, const struct draw_record *d
 {
     for (unsigned i = 1; i + 1 < job->count; i++) {
         const struct clip_corner *fan[3] = {&job->polygon[0], &job->polygon[i], &job->polygon[i + 1]};
-        const struct vertex *const v[3] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
+        const struct vertex *const v[4] = {&fan[0]->v, &fan[1]->v, &fan[2]->v};
         int64_t area = fan_area(job, i);
         if (area == 0 || (area > 0) != (whole > 0))
             continue;
@@ -181,6 +181,7 @@ static COLD void cut_triangle(struct sheen_frame *f, const struct draw_record *d
 static void piece_corners(const struct piece *piece, struct corners *c)
 {
     c->triangle = piece->triangle;
+    c->v[3] = NULL;
     for (unsigned k = 0; k < 3; k++) {
         c->v[k] = &piece->corner[clockwise(k)];
         c->normal[k] = piece->normal[clockwise(k)];

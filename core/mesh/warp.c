@@ -54,6 +54,46 @@ static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_nor
     return (uint8_t)(warp >> 20 < SHEEN_WARP_UNKNOWN - 1 ? (warp >> 20) + 1 : SHEEN_WARP_UNKNOWN);
 }
 
+/*
+ * Whether a mesh's normals are linear over the two triangles of a fan: corner 3's is what corners 0, 1, 2 make of it,
+ * within LINEAR steps. Range: differences < 2^16.01, areas < 2^33.1, products < 2^51.
+ */
+#define LINEAR 6
+
+static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
+{
+    uint32_t corner[4];
+    int64_t d[3][3], n[3][3], area[3] = {0, 0, 0};
+
+    for (uint32_t k = 0; k < 3; k++)
+        corner[k] = corner_index(mesh, 3 * t + k);
+    corner[3] = corner_index(mesh, 3 * t + 5);
+    if (corner_index(mesh, 3 * t + 3) != corner[0] || corner_index(mesh, 3 * t + 4) != corner[2])
+        return 0;
+    for (uint32_t k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < 3; i++) {
+            d[k][i] = mesh->positions[3 * corner[k + 1] + i] - mesh->positions[3 * corner[0] + i];
+            n[k][i] = mesh->normals[3 * corner[k + 1] + i] - mesh->normals[3 * corner[0] + i];
+        }
+    for (int k = 0; k < 3; k++) { /* on the plane that is seen largest; of corners 012, 013, 023 */
+        const int u = k == 2 ? 0 : k + 1, v = k == 0 ? 2 : k - 1;
+        const int64_t base = d[0][u] * d[1][v] - d[0][v] * d[1][u];
+        if ((base < 0 ? -base : base) <= (area[0] < 0 ? -area[0] : area[0]))
+            continue;
+        area[0] = base;
+        area[1] = d[0][u] * d[2][v] - d[0][v] * d[2][u];
+        area[2] = d[2][u] * d[1][v] - d[2][v] * d[1][u];
+    }
+    if (area[0] == 0) /* corners 0, 1, 2 say nothing of what is beside their line, nor 0, 1, 3 of corner 2 */
+        return 0;
+    for (int i = 0; i < 3; i++) { /* corner 3 is area[2] / area[0] of corner 1 and area[1] / area[0] of corner 2 */
+        const int64_t off = n[2][i] * area[0] - n[0][i] * area[2] - n[1][i] * area[1];
+        if ((off < 0 ? -off : off) > LINEAR * (area[0] < 0 ? -area[0] : area[0]))
+            return 0;
+    }
+    return 1;
+}
+
 void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp)
 {
     uint32_t polygon = UINT32_MAX;
@@ -70,6 +110,9 @@ void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint
             at = corner[0];
         polygon = own;
         uint8_t here = warp_of(corner, mesh->polygon_normals + 3 * polygon, at);
+        if (here < SHEEN_WARP_PLANE && mesh->normals != NULL && mesh->polygons != NULL && t + 1 < mesh->triangles &&
+            mesh->polygons[t + 1] == own && !normals_are_linear(mesh, t))
+            here = SHEEN_WARP_PLANE;
         warp[polygon] = here > warp[polygon] ? here : warp[polygon];
     }
 }

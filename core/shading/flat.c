@@ -22,4 +22,4 @@ static void flat_setup(struct setup *s, struct surface_corners *c, const struct 
         c->facet->pixel = one->pixel;
 }
 
-const struct sheen_shader sheen_flat = {.setup = flat_setup};
+const struct sheen_shader sheen_flat = {.setup = flat_setup, .quads = QUADS_ANY};

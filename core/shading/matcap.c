@@ -232,7 +232,7 @@ static APART int curved_matcap(struct setup *s, struct surface_corners *c, const
 {
     const unsigned steps = steps_of(s->draw);
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
-    uint32_t h[3], apart = sheen_normals_apart(c, h);
+    uint32_t h[3], apart = sheen_normals_apart(c->at.normal, h);
 
     if (apart <= widest_linear(steps) && !piece)
         return 0;

@@ -245,6 +245,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
 const struct sheen_shader sheen_phong = {.begin = sheen_reflection_begin,
                                          .light = sheen_keep_cosines,
                                          .setup = phong_setup,
+                                         .quads = QUADS_REFLECTED,
                                          .shades = sheen_shades_of,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),

@@ -20,6 +20,15 @@ enum piece_normals {
     LINEAR_IN_SPACE
 };
 
+/* Which plane quads a shading may draw whole: what it makes of three corners has to hold for the fourth too. */
+enum quads_taken {
+    QUADS_NONE,
+    QUADS_ANY,       /* light is one a polygon */
+    QUADS_LIT,       /* linear intensities: sheen_lit_linearly */
+    QUADS_REFLECTED, /* quadrics of cosines: sheen_reflects_whole; */
+    QUADS_CLOSE      /* up to CLOSE_ARCS */
+};
+
 /*
  * begin: fills in what the draw keeps for the room, once a draw; NULL: nothing. material: the object's, as its ramp has
  *   it; view: world to eye.
@@ -48,6 +57,7 @@ struct sheen_shader {
     uint8_t corners;                /* OF_MESH(...): what they have as their `normal`; 0: positions */
     uint8_t at_pixels;              /* 1: light is not linear between corners: a ramp is read at pixels */
     uint8_t lights;                 /* enum lights_taken */
+    uint8_t quads;                  /* enum quads_taken */
 };
 
 static inline const int16_t *corner_parts(const struct sheen_mesh *mesh, const struct sheen_shader *shader)

@@ -75,6 +75,7 @@ static void slerp_setup(struct setup *setup, struct surface_corners *c, const st
 const struct sheen_shader sheen_slerp = {.begin = sheen_reflection_begin,
                                          .light = sheen_keep_cosines,
                                          .setup = slerp_setup,
+                                         .quads = QUADS_CLOSE,
                                          .shades = sheen_shades_of,
                                          .needs_normals = 1,
                                          .corners = OF_MESH(normals),

@@ -75,7 +75,7 @@ static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, 
     uint32_t h[3];
 
     sheen_setup_tinted(setup, c, g);
-    if (g == NULL || setup->draw->light.count == 0 || (!piece && sheen_normals_apart(c, h) <= CLOSE_ARCS))
+    if (g == NULL || setup->draw->light.count == 0 || (!piece && sheen_normals_apart(c->at.normal, h) <= CLOSE_ARCS))
         return;
     for (unsigned k = 0; k < 3; k++) {
         s->x[k] = c->at.v[k]->x;

@@ -132,19 +132,19 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
     if (rows > 0)
         c.start = columns(c.start, c.step, rows, column + 2 * (row - to->row));
     if (!to->whole) {
-        e->at = c.start;
-        e->step = c.step;
+        e->at = halves_of(c.start);
+        e->step = halves_of(c.step);
     }
 }
 
 /* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
-unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], const struct edge_rows *to,
+unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, const struct edge_rows *to,
                            struct span *spans)
 {
     const struct screen_corner *from = &at[2], *const last = from;
     unsigned right = 0;
 
-    for (const struct screen_corner *end = at;; from = end++, edge++) { /* edges 20, 01, 12 */
+    for (const struct screen_corner *end = at - to->quad;; from = end++, edge++) {
         const struct screen_corner *upper = end, *lower = from;
         int16_t *column = &spans->x0;
         right >>= 1;
@@ -152,7 +152,7 @@ unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], 
             upper = from;
             lower = end;
             column = &spans->x1;
-            right |= 4u;
+            right |= 8u;
         }
 #if !defined(__ARM_ARCH_6M__)
         OPAQUE_BOTH(upper, lower);
@@ -178,12 +178,15 @@ void sheen_spans_back(struct setup *s, int32_t row)
     const int32_t end = s->row;
     int32_t top = end;
 
-    for (int k = 0; k < 3; k++) {
-        struct edge *e = &s->edge[k];
+    struct edge *e = s->edge;
+
+    for (unsigned right = s->right; right != 1; right >>= 1, e++) {
+        int64_t at = whole_of(e->at);
         for (int32_t rows = min32(e->end, end) - max32(e->first, row); rows > 0; rows--) {
-            e->at -= e->step;
+            at -= whole_of(e->step);
             OPAQUE(rows); /* else gcc multiplies */
         }
+        e->at = halves_of(at);
         top = min32(top, e->first);
     }
     s->row = (int16_t)max32(row, top);
@@ -196,11 +199,11 @@ unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans
 
     if (row >= end)
         return 0;
-    for (unsigned right = s->right | 8u; right != 1; right >>= 1, e++) { /* a bit an edge, and one after the last */
+    for (unsigned right = s->right; right != 1; right >>= 1, e++) {
         const int32_t first = max32(e->first, row), rows = min32(e->end, end) - first;
         struct span *span = spans + (first - row);
         if (rows > 0)
-            e->at = columns(e->at, e->step, rows, right & 1 ? &span->x1 : &span->x0);
+            e->at = halves_of(columns(whole_of(e->at), whole_of(e->step), rows, right & 1 ? &span->x1 : &span->x0));
     }
     s->row = (int16_t)end;
     if (s->beyond)

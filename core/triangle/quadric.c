@@ -8,9 +8,6 @@
  */
 #include "quadric.h"
 
-#define LOWEST_SCALE 12 /* steps up to 8 a px */
-/* A product of coordinates is off by about 2^-20 (extent * step)^2, and extent * step < 2^(stretch + 1). */
-#define QUADRIC_STRETCH 6
 #define MOST_EXCESS 203 /* of k: ten products below 2^20 and one k stay below 2^31 */
 #define MOST_SLOPE 16383
 
@@ -18,7 +15,7 @@ int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
 {
     const int32_t px = g->b1[0], py = g->b1[1], qx = g->b2[0], qy = g->b2[1];
 
-    if (g->exponent < LOWEST_SCALE || g->stretch > QUADRIC_STRETCH)
+    if (!quadric_fits(g->exponent, g->stretch))
         return 0;
     p->g = g;
     p->b1b1[0] = asr32(px * px, 10);

@@ -6,6 +6,16 @@
 
 #include "triangle.h"
 
+#define LOWEST_SCALE 12 /* steps up to 8 a px */
+/* A product of coordinates is off by about 2^-20 (extent * step)^2, and extent * step < 2^(stretch + 1). */
+#define QUADRIC_STRETCH 6
+
+/* Of a triangle's gradients; else it is too small or a needle. */
+static inline int quadric_fits(int exponent, int stretch)
+{
+    return exponent >= LOWEST_SCALE && stretch <= QUADRIC_STRETCH;
+}
+
 /* Products of the gradients' steps, xx, xy and yx, yy, for any function on a triangle: raw / 2^(2 exponent - 10). */
 struct quadric_steps {
     const struct gradients *g;

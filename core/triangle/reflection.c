@@ -56,10 +56,8 @@ static uint32_t square_apart(const int16_t *a, const int16_t *b)
     return x * x + y * y + z * z;
 }
 
-uint32_t sheen_normals_apart(const struct surface_corners *c, uint32_t h[3])
+uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3])
 {
-    const int16_t *const *n = c->at.normal;
-
     h[0] = square_apart(n[0], n[1]);
     h[1] = square_apart(n[0], n[2]);
     h[2] = square_apart(n[1], n[2]);
@@ -75,7 +73,63 @@ void sheen_face(struct facing *f, const struct surface_corners *c)
         f->ln[k] = c->back ? -ln : ln;
         f->nv[k] = c->back ? -nv : nv;
     }
-    f->apart = sheen_normals_apart(c, f->h);
+    f->apart = sheen_normals_apart(c->at.normal, f->h);
+    f->kept = NULL;
+    if (c->at.v[3] != NULL) {
+        f->kept = c->at.v[3]->kept;
+        f->apart *= QUAD_APART;
+    }
+}
+
+/* How far apart normals may be where the draw has highlights: see too_sharp. */
+static uint32_t widest_with_highlight(const struct draw *d)
+{
+    return widest_highlight[d->strong][d->power.shininess > 32];
+}
+
+/*
+ * What sheen_setup_reflection asks of a quad but for its light. REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes
+ * of three corners stays below it.
+ */
+static inline int quadric_takes(const struct screen *screen, const struct quad *q)
+{
+    const struct vertex *const *v = q->v, *const first = v[0];
+    int32_t least = 0, most = 0;
+    uint32_t extent = 0;
+
+    for (int k = 1; k < 4; k++) {
+        const int32_t z = v[k]->z - first->z;
+        extent |= magnitude32(v[k]->x - first->x) | magnitude32(v[k]->y - first->y);
+        least = min32(least, z);
+        most = max32(most, z);
+    }
+    const int bits = 32 - (int)clz32(extent), sum = bits + (int)clz32((uint32_t)q->area[0]);
+    const uint32_t weight = (uint32_t)(first->z + least) + (screen->weight_offset >> screen->weight_shift);
+    return bits <= MAGNIFIED && quadric_fits(40 - sum, sum + bits - 32) &&
+           (screen->flat_weight || 9 * (uint32_t)(most - least) <= weight);
+}
+
+/*
+ * Beyond its triangle a quadric is off by up to 11 times as much as within, at corner 3 of a square, and that grows
+ * with the cube of the angle: so it counts as sqrt(5) times what it is (sheen_face). The diagonal from corner 0 is
+ * twice as long at most, so with a highlight at one corner u stays below MOST_ARGUMENT at all.
+ */
+int sheen_reflects_whole(const struct draw *d, const struct screen *screen, const struct quad *q, uint32_t most)
+{
+    const int16_t *n[4];
+    uint32_t h[3];
+
+    const int sharp = d->strong && d->power.shininess > 32;
+
+    if (d->light.count != 1 || d->by_ramp || sharp || !quadric_takes(screen, q))
+        return 0;
+    for (int k = 0; k < 4; k++)
+        n[k] = d->mesh->normals + 3 * q->index[k];
+    if (d->power.limit != 0 && widest_with_highlight(d) < most)
+        most = widest_with_highlight(d);
+    most = (most >> 3) - QUAD_APART;
+    return (sheen_normals_apart(n, h) >> 3) * QUAD_APART <= most &&
+           (square_apart(n[3], n[0]) >> 5) * QUAD_APART <= most;
 }
 
 static int32_t least3(const int32_t x[3])
@@ -110,6 +164,7 @@ struct excesses {
     int32_t h[3], lean[3];   /* Q0.18 */
     int32_t light[3];        /* Q.16 */
     int32_t u[3], second[3]; /* 1 - R.V at the corners, Q2.29; its excess, Q.15 */
+    int32_t most;            /* the largest of all corners' */
 };
 
 static void light_excesses(struct excesses *e, const struct facing *f)
@@ -134,7 +189,14 @@ static int has_highlight(struct excesses *e, const struct facing *f, const struc
         e->u[k] = lv1 - f->ln[k] * f->nv[k];
     if (limit == 0)
         return 0;
-    int32_t least = least3(e->u), spread = most3(e->u) - least;
+    int32_t least = least3(e->u);
+    e->most = most3(e->u);
+    if (f->kept != NULL) {
+        const int32_t across = lv1 - (int16_t)f->kept[0] * (int16_t)f->kept[1];
+        least = min32(least, across);
+        e->most = max32(e->most, across);
+    }
+    const int32_t spread = e->most - least;
     if (least - (int32_t)(f->apart + (f->apart >> 1) + (f->apart >> 4)) - asr32(spread, 3) >= limit)
         return 0;
     e->second[0] = reflected_excess(f, e->u, 0, 1, e->h[0], e->lean[0]);
@@ -149,8 +211,7 @@ static int has_highlight(struct excesses *e, const struct facing *f, const struc
 /* 1 where a highlight is too sharp for the angle, or its argument may wrap. */
 static int too_sharp(const struct excesses *e, const struct facing *f, const struct draw *d)
 {
-    return f->apart > widest_highlight[d->strong][d->power.shininess > 32] ||
-           most3(e->u) >= (int32_t)(MOST_ARGUMENT >> d->power.up);
+    return f->apart > widest_with_highlight(d) || e->most >= (int32_t)(MOST_ARGUMENT >> d->power.up);
 }
 
 static void second_quadric(struct quadric *q, const struct quadric_steps *steps, const struct excesses *e, unsigned up)
@@ -170,7 +231,7 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
     struct excesses e;
 
     /* over the triangle L.N is a mean of the corners' but for a positive factor */
-    if (most3(f->ln) <= 0 && !s->draw->by_ramp) {
+    if (most3(f->ln) <= 0 && (f->kept == NULL || (int16_t)f->kept[0] <= 0) && !s->draw->by_ramp) {
         const struct lit dark = {0, 0};
         sheen_setup_constant(s, &dark);
         return 1;

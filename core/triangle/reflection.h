@@ -11,8 +11,11 @@
 struct facing {
     int32_t ln[3], nv[3]; /* L.N and N.V, Q0.15 */
     uint32_t h[3];        /* |Ni - Nj|^2 of edges 01, 02, 12, UQ2.30: 2 - 2 cos; less than 4.0 */
-    uint32_t apart;       /* the largest of them */
+    uint32_t apart;       /* the largest of them, of a quad times QUAD_APART */
+    const uint16_t *kept; /* a quad's corner 3: what it keeps; NULL: there is none */
 };
+
+#define QUAD_APART 5u /* of a quad, sheen_reflects_whole */
 
 #define CLOSE_ARCS 105105331u /* of `apart`: 18 degrees */
 
@@ -24,7 +27,7 @@ void sheen_reflection_begin(struct draw *d, const struct sheen_material *materia
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2]);
 
 /* |Ni - Nj|^2 of edges 01, 02, 12, UQ2.30; returns the largest. */
-uint32_t sheen_normals_apart(const struct surface_corners *c, uint32_t h[3]);
+uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3]);
 
 /*
  * Four times what an edge's middle lies above the mean of its ends, Q.16, of a cosine that has these there, Q0.15. h, a
@@ -34,6 +37,12 @@ int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t le
 
 /* Of vertices that keep cosines, so not of pieces. */
 void sheen_face(struct facing *f, const struct surface_corners *c);
+
+/*
+ * 1 where sheen_setup_reflection takes a quad, its quadrics those of corners 0 to 2: one light, no ramp, small, normals
+ * no farther apart than `most` and highlights let.
+ */
+int sheen_reflects_whole(const struct draw *d, const struct screen *screen, const struct quad *q, uint32_t most);
 
 /*
  * Sets way, fast and rows, and what follows *s: out of the light one colour, else quadrics. 0: normals or weights are

@@ -49,7 +49,10 @@ static void orient(struct surface_corners *c, struct gradients *g)
     g->to1[1] = y1;
     g->to2[0] = x2;
     g->to2[1] = y2;
-    g->bits = (uint16_t)(32 - clz32(magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2)));
+    uint32_t all = magnitude32(x1) | magnitude32(y1) | magnitude32(x2) | magnitude32(y2);
+    if (v[3] != NULL)
+        all |= magnitude32(v[3]->x - v[0]->x) | magnitude32(v[3]->y - v[0]->y);
+    g->bits = (uint16_t)(32 - clz32(all));
     if (g->bits <= NARROW_BITS) {
         low = x1 * y2 - y1 * x2;
         c->back = low < 0;
@@ -106,31 +109,39 @@ static void depth_plane(struct setup *s, const struct surface_corners *c, const 
 unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
                               struct surface_corners *c, struct gradients *g, struct setup *s)
 {
-    struct screen_corner at[3];
+    const struct vertex *const fourth = c->at.v[3];
+    struct screen_corner ring[4], *const at = &ring[1]; /* corner 3 of a quad, then 2, 0, 1 */
 
     orient(c, g);
     c->screen = screen;
-    at[0].x = c->at.v[0]->x + screen->centre_x;
-    at[0].y = c->at.v[0]->y + screen->centre_y;
-    at[1].x = at[0].x + g->to1[0];
-    at[1].y = at[0].y + g->to1[1];
-    at[2].x = at[0].x + g->to2[0];
-    at[2].y = at[0].y + g->to2[1];
+    at[1].x = c->at.v[0]->x + screen->centre_x;
+    at[1].y = c->at.v[0]->y + screen->centre_y;
+    at[2].x = at[1].x + g->to1[0];
+    at[2].y = at[1].y + g->to1[1];
+    at[0].x = at[1].x + g->to2[0];
+    at[0].y = at[1].y + g->to2[1];
     for (int k = 0; k < 3; k++)
         at[k].row = first_centre(at[k].y);
     int32_t top = min32(at[0].row, min32(at[1].row, at[2].row)), bottom = max32(at[0].row, max32(at[1].row, at[2].row));
+    if (fourth != NULL) {
+        ring[0].x = fourth->x + screen->centre_x;
+        ring[0].y = fourth->y + screen->centre_y;
+        ring[0].row = first_centre(ring[0].y);
+        top = min32(top, ring[0].row);
+        bottom = max32(bottom, ring[0].row);
+    }
     int32_t end_row = min32(bottom, screen->viewport.y1);
     const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1),
-                                 top >= rect.y0 && bottom <= rect.y1 - screen->again};
+                                 top >= rect.y0 && bottom <= rect.y1 - screen->again, fourth != NULL};
     s->row = (int16_t)to.end;
     s->end_row = (int16_t)end_row;
     if (to.row >= to.end)
         return 0;
-    s->right = (uint8_t)sheen_edges_begin(s->edge, at, &to, spans);
+    s->right = right_edges(sheen_edges_begin(s->edge, at, &to, spans), to.quad);
     s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0 || screen->again > 0;
     if (s->beyond)
         sheen_clip_spans(spans, (unsigned)(to.end - to.row), rect);
-    c->flat = !sheen_gradients(g, at[0].x, at[0].y);
+    c->flat = !sheen_gradients(g, at[1].x, at[1].y);
     depth_plane(s, c, g, c->flat);
     return (unsigned)(to.end - to.row);
 }

@@ -31,6 +31,7 @@ struct draw {
     uint8_t stippled;    /* enum stippled */
     uint8_t left_out[8]; /* of a stippled draw's rows, y & 7: a bit a column, x & 7, whose pixels are not drawn */
     uint8_t forced;      /* 1 + enum sheen_way, or 0: a test wants that way where it is good enough */
+    uint8_t quads;       /* the highest warp of polygons whose triangles may be listed as quads; 0: none are */
     uint8_t widest;      /* |Ni - Nj|^2 up to which L.N is a quadric, UQ.9: sheen_reflection_begin's */
     int16_t depth_bias;  /* steps of z16, -4096..4095 */
     const struct sheen_mesh *mesh;
@@ -87,10 +88,26 @@ struct screen {
 
 /* ---- set-up: three vertices -> edges and gradients ---- */
 
+/* An int64_t that takes no alignment of 8 bytes. */
+struct halves {
+    uint32_t low;
+    int32_t high;
+};
+
+static inline int64_t whole_of(struct halves x)
+{
+    return (int64_t)((uint64_t)(uint32_t)x.high << 32 | x.low);
+}
+
+static inline struct halves halves_of(int64_t x)
+{
+    return (struct halves){(uint32_t)(uint64_t)x, (int32_t)((uint64_t)x >> 32)};
+}
+
 /* Where an edge crosses pixel rows: edge.c. */
 struct edge {
-    int64_t at;         /* Q31.32 px in the next row; the whole part is the first column whose centre is at or right */
-    int64_t step;       /* a row */
+    struct halves at;   /* Q31.32 px in the next row; the whole part is the first column whose centre is at or right */
+    struct halves step; /* a row */
     int16_t first, end; /* rows */
 };
 
@@ -114,14 +131,14 @@ struct setup {
     uint8_t next;         /* slot in the worker's list */
     uint8_t way;          /* enum sheen_way */
     int16_t row, end_row; /* next row to do; one past the last */
-    uint8_t right;        /* a bit an edge: 1 where it bounds the right */
+    uint8_t right;        /* a bit an edge: 1 where it bounds the right; and 1 after the last */
     uint8_t beyond;       /* columns may leave the tile */
     uint8_t fast;         /* loops may do without clamp: see the ways */
     uint8_t detail;       /* the way's own */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
     struct plane depth; /* UQ16.16 of z16 */
-    struct edge edge[3];
+    struct edge edge[4];
 };
 
 #define SETUP_BYTES (sizeof(struct setup) + 64)
@@ -140,10 +157,24 @@ static inline uint32_t pairs(int32_t x)
 
 /* The three corners of an entry, with what shading needs of them. */
 struct corners {
-    const struct vertex *v[3];
-    const int16_t *normal[3]; /* or what struct sheen_shader says */
-    uint16_t triangle;        /* of the mesh */
+    const struct vertex *v[4]; /* the last of a quad, else NULL: it follows corner 1, and precedes corner 2 */
+    const int16_t *normal[3];  /* or what struct sheen_shader says */
+    uint16_t triangle;         /* of the mesh; of a quad the first of its two */
 };
+
+/*
+ * A plane quad that may be drawn whole, corners as in struct corners; normals are linear over it in space. On the
+ * screen corner 3 is corner 0 + S (corner 1 - corner 0) + T (corner 2 - corner 0), S = area[1] / area[0] and T =
+ * area[2] / area[0], at most 2 each.
+ */
+struct quad {
+    const struct vertex *const *v;
+    uint32_t index[4]; /* in the mesh */
+    int32_t area[3];   /* twice, 1/4096 px^2, of corners 012, 032, 013; 0 < area < 2^30 */
+};
+
+/* quad.c: of vertices that keep intensities: whether any way with corners 0 to 2 holds for corner 3 too. */
+int sheen_lit_linearly(const struct draw *d, const struct quad *q);
 
 /* Corners in the order of the gradients, and what shading needs of them. */
 struct surface_corners {
@@ -236,23 +267,30 @@ static inline uint32_t corners_lit(const struct setup *s, const struct surface_c
 unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
                               struct surface_corners *c, struct gradients *g, struct setup *s);
 
-/* Rows of a tile: spans[0] is row `row`. */
-struct edge_rows {
-    int32_t row, end;
-    int whole; /* the triangle has no other rows, and these are not asked for again */
-};
-
 /* A corner on the target, 1/64 px, and the first row whose centre is at or below it. */
 struct screen_corner {
     int32_t x, y, row;
 };
 
+/* Rows of a tile: spans[0] is row `row`. */
+struct edge_rows {
+    int32_t row, end;
+    int whole; /* the triangle has no other rows, and these are not asked for again */
+    int quad;  /* 1: a corner more, before the first */
+};
+
 /*
- * edge.c: the edges of clockwise corners, columns in `to` written to spans[0], which is row to->row, and on. Returns a
- * bit an edge, 1 where it bounds the right.
+ * edge.c: the edges of clockwise corners at[0] to at[2], before them of a quad at[-1], the first from at[2]; columns in
+ * `to` are written to spans[0] and on. Returns a bit an edge, 1 where it bounds the right, bit 3 the last.
  */
-unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner at[3], const struct edge_rows *to,
+unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, const struct edge_rows *to,
                            struct span *spans);
+
+/* struct setup's `right`, of what sheen_edges_begin returns. */
+static inline uint8_t right_edges(unsigned right, int quad)
+{
+    return (uint8_t)(quad ? right | 16u : right >> 1 | 8u);
+}
 
 /*
  * The next rows of a triangle inside the tile; moves s->row past them. Number of rows; spans[0] was s->row.

@@ -283,10 +283,11 @@ static void print_edges(int scene, const struct sheen_mesh *mesh)
 /* What the baker would say of the mesh: warp, and edges. */
 static void print_baked(const struct scene *s)
 {
-    static int16_t positions[3 * MAX_VERTICES], facing[3 * MAX_TRIANGLES];
+    static int16_t positions[3 * MAX_VERTICES], normals[3 * MAX_VERTICES], facing[3 * MAX_TRIANGLES];
     static uint16_t polygon_of[MAX_TRIANGLES], indices[3 * MAX_TRIANGLES];
     static uint8_t warp[MAX_TRIANGLES];
     const struct sheen_mesh mesh = {.positions = positions,
+                                    .normals = normals,
                                     .polygon_normals = facing,
                                     .polygons = polygon_of,
                                     .indices = indices,
@@ -296,6 +297,8 @@ static void print_baked(const struct scene *s)
 
     for (int i = 0; i < 3 * vertices; i++)
         positions[i] = (int16_t)quantised(position, i, s->unit);
+    for (int i = 0; i < 3 * vertices; i++)
+        normals[i] = (int16_t)quantised(normal, i, 1);
     for (int i = 0; i < 3 * polygons; i++)
         facing[i] = (int16_t)quantised(polygon_normal, i, 1);
     for (int i = 0; i < 3 * triangles; i++) {

@@ -99,6 +99,18 @@ static void measure_all(const struct frame *frame)
         guest_leave(1);
 }
 
+/* Where no polygon's triangles are drawn as one. */
+static void measure_triangles(const struct bench_scene *scene)
+{
+    static const char *const name[] = {"flat_triangles", "gouraud_triangles", "phong_triangles", "slerp_triangles"};
+
+    for (int shading = SHEEN_FLAT; shading <= SHEEN_SLERP; shading++) {
+        const struct frame frame = {scene, name[shading], (uint8_t)shading, BENCH_TRIANGLES};
+        if (measure(&frame, 16, PLAIN) < 0)
+            guest_leave(1);
+    }
+}
+
 /* And what as many free channels take without colours. */
 static void measure_colored(const struct bench_scene *scene)
 {
@@ -150,6 +162,7 @@ void guest_main(void)
         if (i % 2 == 0)
             measure_colored(frame.scene);
     }
+    measure_triangles(&bench_scenes[0]);
     measure_edges();
     guest_leave(0);
 }

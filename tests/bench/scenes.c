@@ -26,6 +26,7 @@ void bench_config(struct bench *bench, const struct bench_scene *scene, enum she
     bench->target = (struct sheen_target){
         .push = throw_away, .width = scene->width, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
     bench->config = (struct sheen_config){.target = &bench->target,
+                                          .quads = &sheen_quads,
                                           .band_rows = (uint16_t)band_rows,
                                           .buffers = 1,
                                           .max_vertices = scene->mesh.vertices,
@@ -83,6 +84,8 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
     if (bench->texture == BENCH_HIGHLIGHTED) {
         bench->material.shine = &sheen_shine_4;
         bench->material.specular = SHEEN_Q16(0.1); /* up to .95, no pixel is clamped */
+    } else if (bench->texture == BENCH_TRIANGLES) {
+        bench->config.quads = NULL;
     } else if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
@@ -90,7 +93,7 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
 
 static const struct sheen_shader *shader_of(const struct bench *bench)
 {
-    if (bench->texture == BENCH_PLAIN || bench->texture == BENCH_HIGHLIGHTED)
+    if (bench->texture == BENCH_PLAIN || bench->texture >= BENCH_HIGHLIGHTED)
         return sheen_shader_of(bench->shading);
     if (bench->texture == BENCH_COLORED)
         return sheen_colored_shader_of(bench->shading);

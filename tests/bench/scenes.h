@@ -51,7 +51,8 @@ enum bench_texture {
     BENCH_TEXTURED_COLORED, /* as BENCH_LIT, with vertices' colours; */
     BENCH_MATCAP_COLORED,   /* as BENCH_MATCAP */
     BENCH_COLORED,          /* no texture, but vertices' colours: flat or by Gouraud */
-    BENCH_HIGHLIGHTED       /* no texture, but a highlight everywhere: colours as free as vertices', by Gouraud */
+    BENCH_HIGHLIGHTED,      /* no texture, but a highlight everywhere: colours as free as vertices', by Gouraud */
+    BENCH_TRIANGLES         /* as BENCH_PLAIN, without quads */
 };
 
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */

@@ -12,6 +12,11 @@
 #define PIECES 0
 #define CUTS NULL
 #endif
+#ifdef QUADS
+#define BY_QUADS (&sheen_quads)
+#else
+#define BY_QUADS NULL
+#endif
 
 extern const struct sheen_mesh mesh;
 extern const struct sheen_material material;
@@ -28,8 +33,12 @@ int main(void)
     struct sheen_panel panel;
     struct sheen_target target;
     struct sheen_frame *frame;
-    const struct sheen_config config = {
-        .target = &target, .max_vertices = 530, .max_triangles = 512, .max_clipped = PIECES, .clipper = CUTS};
+    const struct sheen_config config = {.target = &target,
+                                        .max_vertices = 530,
+                                        .max_triangles = 512,
+                                        .max_clipped = PIECES,
+                                        .clipper = CUTS,
+                                        .quads = BY_QUADS};
     struct sheen_object object = {
         .mesh = &mesh, .material = &material, .shader = shaders[which], .lights = &light, .light_count = 1};
 

@@ -1,0 +1,479 @@
+/*
+ * test_frame_quads.c - plane polygons of four corners that are drawn whole: the same pixels as their triangles', the
+ * same colours within a step (flat: the very same), depths within a part of a pixel's slope; and which ones these are.
+ *
+ * Bodies are convex, so that each pixel has one polygon that faces the eye.
+ */
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "core_picture.h"
+#include "frame/frame.h"
+#include "frame_stage.h"
+
+#define PI 3.14159265358979323846
+#define MOST_VERTICES 2200
+#define MOST_TRIANGLES 4200
+#define WIDTH 160
+#define HEIGHT 120
+#define ROUNDED 8 /* z16: by so much a quad's plane may differ from its triangles' wherever it lies */
+
+/* A body of revolution. */
+struct body {
+    int16_t positions[3 * MOST_VERTICES], normals[3 * MOST_VERTICES], facing[3 * MOST_TRIANGLES];
+    uint16_t polygons[MOST_TRIANGLES], indices[3 * MOST_TRIANGLES];
+    uint8_t warp[MOST_TRIANGLES];
+    uint32_t polygon_count;
+    struct sheen_mesh mesh;
+};
+
+static void add_vertex(struct body *b, const double p[3], const double n[3])
+{
+    const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+
+    for (int k = 0; k < 3; k++) {
+        b->positions[3 * b->mesh.vertices + k] = (int16_t)lround(32767 * p[k]);
+        b->normals[3 * b->mesh.vertices + k] = (int16_t)lround(32767 * n[k] / length);
+    }
+    b->mesh.vertices++;
+}
+
+/* A fan; its normal is that of its diagonals, or sides. */
+static void add_polygon(struct body *b, const uint32_t *corner, uint32_t count)
+{
+    const int16_t *p[4];
+    double d[2][3], n[3], length = 0;
+
+    for (uint32_t k = 0; k < 4; k++)
+        p[k] = b->positions + 3 * corner[k < count ? k : 0];
+    for (int k = 0; k < 3; k++) {
+        d[0][k] = p[2][k] - p[0][k];
+        d[1][k] = p[3][k] - p[1][k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int u = (k + 1) % 3, v = (k + 2) % 3;
+        n[k] = d[0][u] * d[1][v] - d[0][v] * d[1][u];
+        length += n[k] * n[k];
+    }
+    for (int k = 0; k < 3; k++)
+        b->facing[3 * b->polygon_count + (uint32_t)k] =
+            (int16_t)(length > 0 ? lround(32767 * n[k] / sqrt(length)) : 32767 * (k == 0));
+    for (uint32_t k = 2; k < count; k++) {
+        uint16_t *index = b->indices + 3 * b->mesh.triangles;
+        index[0] = (uint16_t)corner[0];
+        index[1] = (uint16_t)corner[k - 1];
+        index[2] = (uint16_t)corner[k];
+        b->polygons[b->mesh.triangles++] = (uint16_t)b->polygon_count;
+    }
+    b->polygon_count++;
+}
+
+enum profile {
+    GLOBE, /* its normals are linear over its quads */
+    EGG,   /* they are not */
+    DRUM   /* on its sides they are, and its ends are polygons of as many corners as it has sides */
+};
+
+static void make_body(struct body *b, enum profile profile, uint32_t around, uint32_t along)
+{
+    memset(b, 0, sizeof *b);
+    b->mesh.positions = b->positions;
+    b->mesh.normals = b->normals;
+    for (uint32_t j = 0; j <= along; j++)
+        for (uint32_t i = 0; i < around; i++) {
+            const double turn = 2 * PI * i / around, up = PI * (j / (double)along - .5), high = profile == EGG ? .6 : 1;
+            double p[3] = {cos(turn) * cos(up), sin(up) * high, -sin(turn) * cos(up)};
+            double n[3] = {p[0], p[1] / (high * high), p[2]};
+            if (profile == DRUM) {
+                p[0] = n[0] = cos(turn);
+                p[2] = n[2] = -sin(turn);
+                p[1] = 2. * j / along - 1;
+                n[1] = 0;
+            }
+            for (int k = 0; k < 3; k++)
+                p[k] *= profile == DRUM ? .7 : 1;
+            add_vertex(b, p, n);
+        }
+    for (uint32_t j = 0; j < along; j++)
+        for (uint32_t i = 0; i < around; i++) {
+            const uint32_t here = j * around, next = (i + 1) % around;
+            const uint32_t corner[4] = {here + i, here + next, here + around + next, here + around + i};
+            if (profile != DRUM && j == 0)
+                add_polygon(b, (const uint32_t[3]){corner[0], corner[2], corner[3]}, 3);
+            else
+                add_polygon(b, corner, profile != DRUM && j + 1 == along ? 3 : 4);
+        }
+    for (int end = 0; end < 2 && profile == DRUM; end++) {
+        uint32_t corner[64];
+        const uint32_t first = b->mesh.vertices;
+        for (uint32_t i = 0; i < around; i++) {
+            const double turn = 2 * PI * i / around * (end ? 1 : -1), n[3] = {0, end ? 1 : -1, 0};
+            add_vertex(b, (const double[3]){.7 * cos(turn), .7 * n[1], -.7 * sin(turn)}, n);
+            corner[i] = first + i;
+        }
+        add_polygon(b, corner, around);
+    }
+    b->mesh.polygon_normals = b->facing;
+    b->mesh.polygons = b->polygons;
+    b->mesh.warp = b->warp;
+    b->mesh.indices = b->indices;
+    b->mesh.index_bytes = 2;
+    b->mesh.scale = 1 << 24;
+    sheen_mesh_warp(&b->mesh, b->polygon_count, b->warp);
+}
+
+/* ---- pictures ---- */
+
+struct drawn {
+    uint16_t depth[WIDTH * HEIGHT], pixel[WIDTH * HEIGHT];
+    uint32_t listed, quads;
+};
+
+static void keep_depth(void *ctx, const struct sheen_canvas *canvas)
+{
+    struct drawn *to = ctx;
+
+    for (int y = canvas->rect.y0; y < canvas->rect.y1; y++)
+        for (int x = canvas->rect.x0; x < canvas->rect.x1; x++)
+            to->depth[y * WIDTH + x] = canvas->depth[(y - canvas->rect.y0) * (int)canvas->pitch + x - canvas->rect.x0];
+}
+
+/* How a body is looked at. */
+struct look {
+    struct sheen_view view;
+    struct sheen_object object;
+    struct sheen_material material;
+    struct sheen_light light;
+    struct sheen_shine shine;
+    uint8_t rows, carried, pixel;
+};
+
+static void draw_body(const struct body *b, struct look *look, int whole, struct drawn *to)
+{
+    struct memory_target target;
+    struct core_frame f;
+    struct sheen_stats stats;
+
+    assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, (enum sheen_pixel)look->pixel), 0);
+    const struct sheen_config config = {.target = &target.target,
+                                        .band_rows = look->rows,
+                                        .max_vertices = MOST_VERTICES,
+                                        .max_triangles = MOST_TRIANGLES,
+                                        .max_carried = look->carried,
+                                        .max_clipped = 600,
+                                        .clipper = &sheen_clipper,
+                                        .quads = whole ? &sheen_quads : NULL};
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    memset(to, 0, sizeof *to);
+    look->view.ctx = to;
+    look->view.overlay = keep_depth;
+    look->object.mesh = &b->mesh;
+    look->object.material = &look->material;
+    look->object.lights = &look->light;
+    look->object.light_count = 1;
+    assert_int_equal(sheen_begin(f.frame, &look->view), SHEEN_OK);
+    assert_int_equal(sheen_draw(f.frame, &look->object), SHEEN_OK);
+    for (uint32_t e = 0; e < f.frame->entries; e++)
+        to->quads += !is_cut(f.frame, e) && is_quad(f.frame->draw, f.frame->entry[e].triangle);
+    assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+    sheen_frame_stats(f.frame, &stats);
+    to->listed = stats.drawn;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        to->pixel[i] = (uint16_t)memory_target_pixel(&target, i % WIDTH, i / WIDTH);
+    assert_int_equal(target.breaches, 0);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+static void random_look(struct look *look, uint32_t *state)
+{
+    const double near_eye = stage_random(state) % 4 == 0 ? 1.1 : 1.6, distance = near_eye + stage_uniform(state, 0, 2);
+
+    memset(look, 0, sizeof *look);
+    look->view = (struct sheen_view){.fov = SHEEN_DEGREES(50),
+                                     .z_near = SHEEN_Q24(.2),
+                                     .z_far = SHEEN_Q24(distance + 1.5),
+                                     .dither = stage_random(state) % 3 == 0,
+                                     .affine = stage_random(state) % 8 == 0,
+                                     .orthographic = stage_random(state) % 6 == 0 ? SHEEN_Q24(2) : 0};
+    look->material = (struct sheen_material){.base = {255, (uint8_t)stage_random(state), 90},
+                                             .ambient = (sheen_q16_t)(stage_random(state) % 20000),
+                                             .diffuse = (sheen_q16_t)(10000 + stage_random(state) % 60000),
+                                             .specular = (sheen_q16_t)(stage_random(state) % 3 * 20000),
+                                             .shine = &look->shine};
+    assert_int_equal(sheen_shine_make(&look->shine, 1 + stage_random(state) % 64), SHEEN_OK);
+    look->light = (struct sheen_light){.to = {(int32_t)(stage_random(state) % (1u << 30)) - (1 << 29),
+                                              (int32_t)(stage_random(state) % (1u << 30)) - (1 << 29), 1 << 29},
+                                       .intensity = 65536};
+    look->rows = (uint8_t)(1 + stage_random(state) % HEIGHT);
+    look->carried = (uint8_t)(stage_random(state) % 4 == 0 ? 1 : 80);
+    look->pixel = stage_random(state) % 4 == 0 ? SHEEN_GREY256 : SHEEN_RGB565_BE;
+    sheen_pose_orbit(&look->object.pose, stage_random(state), stage_random(state), stage_random(state),
+                     SHEEN_Q24(distance));
+}
+
+static int apart(uint16_t a, uint16_t b, int is_565)
+{
+    if (!is_565)
+        return abs(a - b);
+    const int red = abs((a >> 11) - (b >> 11)), green = abs((a >> 5 & 63) - (b >> 5 & 63)),
+              blue = abs((a & 31) - (b & 31));
+    return red > green ? (red > blue ? red : blue) : green > blue ? green : blue;
+}
+
+/* What quads and triangles differ in. */
+struct difference {
+    long pixels, colours, quads, beyond; /* beyond: what 1/8 px makes of depth, at the limb */
+    int step;
+};
+
+/* By how much depth changes to a neighbour of pixel i, at the most. */
+static int slope_at(const struct drawn *d, int i)
+{
+    const int beside[4] = {-1, 1, -WIDTH, WIDTH};
+    int most = 0;
+
+    for (int k = 0; k < 4; k++) {
+        const int j = i + beside[k];
+        if (j >= 0 && j < WIDTH * HEIGHT && d->depth[j] != DEPTH_FAR && abs(d->depth[j] - d->depth[i]) > most)
+            most = abs(d->depth[j] - d->depth[i]);
+    }
+    return most;
+}
+
+static void compare(const struct drawn *whole, const struct drawn *apiece, int is_565, struct difference *d)
+{
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const int depth = abs(whole->depth[i] - apiece->depth[i]),
+                  step = apart(whole->pixel[i], apiece->pixel[i], is_565);
+        assert_int_equal(whole->depth[i] == DEPTH_FAR, apiece->depth[i] == DEPTH_FAR);
+        d->pixels += whole->depth[i] != DEPTH_FAR;
+        d->colours += step != 0;
+        d->step = step > d->step ? step : d->step;
+        if (depth > ROUNDED) {
+            const int slope = slope_at(apiece, i);
+            assert_true(depth <= ROUNDED + slope);
+            d->beyond += depth > ROUNDED + slope / 8;
+        }
+    }
+    d->quads += whole->quads;
+    assert_int_equal(apiece->quads, 0);
+    assert_true(whole->listed <= apiece->listed);
+}
+
+static void as_their_triangles(void **unused)
+{
+    static const struct sheen_shader *const shaders[] = {&sheen_flat, &sheen_gouraud, &sheen_phong, &sheen_slerp};
+    static struct body body;
+    static struct drawn whole, apiece;
+    struct difference d[4] = {{0}};
+    uint32_t state = 5;
+
+    (void)unused;
+    for (int i = 0; i < 900; i++) {
+        struct look look;
+        make_body(&body, (enum profile)(i % 3), 4 + stage_random(&state) % 56, 2 + stage_random(&state) % 28);
+        random_look(&look, &state);
+        look.object.shader = shaders[i / 3 % 4];
+        draw_body(&body, &look, 1, &whole);
+        draw_body(&body, &look, 0, &apiece);
+        compare(&whole, &apiece, look.pixel != SHEEN_GREY256, &d[i / 3 % 4]);
+        assert_true(i / 3 % 4 == 0 || !look.view.affine || whole.quads == 0);
+    }
+    for (int k = 0; k < 4; k++) {
+        print_message("  shading %d: %ld quads, %ld pixels, %ld of another colour, by %d at the most; %ld depths by "
+                      "more than 1/8 px\n",
+                      k, d[k].quads, d[k].pixels, d[k].colours, d[k].step, d[k].beyond);
+        assert_true(d[k].quads > 1000 && d[k].beyond < d[k].pixels / 1000);
+        assert_true(k == 0 ? d[k].colours == 0 : d[k].step <= 1 && d[k].colours < d[k].pixels / 25);
+    }
+}
+
+/* ---- which polygons ---- */
+
+static uint32_t of_warp(const struct body *b, uint8_t warp)
+{
+    uint32_t count = 0;
+
+    for (uint32_t p = 0; p < b->polygon_count; p++)
+        count += b->warp[p] == warp;
+    return count;
+}
+
+static void linear_normals_are_told(void **unused)
+{
+    static struct body body;
+
+    (void)unused;
+    make_body(&body, GLOBE, 48, 24);
+    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+    make_body(&body, DRUM, 24, 6);
+    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+    make_body(&body, EGG, 48, 24);
+    assert_in_range(of_warp(&body, SHEEN_WARP_PLANE), 22 * 48 - 100, 22 * 48);
+    make_body(&body, GLOBE, 48, 24); /* one normal is tilted: the four quads about it */
+    body.normals[3 * (12 * 48 + 7) + 1] = (int16_t)(body.normals[3 * (12 * 48 + 7) + 1] + 60);
+    sheen_mesh_warp(&body.mesh, body.polygon_count, body.warp);
+    assert_int_equal(of_warp(&body, SHEEN_WARP_PLANE), 4);
+    body.mesh.normals = NULL;
+    sheen_mesh_warp(&body.mesh, body.polygon_count, body.warp);
+    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+}
+
+/* Morphed, two-sided, without polygons or warp: by triangles. */
+static void others_are_not(void **unused)
+{
+    static struct body body;
+    static struct drawn drawn;
+    const struct sheen_morph morph = {&body.mesh, &sheen_morpher, 100};
+    struct look look;
+    uint32_t state = 77;
+
+    (void)unused;
+    make_body(&body, GLOBE, 24, 12);
+    for (int i = 0; i < 5; i++) {
+        do
+            random_look(&look, &state);
+        while (look.view.affine);
+        look.object.shader = &sheen_flat;
+        look.object.two_sided = i == 1;
+        look.object.morph = i == 2 ? &morph : NULL;
+        body.mesh.polygons = i == 3 ? NULL : body.polygons;
+        body.mesh.polygon_normals = i == 3 ? NULL : body.facing;
+        body.mesh.warp = i == 4 ? NULL : body.warp;
+        draw_body(&body, &look, 1, &drawn);
+        assert_int_equal(drawn.quads > 0, i == 0);
+    }
+}
+
+/* ---- single ones ---- */
+
+/* A polygon before an eye that is not turned: raw positions and normals, its facing, depths of the view, Q7.24. */
+struct single {
+    int16_t position[18], normal[18], facing[3];
+    uint32_t corners;
+    int32_t near, far, distance;
+};
+
+static void make_single(struct body *b, struct look *look, const struct single *s, const struct sheen_shader *shader)
+{
+    memset(b, 0, sizeof *b);
+    b->mesh.positions = b->positions;
+    memcpy(b->positions, s->position, sizeof s->position);
+    memcpy(b->normals, s->normal, sizeof s->normal);
+    b->mesh.vertices = (uint16_t)s->corners;
+    add_polygon(b, (const uint32_t[6]){0, 1, 2, 3, 4, 5}, s->corners);
+    memcpy(b->facing, s->facing, sizeof s->facing);
+    b->mesh.normals = b->normals;
+    b->mesh.polygon_normals = b->facing;
+    b->mesh.polygons = b->polygons;
+    b->mesh.warp = b->warp;
+    b->mesh.indices = b->indices;
+    b->mesh.index_bytes = 2;
+    b->mesh.scale = 1 << 24;
+    sheen_mesh_warp(&b->mesh, b->polygon_count, b->warp);
+    memset(look, 0, sizeof *look);
+    look->view = (struct sheen_view){.fov = SHEEN_DEGREES(50), .z_near = s->near, .z_far = s->far};
+    look->material = (struct sheen_material){.base = {255, 200, 90}, .ambient = 9000, .diffuse = 50000};
+    look->light = (struct sheen_light){.to = {1 << 29, 1 << 29, 1 << 29}, .intensity = 65536};
+    look->object.shader = shader;
+    look->object.pose.translation[2] = -s->distance;
+    look->rows = HEIGHT;
+    look->carried = 80;
+}
+
+/* On its level diagonal one triangle ends and the other begins, and there a band may. */
+static const struct single level = {.position = {-5900, 0, 0, 0, -4400, 14700, 5900, 0, 0, 0, 4400, -14700},
+                                    .normal = {0, 31393, 9397, 0, 31393, 9397, 0, 31393, 9397, 0, 31393, 9397},
+                                    .facing = {0, 31393, 9397},
+                                    .corners = 4,
+                                    .near = SHEEN_Q24(.2),
+                                    .far = SHEEN_Q24(8),
+                                    .distance = SHEEN_Q24(2)};
+
+static void bands_along_a_diagonal(void **unused)
+{
+    static struct body body;
+    static struct drawn once, bands;
+    struct look look;
+
+    (void)unused;
+    make_single(&body, &look, &level, &sheen_flat);
+    draw_body(&body, &look, 1, &once);
+    assert_int_equal(once.quads, 1);
+    for (int rows = 1; rows < HEIGHT; rows++) {
+        look.rows = (uint8_t)rows;
+        draw_body(&body, &look, 1, &bands);
+        assert_memory_equal(bands.pixel, once.pixel, sizeof once.pixel);
+        assert_memory_equal(bands.depth, once.depth, sizeof once.depth);
+    }
+}
+
+/* Seen nearly edge-on: the plane of three snapped corners leaves the depths there are. */
+static const struct single edge_on = {.position = {-5140, 4522, 15246, -14236, 17676, -13288, -8922, 2130, -19360, 551,
+                                                   -13744, 4068, 658, -11972, 9974, -2400, -2062, 16254},
+                                      .normal = {-30231, -11945, 4134, -30232, -11943, 4128, -30231, -11946, 4127,
+                                                 -30230, -11949, 4131, -30230, -11949, 4132, -30230, -11946, 4134},
+                                      .facing = {-30231, -11946, 4130},
+                                      .corners = 6,
+                                      .near = 3954577,
+                                      .far = 52298187,
+                                      .distance = 20400249};
+
+/* With a bias that holds some of its corners at far. */
+static const struct single held = {
+    .position = {16671, -2555, 16203, 7141, 16842, 2772, 2454, -8781, 2743, 4859, -10337, 5507},
+    .normal = {-19500, 1669, 26280, -23642, 9672, 20523, -25495, -768, 20569, -24468, -1422, 21748},
+    .facing = {-23298, 4235, 22649},
+    .corners = 4,
+    .near = 3171425,
+    .far = 60928261,
+    .distance = 32283096};
+
+static void depths_do_not_wrap(void **unused)
+{
+    static struct body body;
+    static struct drawn whole, apiece;
+    struct difference d = {0};
+    struct look look;
+
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        make_single(&body, &look, i == 0 ? &edge_on : &held, &sheen_flat);
+        look.object.depth_bias = i == 0 ? 0 : -3918;
+        assert_int_equal(body.warp[0], 1);
+        draw_body(&body, &look, 1, &whole);
+        draw_body(&body, &look, 0, &apiece);
+        compare(&whole, &apiece, 1, &d);
+    }
+    assert_true(d.pixels > 200 && d.colours == 0);
+}
+
+/* Corner 1 lies between 0 and 2: what the normals of 0, 1 and 3 are says nothing of corner 2's. */
+static void corners_in_line(void **unused)
+{
+    static struct body body;
+    struct single s = level;
+    struct look look;
+
+    (void)unused;
+    memcpy(s.position + 3, (const int16_t[3]){0, 0, 0}, 3 * sizeof *s.position);
+    make_single(&body, &look, &s, &sheen_phong);
+    assert_int_equal(body.warp[0], SHEEN_WARP_PLANE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_their_triangles), cmocka_unit_test(linear_normals_are_told),
+                                       cmocka_unit_test(others_are_not),     cmocka_unit_test(bands_along_a_diagonal),
+                                       cmocka_unit_test(depths_do_not_wrap), cmocka_unit_test(corners_in_line)};
+
+    return cmocka_run_group_tests_name("frame_quads", tests, NULL, NULL);
+}
