@@ -48,7 +48,7 @@ static void make_part(struct sheen_object *object, struct sheen_material *materi
 
 int example(const struct sheen_target *target, unsigned frames)
 {
-    static uint64_t arena[55296 / 8];
+    static uint64_t arena[56320 / 8];
     static const sheen_q24_t middle[3] = {SHEEN_Q24(-.1), SHEEN_Q24(.95), SHEEN_Q24(-7)};
     static const int32_t up[3] = {0, 1, 0};
     struct sheen_object objects[PARTS + 1];
