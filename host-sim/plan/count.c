@@ -244,11 +244,12 @@ static void count_texels(const struct tile *t, const struct setup *s, uint32_t r
 
 void sheen_plan_setup(const struct surface_corners *corners, const struct gradients *gradients)
 {
-    const struct vertex *const *v = corners->at.v;
+    const struct vertex *const *at = corners->at.v, *const last = at[3] != NULL ? at[3] : at[2];
+    const struct vertex *const v[5] = {at[0], at[1], last, at[2], at[0]}; /* of a triangle corner 2 twice */
 
     is_new = 1;
-    for (int k = 0; k < 3; k++) {
-        int32_t x = v[k]->x - v[(k + 1) % 3]->x, y = v[k]->y - v[(k + 1) % 3]->y;
+    for (int k = 0; k < 4; k++) {
+        int32_t x = v[k]->x - v[k + 1]->x, y = v[k]->y - v[k + 1]->y;
         SHEEN_TAP(LONG_EDGE, x <= -LONG || x >= LONG || y <= -LONG || y >= LONG);
     }
     SHEEN_TAP(WIDE, gradients->bits > NARROW_BITS);
@@ -360,7 +361,7 @@ void sheen_plan_count_draws(struct sheen_plan_counts *counts, const struct sheen
     of[SHEEN_PLAN_FRAME]++;
     of[SHEEN_PLAN_OBJECT] += draws;
     of[SHEEN_PLAN_MESH_VERTEX] += vertices;
-    of[SHEEN_PLAN_SKIPPED] += stats.triangles - of[SHEEN_PLAN_LOOKED_AT];
+    of[SHEEN_PLAN_SKIPPED] += stats.triangles - of[SHEEN_PLAN_LOOKED_AT] - 2 * of[SHEEN_PLAN_QUAD_LISTED];
     of[SHEEN_PLAN_USED] += stats.used;
     of[SHEEN_PLAN_LISTED] += stats.drawn;
     of[SHEEN_PLAN_CLIPPED] += stats.clipped;

@@ -23,20 +23,22 @@ enum sheen_plan_stage {
     F(FRAME, TRANSFORM)                                                                                                \
     F(OBJECT, TRANSFORM)                                                                                               \
     F(SHADES_MADE, TRANSFORM)                                                                                          \
-    F(MESH_VERTEX, TRANSFORM)  /* of the objects' meshes, used or not */                                               \
-    F(FACING, TRANSFORM)       /* polygons that were asked whether they face away */                                   \
-    F(SKIPPED, TRANSFORM)      /* triangles of those that do */                                                        \
-    F(LOOKED_AT, TRANSFORM)    /* triangles of the others */                                                           \
-    F(USED, TRANSFORM)         /* vertices transformed */                                                              \
-    F(LIT, TRANSFORM)          /* normals lit, but for FACET_LIT's */                                                  \
-    F(LIGHT, TRANSFORM)        /* times their lights, facets' too */                                                   \
-    F(COSINES, TRANSFORM)      /* vertices whose cosines are kept */                                                   \
-    F(LISTED, TRANSFORM)       /* triangles */                                                                         \
-    F(CLIPPED, TRANSFORM)      /* triangles cut */                                                                     \
-    F(RAMP_LIGHT, TRANSFORM)   /* normals lit by a ramp, times their lights */                                         \
-    F(TINTED, TRANSFORM)       /* normals lit by lights with colours */                                                \
-    F(TINTED_LIGHT, TRANSFORM) /* times these */                                                                       \
-    F(MORPHED, TRANSFORM)      /* positions between two frames of a mesh */                                            \
+    F(MESH_VERTEX, TRANSFORM)    /* of the objects' meshes, used or not */                                             \
+    F(FACING, TRANSFORM)         /* polygons that were asked whether they face away */                                 \
+    F(SKIPPED, TRANSFORM)        /* triangles of those that do */                                                      \
+    F(LOOKED_AT, TRANSFORM)      /* triangles of the others */                                                         \
+    F(QUAD_LOOKED_AT, TRANSFORM) /* pairs of triangles that may be a plane quad */                                     \
+    F(QUAD_LISTED, TRANSFORM)    /* of them, or passed over: two triangles that are not looked at */                   \
+    F(USED, TRANSFORM)           /* vertices transformed */                                                            \
+    F(LIT, TRANSFORM)            /* normals lit, but for FACET_LIT's */                                                \
+    F(LIGHT, TRANSFORM)          /* times their lights, facets' too */                                                 \
+    F(COSINES, TRANSFORM)        /* vertices whose cosines are kept */                                                 \
+    F(LISTED, TRANSFORM)         /* triangles */                                                                       \
+    F(CLIPPED, TRANSFORM)        /* triangles cut */                                                                   \
+    F(RAMP_LIGHT, TRANSFORM)     /* normals lit by a ramp, times their lights */                                       \
+    F(TINTED, TRANSFORM)         /* normals lit by lights with colours */                                              \
+    F(TINTED_LIGHT, TRANSFORM)   /* times these */                                                                     \
+    F(MORPHED, TRANSFORM)        /* positions between two frames of a mesh */                                          \
     F(MORPHED_NORMAL, TRANSFORM)                                                                                       \
     F(EDGE_TRIANGLE, TRANSFORM)       /* triangles whose edges were looked for */                                      \
     F(EDGE, TRANSFORM)                /* edges listed */                                                               \
@@ -46,6 +48,7 @@ enum sheen_plan_stage {
     F(PARTIAL, TRIANGLES)             /* set-ups of triangles that go on below */                                      \
     F(LONG_EDGE, TRIANGLES)           /* of 32 px and more */                                                          \
     F(WIDE, TRIANGLES)                /* set-ups of triangles of 256 px and more */                                    \
+    F(QUAD, TRIANGLES)                /* set-ups of quads */                                                           \
     F(FACET_LIT, TRIANGLES)           /* facets lit, at the first of their triangles */                                \
     F(CHANNELS, TRIANGLES)            /* set-ups of three planes of channels */                                        \
     F(COLORED, TRIANGLES)             /* corners whose channels are made of colours */                                 \
