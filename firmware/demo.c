@@ -33,7 +33,8 @@ enum {
     SHADINGS = sizeof shadings / sizeof shadings[0],
     TURN = 60,       /* frames */
     MAX_FRONT = 512, /* of the teapot 508 triangles face the eye at most, */
-    MAX_USED = 380   /* and 353 vertices are used at most, from any side */
+    MAX_USED = 380,  /* and 353 vertices are used at most, from any side; */
+    MAX_CARRIED = 76 /* set-ups across a band's edge, as the LM3S6965 has room for: more would save time only */
 };
 
 const char *demo_shading_name(const struct demo *demo)
@@ -118,7 +119,8 @@ int demo_open(struct demo *demo, const struct sheen_target *target, void *arena,
                                   .max_vertices = teapot.vertices,
                                   .max_used = MAX_USED,
                                   .max_triangles = MAX_FRONT,
-                                  .max_draws = 1};
+                                  .max_draws = 1,
+                                  .max_carried = MAX_CARRIED};
 
     if (crew != NULL) {
         config.workers = 2;
