@@ -75,6 +75,18 @@ static void add_polygon(struct body *b, const uint32_t *corner, uint32_t count)
     b->polygon_count++;
 }
 
+/* Once it has its vertices and polygons. */
+static void finish_mesh(struct body *b)
+{
+    b->mesh.polygon_normals = b->facing;
+    b->mesh.polygons = b->polygons;
+    b->mesh.warp = b->warp;
+    b->mesh.indices = b->indices;
+    b->mesh.index_bytes = 2;
+    b->mesh.scale = 1 << 24;
+    sheen_mesh_warp(&b->mesh, b->polygon_count, b->warp);
+}
+
 enum profile {
     GLOBE, /* its normals are linear over its quads */
     EGG,   /* they are not */
@@ -120,13 +132,7 @@ static void make_body(struct body *b, enum profile profile, uint32_t around, uin
         }
         add_polygon(b, corner, around);
     }
-    b->mesh.polygon_normals = b->facing;
-    b->mesh.polygons = b->polygons;
-    b->mesh.warp = b->warp;
-    b->mesh.indices = b->indices;
-    b->mesh.index_bytes = 2;
-    b->mesh.scale = 1 << 24;
-    sheen_mesh_warp(&b->mesh, b->polygon_count, b->warp);
+    finish_mesh(b);
 }
 
 /* ---- pictures ---- */
@@ -372,13 +378,7 @@ static void make_single(struct body *b, struct look *look, const struct single *
     add_polygon(b, (const uint32_t[6]){0, 1, 2, 3, 4, 5}, s->corners);
     memcpy(b->facing, s->facing, sizeof s->facing);
     b->mesh.normals = b->normals;
-    b->mesh.polygon_normals = b->facing;
-    b->mesh.polygons = b->polygons;
-    b->mesh.warp = b->warp;
-    b->mesh.indices = b->indices;
-    b->mesh.index_bytes = 2;
-    b->mesh.scale = 1 << 24;
-    sheen_mesh_warp(&b->mesh, b->polygon_count, b->warp);
+    finish_mesh(b);
     memset(look, 0, sizeof *look);
     look->view = (struct sheen_view){.fov = SHEEN_DEGREES(50), .z_near = s->near, .z_far = s->far};
     look->material = (struct sheen_material){.base = {255, 200, 90}, .ambient = 9000, .diffuse = 50000};
