@@ -22,8 +22,8 @@ int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 {
     g->origin[0] = asr32(x, SUBPIXEL_BITS);
     g->origin[1] = asr32(y, SUBPIXEL_BITS);
-    g->centre[0] = SUBPIXEL_HALF - (x & (SUBPIXEL_ONE - 1));
-    g->centre[1] = SUBPIXEL_HALF - (y & (SUBPIXEL_ONE - 1));
+    g->centre[0] = (int16_t)(SUBPIXEL_HALF - (x & (SUBPIXEL_ONE - 1)));
+    g->centre[1] = (int16_t)(SUBPIXEL_HALF - (y & (SUBPIXEL_ONE - 1)));
 
     const unsigned zeros = clz32(g->area), bits = g->bits, sum = zeros + bits;
     const unsigned narrow = bits < NARROW_BITS ? bits : NARROW_BITS, cut = bits - narrow;

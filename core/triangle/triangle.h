@@ -195,7 +195,7 @@ struct gradients {
     int32_t to1[2], to2[2]; /* from corner 0 to corners 1 and 2, 1/64 px */
     uint32_t area;          /* twice, 1/4096 px^2; > 0 */
     int32_t b1[2], b2[2];   /* d(b1), d(b2) a px in x and y: value = raw / 2^exponent, |raw| < 2^15 */
-    int32_t centre[2];      /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
+    int16_t centre[2];      /* from corner 0 to the origin pixel's centre, 1/64 px, -31..32 */
     int32_t origin[2];      /* the origin pixel: the one that holds corner 0 */
     uint16_t bits;          /* length of the longest difference, 1..16 */
     uint16_t exponent;      /* 4..24 */
