@@ -177,6 +177,7 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     const uint32_t parts = d->as.shader->needs_uvs ? 2 : 3;
     c->triangle = (uint16_t)id;
     c->v[3] = NULL;
+    UNROLLED
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t index = mesh_index(mesh, 3 * id + clockwise(k));
         c->v[k] = used_vertex(f, d, index);

@@ -93,6 +93,13 @@ static inline uint32_t mul_high(uint32_t a, uint32_t b)
     return (uint32_t)(((uint64_t)a * b) >> 32);
 }
 
+/* Before a loop of four turns at most: written out, but in builds for size; GCC keeps arrays in memory else. */
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
+#define UNROLLED _Pragma("GCC unroll 4")
+#else
+#define UNROLLED
+#endif
+
 /* The compiler may not tell what x, an integer or a pointer, has become: it stays what is written. Or two at once. */
 #ifdef __GNUC__
 #define OPAQUE(x) __asm__("" : "+r"(x))

@@ -130,6 +130,7 @@ void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t cha
     const uint32_t margin = s->draw->dither ? 1u << (terms->fraction - 5) : 0;
 
     SHEEN_TAP(CHANNELS, 1);
+    UNROLLED
     for (int i = 0; i < 3; i++) {
         const uint32_t *f = channel[i];
         sheen_plane(&plane[i], g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);

@@ -10,6 +10,7 @@ void sheen_weigh(struct surface_corners *c)
     uint32_t all = 0;
 
     c->flat_weight = screen->flat_weight;
+    UNROLLED
     for (int k = 0; k < 3; k++) {
         c->weight[k] =
             c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << screen->weight_shift) + screen->weight_offset;

@@ -248,6 +248,7 @@ static inline uint32_t corners_lit(const struct setup *s, const struct surface_c
     const unsigned back = c->back;
     uint32_t most = 0;
 
+    UNROLLED
     for (int k = 0; k < 3; k++) {
         const struct vertex *v = c->at.v[k];
         lit[k].diffuse = v->kept[0];
