@@ -621,12 +621,13 @@ void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stat
  * For a mesh that is made or moves at run time: its `warp`. Of a polygon's triangles the largest |unit normal - the
  * polygon's stored one|, plus the distance of its plane from the first corner of the polygon's first triangle, of
  * which 56,756 raw units (a corner's farthest from the origin) count as 1.0; UQ-2.10 rounded up, SHEEN_WARP_UNKNOWN
- * where that is too small. At least SHEEN_WARP_PLANE where the vertices' normals are not linear, within 6 steps, over
- * two triangles that follow each other as a fan, or the first has no area. The mesh MUST have polygon normals and have
- * passed sheen_mesh_check.
+ * where that is too small. Up to SHEEN_WARP_PLANE it tells of two triangles that follow each other as a fan in place of
+ * that: it is less where the vertices' normals are linear over them, within 6 steps, the less the nearer they are to
+ * each other, in 7 steps up to 15 degrees (core/math/bend.h). The mesh MUST have polygon normals and have passed
+ * sheen_mesh_check.
  */
 #define SHEEN_WARP_UNKNOWN 255
-#define SHEEN_WARP_PLANE 2 /* up to here two triangles of a polygon may be drawn as one quad */
+#define SHEEN_WARP_PLANE 9 /* up to here a polygon is plane, and two of its triangles may be drawn as one quad */
 void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp);
 
 /*

@@ -304,13 +304,18 @@ static void as_their_triangles(void **unused)
 
 /* ---- which polygons ---- */
 
-static uint32_t of_warp(const struct body *b, uint8_t warp)
+static uint32_t of_warp(const struct body *b, unsigned least, unsigned most)
 {
     uint32_t count = 0;
 
     for (uint32_t p = 0; p < b->polygon_count; p++)
-        count += b->warp[p] == warp;
+        count += b->warp[p] >= least && b->warp[p] <= most;
     return count;
+}
+
+static uint32_t linear(const struct body *b)
+{
+    return of_warp(b, 1, SHEEN_WARP_PLANE - 1);
 }
 
 static void linear_normals_are_told(void **unused)
@@ -319,18 +324,68 @@ static void linear_normals_are_told(void **unused)
 
     (void)unused;
     make_body(&body, GLOBE, 48, 24);
-    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+    assert_int_equal(linear(&body), body.polygon_count);
     make_body(&body, DRUM, 24, 6);
-    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+    assert_int_equal(linear(&body), body.polygon_count);
     make_body(&body, EGG, 48, 24);
-    assert_in_range(of_warp(&body, SHEEN_WARP_PLANE), 22 * 48 - 100, 22 * 48);
+    assert_in_range(of_warp(&body, SHEEN_WARP_PLANE, SHEEN_WARP_PLANE), 22 * 48 - 100, 22 * 48);
     make_body(&body, GLOBE, 48, 24); /* one normal is tilted: the four quads about it */
     body.normals[3 * (12 * 48 + 7) + 1] = (int16_t)(body.normals[3 * (12 * 48 + 7) + 1] + 60);
     sheen_mesh_warp(&body.mesh, body.polygon_count, body.warp);
-    assert_int_equal(of_warp(&body, SHEEN_WARP_PLANE), 4);
+    assert_int_equal(of_warp(&body, SHEEN_WARP_PLANE, SHEEN_WARP_PLANE), 4);
     body.mesh.normals = NULL;
     sheen_mesh_warp(&body.mesh, body.polygon_count, body.warp);
-    assert_int_equal(of_warp(&body, 1), body.polygon_count);
+    assert_int_equal(of_warp(&body, 1, 1), body.polygon_count);
+}
+
+/* The largest angle between normals at corners of the two triangles from `first` on, radians. */
+static double widest(const struct body *b, uint32_t first)
+{
+    const uint16_t *index = b->indices + 3 * first, corner[4] = {index[0], index[1], index[2], index[5]};
+    double most = 0;
+
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < i; k++) {
+            double square = 0;
+            for (int c = 0; c < 3; c++) {
+                const double off = (b->normals[3 * corner[i] + c] - b->normals[3 * corner[k] + c]) / 32768.;
+                square += off * off;
+            }
+            most = fmax(most, 2 * asin(sqrt(square) / 2));
+        }
+    return most;
+}
+
+/* What chords of so many degrees are over sqrt(5), as an angle. */
+static double over_root_5(double degrees)
+{
+    return 2 * asin(sin(degrees * PI / 360) / sqrt(5));
+}
+
+/* Of bodies of all finenesses each warp is that of the angle between normals. */
+static void warp_tells_the_angle(void **unused)
+{
+    static const double degrees[SHEEN_WARP_PLANE - 1] = {0, 13, 14, 18, 20, 25.92, 30, 34};
+    static struct body body;
+    uint32_t seen[SHEEN_WARP_PLANE] = {0};
+
+    (void)unused;
+    for (uint32_t i = 0; i < 60; i++) {
+        make_body(&body, i % 3 == 2 ? DRUM : GLOBE, 6 + i, i % 3 == 0 ? 5 + i / 2 : 28);
+        for (uint32_t t = 0; t + 1 < body.mesh.triangles; t++) {
+            const uint8_t warp = body.warp[body.polygons[t]];
+            if (body.polygons[t] != body.polygons[t + 1] || (t > 0 && body.polygons[t] == body.polygons[t - 1]) ||
+                (t + 2 < body.mesh.triangles && body.polygons[t] == body.polygons[t + 2]))
+                continue;
+            assert_in_range(warp, 1, SHEEN_WARP_PLANE - 1);
+            const double angle = widest(&body, t);
+            assert_true(angle <= (warp == SHEEN_WARP_PLANE - 1 ? PI : over_root_5(degrees[warp])));
+            assert_true(angle >= over_root_5(degrees[warp - 1]) - .0002);
+            seen[warp]++;
+        }
+    }
+    for (unsigned warp = 1; warp < SHEEN_WARP_PLANE; warp++)
+        assert_true(seen[warp] > 100);
 }
 
 /* Morphed, two-sided, without polygons or warp: by triangles. */
@@ -448,7 +503,7 @@ static void depths_do_not_wrap(void **unused)
     for (int i = 0; i < 2; i++) {
         make_single(&body, &look, i == 0 ? &edge_on : &held, &sheen_flat);
         look.object.depth_bias = i == 0 ? 0 : -3918;
-        assert_int_equal(body.warp[0], 1);
+        assert_in_range(body.warp[0], 1, SHEEN_WARP_PLANE - 1);
         draw_body(&body, &look, 1, &whole);
         draw_body(&body, &look, 0, &apiece);
         compare(&whole, &apiece, 1, &d);
@@ -471,9 +526,11 @@ static void corners_in_line(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_their_triangles), cmocka_unit_test(linear_normals_are_told),
-                                       cmocka_unit_test(others_are_not),     cmocka_unit_test(bands_along_a_diagonal),
-                                       cmocka_unit_test(depths_do_not_wrap), cmocka_unit_test(corners_in_line)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(as_their_triangles),     cmocka_unit_test(linear_normals_are_told),
+        cmocka_unit_test(warp_tells_the_angle),   cmocka_unit_test(others_are_not),
+        cmocka_unit_test(bands_along_a_diagonal), cmocka_unit_test(depths_do_not_wrap),
+        cmocka_unit_test(corners_in_line)};
 
     return cmocka_run_group_tests_name("frame_quads", tests, NULL, NULL);
 }

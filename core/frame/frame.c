@@ -138,16 +138,16 @@ int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const 
     return all;
 }
 
-/* Light `count` corners of what is listed, each vertex once. */
-void sheen_light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t *index, int count)
+/* Light `count` corners of what is listed, each vertex once. v: in f->vertex. */
+void sheen_light_corners(const struct draw *d, const struct vertex *const v[], const uint32_t *index, int count)
 {
     for (int k = 0; k < count; k++) {
-        struct vertex *v = used_vertex(f, d, index[k]);
         int16_t store[3];
-        if ((v->flags & LIT) != 0)
+        if ((v[k]->flags & LIT) != 0)
             continue;
-        d->as.shader->light(&d->as, normal_of(&d->as, d->as.mesh->normals + 3 * index[k], store), v->kept);
-        v->flags |= LIT;
+        struct vertex *lit = (struct vertex *)v[k];
+        d->shader->light(d, normal_of(d, d->mesh->normals + 3 * index[k], store), lit->kept);
+        lit->flags |= LIT;
     }
 }
 
@@ -170,7 +170,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
                    none = f->config.max_used;
 
     SHEEN_TAP(LOOKED_AT, 1);
-    if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none) &&
+    if ((place[index[2]] >= none || place[index[1]] >= none || place[index[0]] >= none) &&
         !sheen_use_corners(f, d, t, index, 3))
         return;
     const struct vertex *const v[4] = {f->vertex + place[index[0]], f->vertex + place[index[1]],
@@ -186,7 +186,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
         return;
     f->stats.front++;
     if (sheen_bin_triangle(f, v, triangle, any) && (all & LIT) == 0 && d->as.shader->light != NULL)
-        sheen_light_corners(f, d, index, 3);
+        sheen_light_corners(&d->as, v, index, 3);
 }
 
 /* What of an object is missing or out of range, or SHEEN_ABOUT_NOTHING. */
@@ -314,7 +314,6 @@ static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *ob
     d->morph = object->morph;
     d->shader = object->shader;
     d->two_sided = object->two_sided;
-    d->quads = f->config.quads != NULL ? f->config.quads->most(f, object) : 0;
     d->dither = f->view.dither != 0;
     d->is_565 = !f->format.grey;
     d->swap = f->format.swap;
@@ -323,6 +322,7 @@ static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *ob
     d->stippled = STIPPLED_NOT;
     d->depth_bias = object->depth_bias;
     begin_colours(f, d, object);
+    d->quads = f->config.quads != NULL ? f->config.quads->most(f, d) : 0;
     if (object->transparency != 0) {
         f->stipple = object->stipple;
         if (f->stipple == NULL || f->stipple->begin(d, object) < 0)

@@ -180,7 +180,8 @@ static inline unsigned clockwise(unsigned k)
 
 /* quads.c, linked where a caller names it. */
 struct sheen_quads {
-    uint8_t (*most)(const struct sheen_frame *f, const struct sheen_object *o); /* what struct draw's `quads` is */
+    /* What a draw's `quads` is, once its light is known. */
+    uint8_t (*most)(const struct sheen_frame *f, const struct draw *d);
     /*
      * List triangles i and i + 1 of a plane polygon as a quad, or pass over them where both face away: 1; 0 where they
      * have to be drawn by themselves.
@@ -253,7 +254,7 @@ static inline uint32_t or_default(uint32_t value, uint32_t fallback)
  */
 int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                       const uint32_t *index, int count);
-void sheen_light_corners(struct sheen_frame *f, const struct draw_record *d, const uint32_t *index, int count);
+void sheen_light_corners(const struct draw *d, const struct vertex *const v[], const uint32_t *index, int count);
 
 /* bin.c */
 void sheen_bin_clear(struct sheen_frame *f);

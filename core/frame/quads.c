@@ -8,13 +8,19 @@
  * What d->quads is. Where normals count it takes quads over which they are linear, which affine they are on no screen.
  * Two-sided objects and morphs have no viewpoint, and so no quads.
  */
-static uint8_t most_warp(const struct sheen_frame *f, const struct sheen_object *o)
+static uint8_t most_warp(const struct sheen_frame *f, const struct draw *d)
 {
-    const enum quads_taken taken = (enum quads_taken)o->shader->quads;
+    const enum quads_taken taken = (enum quads_taken)d->shader->quads;
 
-    if (taken == QUADS_NONE || f->forced != 0 || o->mesh->polygons == NULL || o->mesh->triangles > QUAD)
+    if (taken == QUADS_NONE || f->forced != 0 || d->mesh->polygons == NULL || d->mesh->triangles > QUAD)
         return 0;
-    return taken == QUADS_ANY ? SHEEN_WARP_PLANE : f->view.affine ? 0 : SHEEN_WARP_PLANE - 1;
+    if (taken == QUADS_ANY)
+        return SHEEN_WARP_PLANE;
+    if (f->view.affine)
+        return 0;
+    if (taken == QUADS_LIT)
+        return d->light.count == 1 && d->light.ramp == NULL ? SHEEN_WARP_PLANE - 1 : 0;
+    return sheen_most_bend(d, taken == QUADS_CLOSE ? CLOSE_ARCS : (uint32_t)d->widest << 21);
 }
 
 /* The corners of triangles i and i + 1, as in struct quad; 0 where they are no fan of one polygon. */
@@ -80,13 +86,6 @@ static inline int quad_areas(const struct vertex *const v[4], int32_t area[3], i
            depth_stays(v, area, bias);
 }
 
-static inline int light_is_linear(const struct draw *d, const struct screen *screen, const struct quad *q)
-{
-    if (d->shader->quads == QUADS_LIT)
-        return sheen_lit_linearly(d, q);
-    return sheen_reflects_whole(d, screen, q, d->shader->quads == QUADS_CLOSE ? CLOSE_ARCS : (uint32_t)d->widest << 21);
-}
-
 /*
  * List triangles i and i + 1 of a plane polygon as a quad, or pass over them where both face away: 1; 0 where they have
  * to be drawn by themselves.
@@ -102,9 +101,10 @@ static int list_quad(struct sheen_frame *f, const struct draw_record *d, const s
     if (!fan_at(d->as.mesh, i, q.index))
         return 0;
     SHEEN_TAP(QUAD_LOOKED_AT, 1);
-    if ((place[index[0]] >= none || place[index[1]] >= none || place[index[2]] >= none || place[index[3]] >= none) &&
+    if ((place[index[3]] >= none || place[index[2]] >= none || place[index[1]] >= none || place[index[0]] >= none) &&
         !sheen_use_corners(f, d, t, index, 4))
         return 0;
+    UNROLLED
     for (int k = 0; k < 4; k++) {
         v[k] = f->vertex + place[index[k]];
         any |= v[k]->flags;
@@ -119,9 +119,9 @@ static int list_quad(struct sheen_frame *f, const struct draw_record *d, const s
     }
     if (d->as.shader->quads != QUADS_ANY) {
         if (all == 0)
-            sheen_light_corners(f, d, index, 4);
+            sheen_light_corners(&d->as, v, index, 4);
         q.v = v;
-        if (!light_is_linear(&d->as, &f->screen, &q))
+        if (!(d->as.shader->quads == QUADS_LIT ? sheen_lit_linearly(&d->as, &q) : sheen_reflects_whole(&f->screen, &q)))
             return 0;
     }
     SHEEN_TAP(QUAD_LISTED, 1);
@@ -139,6 +139,7 @@ static void quad_corners(const struct sheen_frame *f, const struct draw_record *
 
     c->triangle = (uint16_t)triangle;
     c->v[3] = used_vertex(f, d, mesh_index(mesh, 3 * triangle + 2));
+    UNROLLED
     for (uint32_t k = 0; k < 3; k++) {
         const uint32_t index = mesh_index(mesh, 3 * triangle + order[k]);
         c->v[k] = used_vertex(f, d, index);

@@ -1,6 +1,7 @@
 /*
  * warp.c - how far the triangles of a mesh lie off their polygons' normals.
  */
+#include "../math/bend.h"
 #include "../math/fixed.h"
 #include "../math/vector.h"
 
@@ -32,6 +33,8 @@ static int unit_normal(const int16_t *const corner[3], sheen_q30_t normal[3])
     }
     return sheen_normalize_wide(cross, normal) == SHEEN_OK;
 }
+
+#define FLAT 2 /* what a plane polygon's triangles are off by at most; 1: nothing but rounding */
 
 /* Of one triangle, rounded up. `at`: where its polygon begins, a distance of 56,756 raw units counts as 1.0. */
 static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_normal[3], const int16_t at[3])
@@ -94,6 +97,27 @@ static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
     return 1;
 }
 
+/* What the warp of a plane polygon is at least, by the triangles t and t + 1. */
+static uint8_t plane_warp(const struct sheen_mesh *mesh, uint32_t t)
+{
+    const uint32_t order[4] = {0, 1, 2, 5};
+    uint64_t most = 0;
+    uint8_t warp = 1;
+
+    if (!normals_are_linear(mesh, t))
+        return SHEEN_WARP_PLANE;
+    for (uint32_t k = 1; k < 4; k++)
+        for (uint32_t i = 0; i < k; i++) {
+            const int16_t *a = mesh->normals + 3 * corner_index(mesh, 3 * t + order[k]),
+                          *b = mesh->normals + 3 * corner_index(mesh, 3 * t + order[i]);
+            const int64_t x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], square = x * x + y * y + z * z;
+            most = (uint64_t)square > most ? (uint64_t)square : most;
+        }
+    while (warp <= BENDS && most > (uint64_t)sheen_bends[warp - 1] << 14)
+        warp++;
+    return warp;
+}
+
 void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint8_t *warp)
 {
     uint32_t polygon = UINT32_MAX;
@@ -110,9 +134,13 @@ void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint
             at = corner[0];
         polygon = own;
         uint8_t here = warp_of(corner, mesh->polygon_normals + 3 * polygon, at);
-        if (here < SHEEN_WARP_PLANE && mesh->normals != NULL && mesh->polygons != NULL && t + 1 < mesh->triangles &&
-            mesh->polygons[t + 1] == own && !normals_are_linear(mesh, t))
+        if (here > FLAT)
+            here = here > SHEEN_WARP_PLANE ? here : SHEEN_WARP_PLANE + 1;
+        else if (here == FLAT)
             here = SHEEN_WARP_PLANE;
+        else if (mesh->normals != NULL && mesh->polygons != NULL && t + 1 < mesh->triangles &&
+                 mesh->polygons[t + 1] == own)
+            here = plane_warp(mesh, t);
         warp[polygon] = here > warp[polygon] ? here : warp[polygon];
     }
 }

@@ -25,7 +25,7 @@ enum quads_taken {
     QUADS_NONE,
     QUADS_ANY,       /* light is one a polygon */
     QUADS_LIT,       /* linear intensities: sheen_lit_linearly */
-    QUADS_REFLECTED, /* quadrics of cosines: sheen_reflects_whole; */
+    QUADS_REFLECTED, /* quadrics of cosines: sheen_most_bend, sheen_reflects_whole; */
     QUADS_CLOSE      /* up to CLOSE_ARCS */
 };
 

@@ -34,5 +34,5 @@ int sheen_lit_linearly(const struct draw *d, const struct quad *q)
         if (kept[0] < low || kept[0] > t->high || kept[1] > dark)
             return 0;
     }
-    return d->light.count == 1 && d->light.ramp == NULL && bent(q) <= t->eighth;
+    return bent(q) <= t->eighth;
 }

@@ -16,6 +16,14 @@ static inline int quadric_fits(int exponent, int stretch)
     return exponent >= LOWEST_SCALE && stretch <= QUADRIC_STRETCH;
 }
 
+/* The same by twice the area and the bits of coordinates' differences: exponent and stretch are 40 and -32 +- those. */
+static inline int quadric_fits_area(unsigned bits, uint32_t area)
+{
+    const unsigned small = bits + LOWEST_SCALE - 9, thin = 2 * bits - QUADRIC_STRETCH - 1;
+
+    return area >> (bits > LOWEST_SCALE + QUADRIC_STRETCH - 8 ? thin : small) != 0;
+}
+
 /* Products of the gradients' steps, xx, xy and yx, yy, for any function on a triangle: raw / 2^(2 exponent - 10). */
 struct quadric_steps {
     const struct gradients *g;

@@ -8,6 +8,7 @@
  * in 32 bits, its factors 15 to 18 bits.
  */
 #include "reflection.h"
+#include "../math/bend.h"
 #include "normal.h"
 
 SETUP_FITS(struct quadric_setup);
@@ -67,6 +68,7 @@ uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3])
 
 void sheen_face(struct facing *f, const struct surface_corners *c)
 {
+    UNROLLED
     for (int k = 0; k < 3; k++) {
         const uint16_t *kept = c->at.v[k]->kept;
         int32_t ln = (int16_t)kept[0], nv = (int16_t)kept[1];
@@ -88,48 +90,42 @@ static uint32_t widest_with_highlight(const struct draw *d)
 }
 
 /*
- * What sheen_setup_reflection asks of a quad but for its light. REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes
- * of three corners stays below it.
+ * Beyond its triangle a quadric is off by up to 11 times as much as within, at corner 3 of a square, and that grows
+ * with the cube of the angle: so it counts as sqrt(5) times what it is (sheen_face). The diagonal from corner 0 is
+ * twice as long at most, so with a highlight at one corner u stays below MOST_ARGUMENT at all.
  */
-static inline int quadric_takes(const struct screen *screen, const struct quad *q)
+COLD uint8_t sheen_most_bend(const struct draw *d, uint32_t most)
+{
+    const int sharp = d->strong && d->power.shininess > 32;
+    unsigned warp = BENDS;
+
+    if (d->light.count != 1 || d->by_ramp || sharp)
+        return 0;
+    if (d->power.limit != 0 && widest_with_highlight(d) < most)
+        most = widest_with_highlight(d);
+    while (warp > 0 && ((uint32_t)sheen_bends[warp - 1] << 14) * QUAD_APART > most)
+        warp--;
+    return (uint8_t)warp;
+}
+
+/* REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes of three corners stays below it. */
+int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
 {
     const struct vertex *const *v = q->v, *const first = v[0];
     int32_t least = 0, most = 0;
     uint32_t extent = 0;
 
+    UNROLLED
     for (int k = 1; k < 4; k++) {
         const int32_t z = v[k]->z - first->z;
         extent |= magnitude32(v[k]->x - first->x) | magnitude32(v[k]->y - first->y);
         least = min32(least, z);
         most = max32(most, z);
     }
-    const int bits = 32 - (int)clz32(extent), sum = bits + (int)clz32((uint32_t)q->area[0]);
+    const unsigned bits = 32 - clz32(extent);
     const uint32_t weight = (uint32_t)(first->z + least) + (screen->weight_offset >> screen->weight_shift);
-    return bits <= MAGNIFIED && quadric_fits(40 - sum, sum + bits - 32) &&
+    return bits <= MAGNIFIED && quadric_fits_area(bits, (uint32_t)q->area[0]) &&
            (screen->flat_weight || 9 * (uint32_t)(most - least) <= weight);
-}
-
-/*
- * Beyond its triangle a quadric is off by up to 11 times as much as within, at corner 3 of a square, and that grows
- * with the cube of the angle: so it counts as sqrt(5) times what it is (sheen_face). The diagonal from corner 0 is
- * twice as long at most, so with a highlight at one corner u stays below MOST_ARGUMENT at all.
- */
-int sheen_reflects_whole(const struct draw *d, const struct screen *screen, const struct quad *q, uint32_t most)
-{
-    const int16_t *n[4];
-    uint32_t h[3];
-
-    const int sharp = d->strong && d->power.shininess > 32;
-
-    if (d->light.count != 1 || d->by_ramp || sharp || !quadric_takes(screen, q))
-        return 0;
-    for (int k = 0; k < 4; k++)
-        n[k] = d->mesh->normals + 3 * q->index[k];
-    if (d->power.limit != 0 && widest_with_highlight(d) < most)
-        most = widest_with_highlight(d);
-    most = (most >> 3) - QUAD_APART;
-    return (sheen_normals_apart(n, h) >> 3) * QUAD_APART <= most &&
-           (square_apart(n[3], n[0]) >> 5) * QUAD_APART <= most;
 }
 
 static int32_t least3(const int32_t x[3])
@@ -185,6 +181,7 @@ static int has_highlight(struct excesses *e, const struct facing *f, const struc
 {
     const int32_t lv1 = d->light.lv1[0], limit = (int32_t)d->power.limit;
 
+    UNROLLED
     for (int k = 0; k < 3; k++)
         e->u[k] = lv1 - f->ln[k] * f->nv[k];
     if (limit == 0)

@@ -15,7 +15,7 @@ struct facing {
     const uint16_t *kept; /* a quad's corner 3: what it keeps; NULL: there is none */
 };
 
-#define QUAD_APART 5u /* of a quad, sheen_reflects_whole */
+#define QUAD_APART 5u /* of a quad, sheen_most_bend */
 
 #define CLOSE_ARCS 105105331u /* of `apart`: 18 degrees */
 
@@ -39,10 +39,13 @@ int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t le
 void sheen_face(struct facing *f, const struct surface_corners *c);
 
 /*
- * 1 where sheen_setup_reflection takes a quad, its quadrics those of corners 0 to 2: one light, no ramp, small, normals
- * no farther apart than `most` and highlights let.
+ * The highest warp of quads that sheen_setup_reflection may take, by their normals: no farther apart than `most` and
+ * highlights let. 0: none are, by several lights or a ramp.
  */
-int sheen_reflects_whole(const struct draw *d, const struct screen *screen, const struct quad *q, uint32_t most);
+uint8_t sheen_most_bend(const struct draw *d, uint32_t most);
+
+/* 1 where it takes such a quad, its quadrics those of corners 0 to 2: small, and weights near each other. */
+int sheen_reflects_whole(const struct screen *screen, const struct quad *q);
 
 /*
  * Sets way, fast and rows, and what follows *s: out of the light one colour, else quadrics. 0: normals or weights are
