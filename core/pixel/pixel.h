@@ -590,7 +590,9 @@ SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
     g = (uint32_t)max32(min32((int32_t)g, 63), 0);
     b = (uint32_t)max32(min32((int32_t)b, 31), 0);
 #else
-    if ((r | g >> 1 | b) > 31) {
+    uint32_t all = g >> 1 | r;
+    OPAQUE(all); /* in place, on a core of two operands */
+    if ((all | b) > 31) {
         if (below) {
             r = not_negative(r);
             g = not_negative(g);

@@ -79,18 +79,21 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
 
 /* ---- several lights, and one over large triangles or what the others do not take ---- */
 
-/* Weights below 2^15: what the differences lack of 15 bits makes a second plane. */
+/* Weights below 2^15: what the differences lack of 15 bits makes a second plane, but on needles, which have 64 bits. */
 static struct plane fine_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
-    const int32_t f0 = w[0] * x[0], f1 = w[1] * x[1], f2 = w[2] * x[2];
-    const int32_t low1 = asr32(f1, 1) - asr32(f0, 1) - cut_cosine(f1, f0) * 32768;
-    const int32_t low2 = asr32(f2, 1) - asr32(f0, 1) - cut_cosine(f2, f0) * 32768;
-    struct plane p = sheen_weighted_plane(g, w, x), rest;
+    const int32_t f[3] = {w[0] * x[0], w[1] * x[1], w[2] * x[2]};
 
-    sheen_plane(&rest, g, 0, low1, low2, 1);
-    p.base += rest.base;
-    p.dx += rest.dx;
-    p.dy += rest.dy;
+    if (g->wide)
+        return sheen_gradient_plane(g, f, 0);
+    const int32_t low1 = asr32(f[1], 1) - asr32(f[0], 1) - cut_cosine(f[1], f[0]) * 32768;
+    const int32_t low2 = asr32(f[2], 1) - asr32(f[0], 1) - cut_cosine(f[2], f[0]) * 32768;
+    const struct plane high = sheen_weighted_plane(g, w, x);
+    struct plane p;
+
+    sheen_plane(&p, g, high.base, low1, low2, 1);
+    p.dx += high.dx;
+    p.dy += high.dy;
     return p;
 }
 

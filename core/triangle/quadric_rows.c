@@ -23,7 +23,7 @@ SPECIALISED struct lit power_lit(const struct loop_terms *q, uint32_t f, uint32_
     struct lit lit = {(uint32_t)light, shines ? power_entry(q->power, u) : 0};
 
     SHEEN_TAP(HIGHLIGHT, shines);
-    if (shines && light >= FADED)
+    if (shines && asr32(light, 12) > 0) /* light >= FADED */
         return lit;
     lit.diffuse = (uint32_t)max32(light, 0);
     if (shines)
@@ -164,6 +164,19 @@ SPECIALISED uint32_t segment_pixel(const struct shade_segment *segments, uint32_
 }
 #endif
 
+/* Of L.N, Q1.30. */
+SPECIALISED uint32_t shade_at(uint32_t f)
+{
+#if defined(__ARM_ARCH_6M__)
+    int32_t at = asr32((int32_t)f, 30 - SHADES_BITS), sign = asr32(at, 31);
+
+    OPAQUE(sign); /* cleared by it, an instruction less */
+    return (uint32_t)(at & ~sign);
+#else
+    return not_negative(f) >> (30 - SHADES_BITS);
+#endif
+}
+
 /* The draw's shades: L.N alone. */
 SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth,
                                    const uint16_t *last, const threshold_t *thresholds, const struct shaded_run *run,
@@ -180,7 +193,7 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
         if (nearer(t, depth, z))
             *pixel_at(depth, to_pixel) = dither
                                              ? high_order(segment_pixel(shades->segment, f, thresholds, t, depth), swap)
-                                             : pixels[not_negative(f) >> (30 - SHADES_BITS)];
+                                             : pixels[shade_at(f)];
         z += dz;
         f += df;
         df += ddf;
