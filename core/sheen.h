@@ -451,8 +451,9 @@ extern const struct sheen_clipper sheen_clipper;
  * they take the time and the room of one. On the front of objects that do not morph; a fan's triangles, convex on the
  * screen and within the viewport; by sheen_flat, by sheen_gouraud on the lit side without a highlight, by sheen_phong
  * and sheen_slerp where the corners' normals are linear and near each other, as on globes, drums and the faces of
- * boxes. One light, no ramp, but for flat. Pictures are the same by flat, else within a step. How many triangles are
- * listed then depends on the light and the view: max_triangles has to be what triangles alone need, or be seen to do.
+ * boxes. One light, no ramp, but for flat. Pictures are the same by flat without fog, else within a step, in fog within
+ * three. How many triangles are listed then depends on the light and the view: max_triangles has to be what triangles
+ * alone need, or be seen to do.
  */
 extern const struct sheen_quads sheen_quads;
 
@@ -621,10 +622,10 @@ void sheen_frame_stats(const struct sheen_frame *frame, struct sheen_stats *stat
  * For a mesh that is made or moves at run time: its `warp`. Of a polygon's triangles the largest |unit normal - the
  * polygon's stored one|, plus the distance of its plane from the first corner of the polygon's first triangle, of
  * which 56,756 raw units (a corner's farthest from the origin) count as 1.0; UQ-2.10 rounded up, SHEEN_WARP_UNKNOWN
- * where that is too small. Up to SHEEN_WARP_PLANE it tells of two triangles that follow each other as a fan in place of
- * that: it is less where the vertices' normals are linear over them, within 6 steps, the less the nearer they are to
- * each other, in 7 steps up to 15 degrees (core/math/bend.h). The mesh MUST have polygon normals and have passed
- * sheen_mesh_check.
+ * where that is too small. A plane polygon, off by 2/1024 at most, has up to SHEEN_WARP_PLANE in place of that, others
+ * more: less than it where the vertices' normals are linear, within 6 steps, over two triangles that follow each other
+ * as a fan, the less the nearer they are to each other, in 7 steps up to 15 degrees (core/math/bend.h). The mesh MUST
+ * have polygon normals and have passed sheen_mesh_check.
  */
 #define SHEEN_WARP_UNKNOWN 255
 #define SHEEN_WARP_PLANE 9 /* up to here a polygon is plane, and two of its triangles may be drawn as one quad */

@@ -254,24 +254,28 @@ static int slope_at(const struct drawn *d, int i)
     return most;
 }
 
-static void compare(const struct drawn *whole, const struct drawn *apiece, int is_565, struct difference *d)
+static void compare_colours(const struct drawn *whole, const struct drawn *apiece, int is_565, struct difference *d)
 {
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        const int depth = abs(whole->depth[i] - apiece->depth[i]),
-                  step = apart(whole->pixel[i], apiece->pixel[i], is_565);
+        const int step = apart(whole->pixel[i], apiece->pixel[i], is_565);
         assert_int_equal(whole->depth[i] == DEPTH_FAR, apiece->depth[i] == DEPTH_FAR);
         d->pixels += whole->depth[i] != DEPTH_FAR;
         d->colours += step != 0;
         d->step = step > d->step ? step : d->step;
-        if (depth > ROUNDED) {
-            const int slope = slope_at(apiece, i);
-            assert_true(depth <= ROUNDED + slope);
-            d->beyond += depth > ROUNDED + slope / 8;
-        }
     }
     d->quads += whole->quads;
     assert_int_equal(apiece->quads, 0);
     assert_true(whole->listed <= apiece->listed);
+}
+
+static void compare(const struct drawn *whole, const struct drawn *apiece, int is_565, struct difference *d)
+{
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        const int depth = abs(whole->depth[i] - apiece->depth[i]), slope = depth > ROUNDED ? slope_at(apiece, i) : 0;
+        assert_true(depth <= ROUNDED + slope);
+        d->beyond += depth > ROUNDED + slope / 8;
+    }
+    compare_colours(whole, apiece, is_565, d);
 }
 
 static void as_their_triangles(void **unused)
@@ -511,6 +515,148 @@ static void depths_do_not_wrap(void **unused)
     assert_true(d.pixels > 200 && d.colours == 0);
 }
 
+/* Corner 3 is nearer than the others, by more than their weights have room for. */
+static const struct single nearest = {
+    .position = {-4013, 4427, -7955, 507, -501, -1272, 16, 866, 743, -4698, 6007, -6228},
+    .normal = {-27295, -17444, 4935, -26847, -17932, 5598, -26895, -17797, 5797, -27363, -17287, 5107},
+    .facing = {-27111, -17609, 5348},
+    .corners = 4,
+    .near = SHEEN_Q24(.2),
+    .far = 676493285,
+    .distance = 6547959};
+
+/* Three unit vectors, each upright on the others. */
+static void random_axes(double axis[3][3], uint32_t *state)
+{
+    const double turn = stage_uniform(state, 0, 2 * PI), up = stage_uniform(state, -1, 1), roll = sqrt(1 - up * up),
+                 spin = stage_uniform(state, 0, 2 * PI);
+    const double n[3] = {roll * cos(turn), roll * sin(turn), up}, e[3] = {-sin(turn), cos(turn), 0};
+    const double f[3] = {n[1] * e[2] - n[2] * e[1], n[2] * e[0] - n[0] * e[2], n[0] * e[1] - n[1] * e[0]};
+
+    for (int k = 0; k < 3; k++) {
+        axis[0][k] = cos(spin) * e[k] + sin(spin) * f[k];
+        axis[1][k] = cos(spin) * f[k] - sin(spin) * e[k];
+        axis[2][k] = n[k];
+    }
+}
+
+/* A bent parallelogram, or nearly one, that may reach up to the eye. */
+static void random_single(struct single *s, uint32_t *state)
+{
+    static const double at[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const double size = exp(stage_uniform(state, log(800), log(20000))), thin = exp(stage_uniform(state, log(.1), 0)),
+                 bend = stage_uniform(state, 0, .1), skew = stage_uniform(state, -1, 1);
+    const double distance = stage_uniform(state, .3, 2.5);
+    double axis[3][3], centre[3], away = 0;
+
+    memset(s, 0, sizeof *s);
+    s->corners = 4;
+    random_axes(axis, state);
+    for (int k = 0; k < 3; k++) {
+        centre[k] = stage_uniform(state, -9000, 9000);
+        away += axis[2][k] * (centre[k] / 32768 - (k == 2 ? distance : 0));
+    }
+    for (int k = 0; k < 3; k++) {
+        axis[0][k] = away > 0 ? -axis[0][k] : axis[0][k];
+        axis[2][k] = away > 0 ? -axis[2][k] : axis[2][k];
+        s->facing[k] = (int16_t)lround(32767 * axis[2][k]);
+    }
+    for (int i = 0; i < 4; i++) {
+        const double x = at[i][0] + skew * at[i][1] + stage_uniform(state, -.1, .1), y = at[i][1] * thin;
+        double n[3], length = 0;
+        for (int k = 0; k < 3; k++) {
+            const double p = centre[k] + size * (x * axis[0][k] + y * axis[1][k]);
+            s->position[3 * i + k] = (int16_t)lround(fmax(-32767, fmin(32767, p)));
+            n[k] = axis[2][k] + bend * (x * axis[0][k] + y * axis[1][k]);
+            length += n[k] * n[k];
+        }
+        for (int k = 0; k < 3; k++)
+            s->normal[3 * i + k] = (int16_t)lround(32767 * n[k] / sqrt(length));
+    }
+    s->near = SHEEN_Q24(.2);
+    s->distance = (int32_t)(distance * (1 << 24));
+    s->far = s->distance + (int32_t)(stage_uniform(state, .3, 100) * (1 << 24));
+}
+
+/* Gouraud from black to white in all of perspective: neither light nor weight leaves its range at corner 3 either. */
+static void single_ones(void **unused)
+{
+    static struct body body;
+    static struct drawn whole, apiece;
+    struct difference d = {0};
+    struct look steep;
+    uint32_t state = 9;
+
+    (void)unused;
+    make_single(&body, &steep, &nearest, &sheen_gouraud);
+    steep.light = (struct sheen_light){.to = {21671046, -41965152, 90390446}, .intensity = 65536};
+    steep.material.ambient = 0;
+    steep.material.diffuse = 21280;
+    draw_body(&body, &steep, 1, &whole);
+    draw_body(&body, &steep, 0, &apiece);
+    compare_colours(&whole, &apiece, 1, &d);
+    assert_true(d.quads == 1 && d.pixels > 50 && d.step <= 1);
+    for (int i = 0; i < 20000; i++) {
+        struct single s;
+        struct look look;
+        double light[3][3], along = 0;
+        random_single(&s, &state);
+        make_single(&body, &look, &s, &sheen_gouraud);
+        look.material.ambient = (sheen_q16_t)(stage_random(&state) % 4 * 6000);
+        look.material.diffuse = (sheen_q16_t)exp(stage_uniform(&state, log(1000), log(60000)));
+        random_axes(light, &state); /* from before it, or past it */
+        for (int k = 0; k < 3; k++)
+            along += light[0][k] * s.facing[k] / 32767;
+        for (int k = 0; k < 3; k++)
+            look.light.to[k] = (int32_t)((1 << 28) * (light[0][k] + (i % 2 ? 1 : .1 - along) * s.facing[k] / 32767));
+        look.object.depth_bias = (int16_t)(i % 4 == 0 ? (int32_t)(stage_random(&state) % 8192) - 4096 : 0);
+        draw_body(&body, &look, 1, &whole);
+        if (whole.quads == 0)
+            continue;
+        draw_body(&body, &look, 0, &apiece);
+        compare_colours(&whole, &apiece, 1, &d);
+    }
+    print_message("  %ld quads, %ld pixels, %ld of another colour, by %d at the most\n", d.quads, d.pixels, d.colours,
+                  d.step);
+    assert_true(d.quads > 1500 && d.step <= 1 && d.colours < d.pixels / 50);
+}
+
+/* What is taken as linear stays within [low, high] at corner 3 as at the others, whatever the light there is off by. */
+static void light_stays(void **unused)
+{
+    static struct draw draw;
+    long taken = 0;
+    uint32_t state = 11;
+
+    (void)unused;
+    draw.light.count = 1;
+    for (int i = 0; i < 2000000; i++) {
+        struct vertex v[4];
+        const struct vertex *const at[4] = {&v[0], &v[1], &v[2], &v[3]};
+        struct quad q = {.v = at};
+        const uint32_t spread = 1u << (4 + stage_random(&state) % 12), bright = stage_random(&state) % 2;
+        draw.colour.low = (int32_t)(stage_random(&state) % 200);
+        draw.colour.high = (int32_t)(32768 - stage_random(&state) % 200);
+        draw.colour.eighth = stage_random(&state) % 4096;
+        memset(v, 0, sizeof v);
+        for (int k = 0; k < 4; k++) {
+            const uint32_t kept = stage_random(&state) % spread;
+            v[k].kept[0] = (uint16_t)(bright ? 32768 - kept : kept);
+        }
+        q.area[0] = (int32_t)(1 + stage_random(&state) % (1u << (stage_random(&state) % 30)));
+        for (int k = 1; k < 3; k++)
+            q.area[k] = (int32_t)(q.area[0] * stage_uniform(&state, 0, 2));
+        if (!sheen_lit_linearly(&draw, &q))
+            continue;
+        const double made = v[0].kept[0] + ((double)(v[1].kept[0] - v[0].kept[0]) * q.area[1] +
+                                            (double)(v[2].kept[0] - v[0].kept[0]) * q.area[2]) /
+                                               q.area[0];
+        assert_true(made >= draw.colour.low - 24 && made <= draw.colour.high + 24); /* 24: areas are cut to 13 bits */
+        taken++;
+    }
+    assert_true(taken > 100000);
+}
+
 /* Corner 1 lies between 0 and 2: what the normals of 0, 1 and 3 are says nothing of corner 2's. */
 static void corners_in_line(void **unused)
 {
@@ -526,11 +672,15 @@ static void corners_in_line(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_their_triangles),     cmocka_unit_test(linear_normals_are_told),
-        cmocka_unit_test(warp_tells_the_angle),   cmocka_unit_test(others_are_not),
-        cmocka_unit_test(bands_along_a_diagonal), cmocka_unit_test(depths_do_not_wrap),
-        cmocka_unit_test(corners_in_line)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_their_triangles),
+                                       cmocka_unit_test(linear_normals_are_told),
+                                       cmocka_unit_test(warp_tells_the_angle),
+                                       cmocka_unit_test(others_are_not),
+                                       cmocka_unit_test(bands_along_a_diagonal),
+                                       cmocka_unit_test(depths_do_not_wrap),
+                                       cmocka_unit_test(corners_in_line),
+                                       cmocka_unit_test(single_ones),
+                                       cmocka_unit_test(light_stays)};
 
     return cmocka_run_group_tests_name("frame_quads", tests, NULL, NULL);
 }

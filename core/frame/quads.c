@@ -35,7 +35,12 @@ static inline int fan_at(const struct sheen_mesh *mesh, uint32_t i, uint32_t ind
     return index[0] == mesh_index(mesh, 3 * i + 3) && index[3] == mesh_index(mesh, 3 * i + 4);
 }
 
-/* Whether corner 3's depth is about what the plane of the others makes of it. Range: d < 2^16, areas of 13 bits. */
+#define DEPTH_SLACK 64 /* z16 */
+
+/*
+ * Whether corner 3's depth is about what the plane of the others makes of it, and that before the far plane. Range: d <
+ * 2^16, areas of 13 bits.
+ */
 static APART int depth_is_near(const struct vertex *const v[4], const int32_t area[3])
 {
     const int32_t z = v[0]->z;
@@ -45,7 +50,7 @@ static APART int depth_is_near(const struct vertex *const v[4], const int32_t ar
         down++;
     const int32_t base = asr32(area[0], down), more = (v[3]->z - z) * base - (v[1]->z - z) * asr32(area[1], down) -
                                                       (v[2]->z - z) * asr32(area[2], down);
-    return magnitude32(more) <= (uint32_t)base << 6;
+    return magnitude32(more) <= (uint32_t)(base * DEPTH_SLACK) && v[3]->z >= DEPTH_FAR + DEPTH_SLACK;
 }
 
 static APART int depth_is_held(const struct vertex *const v[4], int32_t bias)
@@ -58,16 +63,17 @@ static APART int depth_is_held(const struct vertex *const v[4], int32_t bias)
 }
 
 /*
- * Whether no corner's depth is held, and corner 3's is in range by the plane of the others, or about what it is. Seen
- * nearly edge-on that plane, through snapped corners, is not the quad's: depth, or 1/m, could wrap.
+ * Whether no corner's depth is held, and corner 3's is in range by the plane of the others, or about what it is, with
+ * and without bias: 1/m is by depths without. Seen nearly edge-on that plane, through snapped corners, is not the
+ * quad's: depth, or 1/m, could wrap.
  */
 static inline int depth_stays(const struct vertex *const v[4], const int32_t area[3], int32_t bias)
 {
-    const int32_t z = v[0]->z, at = z + bias;
-    const uint32_t steep = magnitude32(v[1]->z - z) + magnitude32(v[2]->z - z);
+    const int32_t z = v[0]->z, least = z + min32(bias, 0), most = z + max32(bias, 0);
+    const int32_t steep = (int32_t)(magnitude32(v[1]->z - z) + magnitude32(v[2]->z - z));
 
     return (bias == 0 || !depth_is_held(v, bias)) &&
-           (3 * steep <= (uint32_t)min32(at, UINT16_MAX - at) || depth_is_near(v, area));
+           (3 * steep <= min32(least - DEPTH_FAR, UINT16_MAX - most) || depth_is_near(v, area));
 }
 
 /*

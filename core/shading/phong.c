@@ -79,7 +79,7 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
 
 /* ---- several lights, and one over large triangles or what the others do not take ---- */
 
-/* Weights below 2^15: what the differences lack of 15 bits makes a second plane, but on needles, which have 64 bits. */
+/* Weights up to 2^15: what differences lack of 15 bits makes a second plane, but where planes have 64 bits anyway. */
 static struct plane fine_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
     const int32_t f[3] = {w[0] * x[0], w[1] * x[1], w[2] * x[2]};

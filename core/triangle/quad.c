@@ -22,7 +22,7 @@ static uint32_t bent(const struct quad *q)
 
 /*
  * On the lit side L.N is linear in space as N is. So any way will do for a quad that has no highlight there and, for
- * ways that are linear on the screen, is so within 1/8 of a 64th of 1.0; its channels stay inside as corners' are.
+ * ways that are linear on the screen, is so within 1/8 of a 64th of 1.0. What they make of corner 3 stays inside too.
  */
 int sheen_lit_linearly(const struct draw *d, const struct quad *q)
 {
@@ -34,5 +34,6 @@ int sheen_lit_linearly(const struct draw *d, const struct quad *q)
         if (kept[0] < low || kept[0] > t->high || kept[1] > dark)
             return 0;
     }
-    return bent(q) <= t->eighth;
+    const uint32_t off = bent(q), last = q->v[3]->kept[0];
+    return off <= t->eighth && last >= low + off && last + off <= t->high;
 }

@@ -40,7 +40,7 @@ void sheen_face(struct facing *f, const struct surface_corners *c);
 
 /*
  * The highest warp of quads that sheen_setup_reflection may take, by their normals: no farther apart than `most` and
- * highlights let. 0: none are, by several lights or a ramp.
+ * highlights let. 0: none are, by other than one light, by a ramp or under a strong, sharp highlight.
  */
 uint8_t sheen_most_bend(const struct draw *d, uint32_t most);
 

@@ -3,7 +3,10 @@
  */
 #include "triangle.h"
 
-/* Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two. */
+/*
+ * Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two; of a quad to a quarter of that:
+ * by the plane of corners 0 to 2 corner 3, S and T at most 2, may have four times as much.
+ */
 void sheen_weigh(struct surface_corners *c)
 {
     const struct screen *screen = c->screen;
@@ -12,12 +15,12 @@ void sheen_weigh(struct surface_corners *c)
     c->flat_weight = screen->flat_weight;
     UNROLLED
     for (int k = 0; k < 3; k++) {
-        c->weight[k] =
-            c->flat_weight ? UINT32_MAX : ((uint32_t)c->at.v[k]->z << screen->weight_shift) + screen->weight_offset;
+        const uint32_t weight = ((uint32_t)c->at.v[k]->z << screen->weight_shift) + screen->weight_offset;
+        c->weight[k] = weight | (0u - screen->flat_weight); /* all ones where they are equal */
         all |= c->weight[k];
     }
-    for (int k = 0; k < 3 && all != 0; k++) /* all 0: far is too far for near, no weight is left to tell */
-        c->weight[k] <<= clz32(all);
+    for (int k = 0; k < 3; k++) /* all 0: far is too far for near, no weight is left to tell */
+        c->weight[k] = c->weight[k] << clz32(all | 1u) >> (c->at.v[3] != NULL ? 2 : 0);
     if (c->weight[0] == c->weight[1] && c->weight[0] == c->weight[2])
         c->flat_weight = 1;
 }
