@@ -4,7 +4,7 @@
 #include "triangle.h"
 
 /*
- * Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two; of a quad to a quarter of that:
+ * Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two, a quad's to a quarter of that:
  * by the plane of corners 0 to 2 corner 3, S and T at most 2, may have four times as much.
  */
 void sheen_weigh(struct surface_corners *c)
