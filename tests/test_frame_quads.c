@@ -375,7 +375,7 @@ static void warp_tells_the_angle(void **unused)
 
     (void)unused;
     for (uint32_t i = 0; i < 60; i++) {
-        make_body(&body, i % 3 == 2 ? DRUM : GLOBE, 6 + i, i % 3 == 0 ? 5 + i / 2 : 28);
+        make_body(&body, i % 3 == 2 ? DRUM : GLOBE, 5 + i, i % 3 == 0 ? 5 + i / 2 : 28);
         for (uint32_t t = 0; t + 1 < body.mesh.triangles; t++) {
             const uint8_t warp = body.warp[body.polygons[t]];
             if (body.polygons[t] != body.polygons[t + 1] || (t > 0 && body.polygons[t] == body.polygons[t - 1]) ||
@@ -596,7 +596,7 @@ static void single_ones(void **unused)
     draw_body(&body, &steep, 0, &apiece);
     compare_colours(&whole, &apiece, 1, &d);
     assert_true(d.quads == 1 && d.pixels > 50 && d.step <= 1);
-    for (int i = 0; i < 20000; i++) {
+    for (int i = 0; i < 12000; i++) {
         struct single s;
         struct look look;
         double light[3][3], along = 0;
@@ -618,7 +618,7 @@ static void single_ones(void **unused)
     }
     print_message("  %ld quads, %ld pixels, %ld of another colour, by %d at the most\n", d.quads, d.pixels, d.colours,
                   d.step);
-    assert_true(d.quads > 1500 && d.step <= 1 && d.colours < d.pixels / 50);
+    assert_true(d.quads > 1000 && d.step <= 1 && d.colours < d.pixels / 50);
 }
 
 /* What is taken as linear stays within [low, high] at corner 3 as at the others, whatever the light there is off by. */
@@ -630,7 +630,7 @@ static void light_stays(void **unused)
 
     (void)unused;
     draw.light.count = 1;
-    for (int i = 0; i < 2000000; i++) {
+    for (int i = 0; i < 500000; i++) {
         struct vertex v[4];
         const struct vertex *const at[4] = {&v[0], &v[1], &v[2], &v[3]};
         struct quad q = {.v = at};
@@ -654,7 +654,7 @@ static void light_stays(void **unused)
         assert_true(made >= draw.colour.low - 24 && made <= draw.colour.high + 24); /* 24: areas are cut to 13 bits */
         taken++;
     }
-    assert_true(taken > 100000);
+    assert_true(taken > 25000);
 }
 
 /* Corner 1 lies between 0 and 2: what the normals of 0, 1 and 3 are says nothing of corner 2's. */
