@@ -15,7 +15,7 @@ SETUP_FITS(struct phong_cells_setup);
 
 /* ---- one light, normals far apart ---- */
 
-/* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; */
+/* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; four times for n <= 32; */
 #define MOST_STRETCHED (24u << 16)
 /* and where it gets small: 50 degrees and 1/m over an edge in the ratio of 1 1/4 at once. */
 #define FAR_APART 767107767u
@@ -59,7 +59,8 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
 
     if (!sheen_quadric_steps(&steps, g)) /* nor for needles: 2^16 shifted by 2 stretch stays in 32 bits */
         return 0;
-    if ((g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED) ||
+    const unsigned more = s->draw->power.shininess > 32 ? 0 : 2; /* a highlight makes n times as much of it */
+    if ((g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED << more) ||
         (f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)))
         return 0;
     sheen_corner_weights(c, w);
