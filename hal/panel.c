@@ -7,9 +7,11 @@
  */
 #include "drivers/driver.h"
 
-/* The bus is given back, unless pixels still fly. */
+/* The bus is given back, unless pixels still fly. A code above 0, as makers' libraries have them, is an error too. */
 int sheen_panel_give(struct sheen_panel *panel)
 {
+    if (panel->error > 0)
+        panel->error = SHEEN_ERR_BUS;
     if (panel->error < 0)
         panel->ready = 0;
     if (panel->held && !panel->flying) {
@@ -131,16 +133,16 @@ unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record
 }
 
 /*
- * The glass lies inside the RAM, and no driver ever meets half a byte or address: rows
- * and columns of whole ones in every orientation, and the gap on the edge of one (pixels
- * side by side, or 8 on top of each other).
+ * The glass lies inside the RAM, pixels are what the driver takes, and it never meets half a
+ * byte or address: rows and columns of whole ones in every orientation, and the gap on the
+ * edge of one (pixels side by side, or 8 on top of each other).
  */
 static int record_fits(const struct sheen_panel_record *record)
 {
     unsigned align = record->driver->align, gap = align == 8 ? record->gap_y : record->gap_x;
 
-    return record->glass_w && record->glass_h && record->gap_x + record->glass_w <= record->ram_w &&
-           record->gap_y + record->glass_h <= record->ram_h &&
+    return record->pixel == record->driver->pixel && record->glass_w && record->glass_h &&
+           record->gap_x + record->glass_w <= record->ram_w && record->gap_y + record->glass_h <= record->ram_h &&
            ((record->glass_w | record->glass_h | gap) & (align - 1)) == 0; /* align is a power of 2 */
 }
 

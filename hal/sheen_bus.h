@@ -33,7 +33,8 @@ extern "C" {
 
 /*
  * Functions that return int return 0 or a negative code (enum sheen_error or the
- * bus's own), which reaches the caller of sheen_end() unchanged.
+ * bus's own), which reaches the caller of sheen_end() unchanged. A positive one, such
+ * as HAL_ERROR of STM32, counts as SHEEN_ERR_BUS.
  */
 struct sheen_bus {
     void *ctx; /* handed to each function */

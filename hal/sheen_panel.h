@@ -55,11 +55,12 @@ extern const struct sheen_panel_driver sheen_driver_dcs, /* MIPI-DCS colour: ILI
  * What sets one module apart from another. Colour order, inversion, byte order
  * and gap are four different things; each has its own field. Initialise by name:
  * what is left out is 0 and means "none" or "no". glass, ram, name, driver, init and
- * reset_ms have no default. A module of one's own: firmware/examples/own_module.
+ * reset_ms have no default, nor has pixel but on colour, where 0 is SHEEN_RGB565_BE.
+ * A module of one's own: firmware/examples/own_module.
  *
  * RAM and gap are as the module is strapped: columns x rows of controller memory
  * and the lowest column and row that lie behind the glass. The offset of every
- * orientation follows from them (sheen_panel_offset in driver.h).
+ * orientation follows from them (driver_dcs.c).
  */
 struct sheen_panel_record {
     const char *name;                        /* controller-WxH of rotation 0, and -variant */
@@ -76,7 +77,8 @@ struct sheen_panel_record {
     uint8_t spi_mode;                        /* 0 or 3 */
     uint8_t i2c_address;                     /* 7 bits, as modules leave the factory; 0: no I2C */
     uint8_t pixel;                           /* enum sheen_pixel that the target asks for */
-    uint8_t scan[4];            /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap; [0] alone: grey */
+    uint8_t scan[4];            /* by rotation: MADCTL's MY, MX, MV or the SSD1351's remap. Grey: [0], on the
+                                   SSD1322 [0] and [1], which stand the glass upright */
     uint8_t brightness_command; /* takes a byte; 0: it has none */
     uint8_t brightness_shift;   /* of 0..255, to the right, for registers of fewer bits */
     uint8_t bits_18;            /* 1: on the wire RGB565 becomes three bytes a pixel (DCS) */
@@ -107,9 +109,10 @@ struct sheen_panel {
 
 /*
  * Ties a panel to its record and bus; sends nothing. orientation: 0..7.
- * SHEEN_ERR_ARGUMENT: a NULL, an orientation above 7, or a record whose glass
- * does not fit its RAM or its pixel packing (GREY16: width, height and gap_x even,
- * multiples of 4 on the SSD1322; GREY2: width, height and gap_y multiples of 8).
+ * SHEEN_ERR_ARGUMENT: a NULL, an orientation above 7, or a record whose pixels are
+ * none that its driver takes, or whose glass does not fit its RAM or their packing
+ * (GREY16: width, height and gap_x even, multiples of 4 on the SSD1322; GREY2: width,
+ * height and gap_y multiples of 8).
  */
 int sheen_panel_open(struct sheen_panel *panel, const struct sheen_panel_record *record, const struct sheen_bus *bus,
                      unsigned orientation);
@@ -120,7 +123,8 @@ int sheen_panel_target(struct sheen_panel *panel, struct sheen_target *target);
 /*
  * Resets and initialises now rather than at the first push (before a clock is
  * raised, or to keep its quarter of a second out of the first frame). Then the
- * first push does not do it again.
+ * first push does not do it again. The glass is lit from here on, and shows what the
+ * controller's RAM happens to hold until a frame has been sent: send one soon.
  */
 int sheen_panel_init(struct sheen_panel *panel);
 

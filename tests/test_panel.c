@@ -197,7 +197,17 @@ static void bad_records(void **state)
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 239;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), 0);
+    for (uint8_t pixel = SHEEN_RGB565_LE; pixel <= SHEEN_GREY256; pixel++) {
+        record.pixel = pixel;
+        assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
+    }
     record.driver = &sheen_driver_grey;
+    record.pixel = SHEEN_RGB565_BE; /* as where it is left out */
+    record.glass_w = 238;
+    record.gap_x = 2;
+    assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
+    record.glass_w = 239;
+    record.gap_x = 1;
     record.pixel = SHEEN_GREY16; /* half a byte a row */
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 238;

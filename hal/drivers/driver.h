@@ -30,6 +30,7 @@ struct sheen_panel_driver {
     uint8_t tearing_command;
     uint8_t brightness_on[2];
     uint8_t write_command; /* before pixels; 0: none (greys) */
+    uint8_t pixel;         /* enum sheen_pixel that it takes */
     uint8_t align;         /* px, a power of 2, of the target on both axes; a byte's pixels, or an address's */
 };
 

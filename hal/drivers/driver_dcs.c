@@ -130,4 +130,5 @@ const struct sheen_panel_driver sheen_driver_dcs = {.init = dcs_init,
                                                     .off_count = 2,
                                                     .tearing_command = TEON,
                                                     .brightness_on = {WRCTRLD, WRCTRLD_ON},
+                                                    .pixel = SHEEN_RGB565_BE,
                                                     .align = 1};

@@ -96,6 +96,7 @@ const struct sheen_panel_driver sheen_driver_grey = {.init = grey_init,
                                                      .reset_command = -1,
                                                      .off = {DISPLAY_OFF},
                                                      .off_count = 1,
+                                                     .pixel = SHEEN_GREY16,
                                                      .align = 2};
 
 const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = grey_init,
@@ -105,4 +106,5 @@ const struct sheen_panel_driver sheen_driver_ssd1322 = {.init = grey_init,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
                                                         .write_command = WRITE_RAM,
+                                                        .pixel = SHEEN_GREY16,
                                                         .align = 4};

@@ -93,6 +93,7 @@ const struct sheen_panel_driver sheen_driver_ssd1306 = {.init = mono_init,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
+                                                        .pixel = SHEEN_GREY2,
                                                         .align = 8};
 
 const struct sheen_panel_driver sheen_driver_sh1106 = {.init = mono_init,
@@ -101,4 +102,5 @@ const struct sheen_panel_driver sheen_driver_sh1106 = {.init = mono_init,
                                                        .reset_command = -1,
                                                        .off = {DISPLAY_OFF},
                                                        .off_count = 1,
+                                                       .pixel = SHEEN_GREY2,
                                                        .align = 8};

@@ -77,4 +77,5 @@ const struct sheen_panel_driver sheen_driver_ssd1351 = {.init = ssd1351_init,
                                                         .reset_command = -1,
                                                         .off = {DISPLAY_OFF},
                                                         .off_count = 1,
+                                                        .pixel = SHEEN_RGB565_BE,
                                                         .align = 1};

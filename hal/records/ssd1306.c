@@ -8,7 +8,7 @@
 
 /* lines: multiplex ratio - 1. pins: DA, how COM lines are wired (12 alternating, 02 in sequence). */
 /* clang-format off */
-#define INIT_SSD1306(lines, pins, contrast, precharge, vcomh) {  \
+#define INIT_SSD1306(lines, pins, contrast, precharge, vcomh)    \
     {0xAE, 0, BARE},         /* off */                           \
     {0xD5, 0, BYTES(0x80)},  /* clock */                         \
     {0xA8, 0, BYTES(lines)}, /* multiplex ratio */               \
@@ -24,14 +24,16 @@
     {0xDB, 0, BYTES(vcomh)},                                     \
     {0x2E, 0, BARE},         /* no scrolling */                  \
     {0xA4, 0, BARE},         /* shows the RAM, */                \
-    {0xA6, 0, BARE},         /* not inverted */                  \
-}
+    {0xA6, 0, BARE}          /* not inverted */
 /* clang-format on */
 
-static const struct sheen_panel_step init_128x64[] = INIT_SSD1306(0x3F, 0x12, 0xCF, 0xF1, 0x40);
-static const struct sheen_panel_step init_128x32[] = INIT_SSD1306(0x1F, 0x02, 0x8F, 0xF1, 0x40);
-static const struct sheen_panel_step init_64x48[] = INIT_SSD1306(0x2F, 0x12, 0xCF, 0x22, 0x00);
-static const struct sheen_panel_step init_72x40[] = INIT_SSD1306(0x27, 0x12, 0xAF, 0x22, 0x20);
+static const struct sheen_panel_step init_128x64[] = {INIT_SSD1306(0x3F, 0x12, 0xCF, 0xF1, 0x40)};
+static const struct sheen_panel_step init_128x32[] = {INIT_SSD1306(0x1F, 0x02, 0x8F, 0xF1, 0x40)};
+static const struct sheen_panel_step init_64x48[] = {INIT_SSD1306(0x2F, 0x12, 0xCF, 0x22, 0x00)};
+static const struct sheen_panel_step init_72x40[] = {
+    INIT_SSD1306(0x27, 0x12, 0xAF, 0x22, 0x20),
+    {0xAD, 0, BYTES(0x30)}, /* the module has no resistor for the segments' current: the chip's own */
+};
 
 /* Clock: cycle 100 ns (SSD1306 data sheet, table 13-4). */
 #define SSD1306                                                                                                        \

@@ -56,6 +56,7 @@ struct sheen_sim_module {
     uint8_t inverted;                        /* 1: the glass shows the complement unless the chip inverts */
     uint8_t round;                           /* 1: the glass is the disc that touches all four sides */
     uint8_t i2c_address;                     /* 7 bits; 0: it has no I2C */
+    uint8_t no_current;                      /* 1: no resistor at IREF, the chip has to make the segments' current */
 };
 
 struct sheen_sim_controller {
@@ -77,8 +78,8 @@ struct sheen_sim_controller {
     uint8_t brightness, lit_by_it; /* the register; DCS: whether the backlight follows it */
     uint8_t tearing;               /* the TE output is on */
     uint8_t com_remap, all_on;     /* OLED: COM lines count downwards; every pixel lit */
-    uint8_t unlocked, mode, multiplex, start_line, row_offset, pump; /* the SSD13xx and SH1106 families */
-    unsigned rectangles;                                             /* RAM writes begun */
+    uint8_t unlocked, mode, multiplex, start_line, row_offset, pump, own_current; /* the SSD13xx and SH1106 families */
+    unsigned rectangles;                                                          /* RAM writes begun */
     unsigned complaints;
     char first_complaint[160];
 };

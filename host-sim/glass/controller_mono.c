@@ -3,7 +3,8 @@
  *
  * A1 stores columns from the last segment on (only what is written after it), C8
  * counts COM lines from the multiplex ratio down. Neither shows anything before
- * its supply was switched on: 8D 14 (charge pump), AD 8B (DC-DC).
+ * its supply was switched on: 8D 14 (charge pump), AD 8B (DC-DC); a module without a
+ * resistor for the segments' current nothing before AD 30, the SSD1306B's own (it would be dim).
  */
 #include "controller.h"
 
@@ -18,7 +19,7 @@ static void defaults(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
 
-    controller->on = controller->inverted = controller->all_on = controller->pump = 0;
+    controller->on = controller->inverted = controller->all_on = controller->pump = controller->own_current = 0;
     controller->scan = controller->com_remap = controller->row_offset = controller->start_line = 0;
     controller->mode = MODE_PAGE;
     controller->multiplex = (uint8_t)(module->ram_h - 1);
@@ -58,6 +59,11 @@ static void start_line(struct sheen_sim_controller *controller)
 static void pump(struct sheen_sim_controller *controller)
 {
     controller->pump = controller->params[0] == (controller->command == 0x8D ? 0x14 : 0x8B);
+}
+
+static void own_current(struct sheen_sim_controller *controller)
+{
+    controller->own_current = (controller->params[0] & 0x10) != 0;
 }
 
 static void segment_remap(struct sheen_sim_controller *controller)
@@ -120,7 +126,7 @@ static uint16_t shown(const struct sheen_sim_controller *controller, unsigned se
     const struct sheen_sim_module *module = controller->module;
     int row = sheen_sim_com_row(controller, com, controller->multiplex);
 
-    if (!controller->on || !controller->pump || row < 0)
+    if (!controller->on || !controller->pump || row < 0 || (module->no_current && !controller->own_current))
         return 0;
     return controller->all_on || controller->ram[(size_t)row * module->ram_w + segment] != controller->inverted;
 }
@@ -142,7 +148,7 @@ static const struct sheen_sim_command commands_ssd1306[] = {
     {0x22, 0x22, 2, sheen_sim_set_rows},
     {0x2E, 0x2F, 0, NULL},
     {0x8D, 0x8D, 1, pump},
-    {0xAD, 0xAD, 1, NULL}, /* SSD1306B: internal current reference */
+    {0xAD, 0xAD, 1, own_current}, /* SSD1306B: internal current reference */
 };
 
 static const struct sheen_sim_command commands_sh1106[] = {

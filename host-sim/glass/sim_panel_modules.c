@@ -59,7 +59,7 @@ static const struct sheen_sim_module modules[] = {
     {.name = "ssd1327-96x96", CHIP(ssd1327), RAM(128, 128), GLASS(96, 96, 16, 32), MIRROR(1, 1), I2C},
     SSD1306("ssd1306-128x64", GLASS(128, 64, 0, 0)),
     SSD1306("ssd1306-128x32", GLASS(128, 32, 0, 0)),
-    SSD1306("ssd1306-72x40", GLASS(72, 40, 28, 0)),
+    SSD1306("ssd1306-72x40", GLASS(72, 40, 28, 0), .no_current = 1),
     SSD1306("ssd1306-64x48", GLASS(64, 48, 32, 0)),
     {.name = "sh1106-128x64", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 2, 0), MIRROR(1, 1), I2C},
     {.name = "sh1106-128x64-nogap", CHIP(sh1106), RAM(132, 64), GLASS(128, 64, 4, 0), MIRROR(1, 1), I2C},
