@@ -36,6 +36,6 @@ int main(int argc, char **argv)
         sheen_linux_bus_close(&bus);
     }
     if (error < 0)
-        fprintf(stderr, "own_module: %s (%d)\n", why.text, error);
+        fprintf(stderr, "own_module: %s (%d)\n", why.text[0] != 0 ? why.text : sheen_strerror(error), error);
     return error < 0;
 }

@@ -67,6 +67,7 @@ int main(void)
 {
     static const uint outputs[] = {PIN_DC, PIN_CS, PIN_LIGHT, PIN_RESET};
     const struct sheen_bus bus = {.send = send, .delay = delay, .wait = wait, .reset = reset};
+    const struct sheen_panel_record *record = &sheen_panel_st7789_240x240;
     struct sheen_panel panel;
     struct sheen_target target;
     int error;
@@ -76,12 +77,13 @@ int main(void)
         gpio_set_dir(outputs[i], GPIO_OUT);
         gpio_put(outputs[i], 1);
     }
-    spi_init(spi0, sheen_panel_st7789_240x240.clock_hz);
+    spi_init(spi0, record->clock_hz);
+    spi_set_format(spi0, 8, (spi_cpol_t)(record->spi_mode >> 1), (spi_cpha_t)(record->spi_mode & 1), SPI_MSB_FIRST);
     gpio_set_function(PIN_SCK, GPIO_FUNC_SPI);
     gpio_set_function(PIN_TX, GPIO_FUNC_SPI);
     channel = dma_claim_unused_channel(true);
 
-    error = sheen_panel_open(&panel, &sheen_panel_st7789_240x240, &bus, 0);
+    error = sheen_panel_open(&panel, record, &bus, 0);
     if (!error)
         error = sheen_panel_target(&panel, &target);
     if (!error)

@@ -1,7 +1,8 @@
 /*
  * panel.c - sheen with STM32Cube's HAL: SPI by DMA, its callback says that the pixels have left.
  *
- * CubeMX makes hspi1 (transmit only, 8 bits, a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
+ * CubeMX makes hspi1 (transmit only, 8 bits, high bit first, CPOL high, CPHA 2nd edge, which modules without CS need,
+ * at most 62.5 MHz, a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
  * Call show_on_panel() from main(), after the MX_..._Init() calls.
  */
 #include "example.h"
@@ -21,6 +22,15 @@ void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi)
         flying = 0;
 }
 
+/* The panel is left alone on the bus, and the next transfer finds it free. */
+static int give_up(int error)
+{
+    HAL_SPI_Abort(&hspi1);
+    flying = 0;
+    HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
+    return error;
+}
+
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     (void)ctx;
@@ -29,11 +39,11 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_RESET);
     HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_RESET);
     if (commands && HAL_SPI_Transmit(&hspi1, (uint8_t *)command, (uint16_t)commands, TIMEOUT_MS) != HAL_OK)
-        return SHEEN_ERR_BUS;
+        return give_up(SHEEN_ERR_BUS);
     HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_SET);
     flying = count != 0;
     if (count && HAL_SPI_Transmit_DMA(&hspi1, (uint8_t *)data, (uint16_t)count) != HAL_OK)
-        return SHEEN_ERR_BUS;
+        return give_up(SHEEN_ERR_BUS);
     return SHEEN_OK;
 }
 
@@ -44,7 +54,7 @@ static int wait(void *ctx)
     (void)ctx;
     while (flying)
         if (HAL_GetTick() - start > TIMEOUT_MS)
-            return SHEEN_ERR_TIMEOUT;
+            return give_up(SHEEN_ERR_TIMEOUT);
     HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
     return SHEEN_OK;
 }

@@ -1,10 +1,17 @@
 /*
- * main.c - stands for a CubeMX project's main.c and for STM32Cube's HAL. DMA ends while its end is waited for.
+ * main.c - stands for a CubeMX project's main.c and for STM32Cube's HAL. DMA ends while its end is waited for; the
+ * first one never does, and until it is aborted the HAL is busy.
  */
+#include <assert.h>
+
 #include "main.h"
+#include "sheen_target.h"
 
 GPIO_TypeDef standin_port;
 SPI_HandleTypeDef hspi1;
+
+static GPIO_PinState selected = GPIO_PIN_SET;
+static int transfers, stuck;
 
 int show_on_panel(void);
 
@@ -13,6 +20,8 @@ void HAL_GPIO_WritePin(GPIO_TypeDef *port, uint16_t pin, GPIO_PinState state)
     (void)port;
     if (pin == LCD_DC_Pin)
         wire_level = state;
+    else if (pin == LCD_CS_Pin)
+        selected = state;
     else if (pin == LCD_RST_Pin)
         wire_number('R', state);
 }
@@ -21,6 +30,8 @@ HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint1
 {
     (void)spi;
     (void)timeout;
+    if (stuck)
+        return HAL_BUSY;
     wire_bytes(bytes, count);
     return HAL_OK;
 }
@@ -28,7 +39,18 @@ HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint1
 HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t count)
 {
     (void)spi;
+    if (stuck)
+        return HAL_BUSY;
     wire_launch(bytes, count);
+    stuck = ++transfers == 1;
+    return HAL_OK;
+}
+
+HAL_StatusTypeDef HAL_SPI_Abort(SPI_HandleTypeDef *spi)
+{
+    (void)spi;
+    stuck = 0;
+    wire_flying = NULL;
     return HAL_OK;
 }
 
@@ -37,7 +59,7 @@ uint32_t HAL_GetTick(void)
     static uint32_t ticks;
     static int calls;
 
-    if (++calls % 3 == 0 && wire_flying) { /* not at the first look */
+    if (!stuck && ++calls % 3 == 0 && wire_flying) { /* not at the first look */
         wire_land();
         HAL_SPI_TxCpltCallback(&hspi1);
     }
@@ -53,6 +75,8 @@ int main(void)
 {
     int error = show_on_panel();
 
+    assert(error == SHEEN_ERR_TIMEOUT && selected == GPIO_PIN_SET);
+    error = show_on_panel();
     wire_number('F', 0);
     return error != 0 || fflush(stdout) != 0;
 }

@@ -8,7 +8,8 @@
 
 typedef enum {
     HAL_OK = 0,
-    HAL_ERROR = 1
+    HAL_ERROR = 1,
+    HAL_BUSY = 2
 } HAL_StatusTypeDef;
 typedef enum {
     GPIO_PIN_RESET = 0,
@@ -30,6 +31,7 @@ void HAL_GPIO_WritePin(GPIO_TypeDef *port, uint16_t pin, GPIO_PinState state);
 HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t count, uint32_t timeout);
 HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t count);
 void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi);
+HAL_StatusTypeDef HAL_SPI_Abort(SPI_HandleTypeDef *spi);
 uint32_t HAL_GetTick(void);
 void HAL_Delay(uint32_t ms);
 

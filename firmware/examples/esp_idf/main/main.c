@@ -37,7 +37,7 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
 
     if (commands > 1) /* greys and black and white: the IO has dc_low_on_param */
         return BUS_ERROR(esp_lcd_panel_io_tx_param(lcd->io, lcd_command, command + 1, commands - 1));
-    if (count <= PARAMETERS)
+    if (commands && count <= PARAMETERS) /* without a command these are pixels, however few */
         return BUS_ERROR(esp_lcd_panel_io_tx_param(lcd->io, lcd_command, data, count));
     lcd->flying = esp_lcd_panel_io_tx_color(lcd->io, lcd_command, data, count) == ESP_OK;
     return lcd->flying ? SHEEN_OK : SHEEN_ERR_BUS;
@@ -57,7 +57,7 @@ static int delay(void *ctx, uint32_t us)
 {
     (void)ctx;
     if (us >= 10000)
-        vTaskDelay(pdMS_TO_TICKS(us / 1000 + 1));
+        vTaskDelay(pdMS_TO_TICKS(us / 1000) + 2); /* the first tick may come at once, and a part of one was cut off */
     else
         esp_rom_delay_us(us);
     return SHEEN_OK;

@@ -33,9 +33,13 @@ int main(void)
     target.ctx = (void *)display;
     target.width = caps.x_resolution;
     target.height = caps.y_resolution;
+    /*
+     * Before Zephyr 4.4 the second is called PIXEL_FORMAT_BGR_565, and before 4.3 the two meant each other in most
+     * drivers: where the colours are wrong, exchange them.
+     */
     if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565)
         target.pixel = SHEEN_RGB565_LE;
-    else if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565X) /* before Zephyr 4.4: PIXEL_FORMAT_BGR_565 */
+    else if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565X)
         target.pixel = SHEEN_RGB565_BE;
     else
         return SHEEN_ERR_UNSUPPORTED;

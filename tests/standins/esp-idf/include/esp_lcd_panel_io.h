@@ -4,6 +4,7 @@
 #ifndef ESP_LCD_PANEL_IO_H
 #define ESP_LCD_PANEL_IO_H
 
+#include <assert.h>
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -52,6 +53,7 @@ static inline esp_err_t esp_lcd_panel_io_tx_param(esp_lcd_panel_io_handle_t io, 
                                                   size_t count)
 {
     (void)io;
+    assert(command >= 0); /* else its bytes are parameters, which dc_low_on_param sends as commands */
     standin_command(command);
     wire_bytes(bytes, count);
     return ESP_OK;

@@ -4,6 +4,8 @@
 #ifndef HARDWARE_SPI_H
 #define HARDWARE_SPI_H
 
+#include <assert.h>
+
 #include "pico/stdlib.h"
 
 typedef struct {
@@ -13,15 +15,39 @@ typedef struct spi_inst spi_inst_t;
 
 #define spi0 ((spi_inst_t *)0)
 
+typedef enum {
+    SPI_CPHA_0,
+    SPI_CPHA_1
+} spi_cpha_t;
+typedef enum {
+    SPI_CPOL_0,
+    SPI_CPOL_1
+} spi_cpol_t;
+typedef enum {
+    SPI_LSB_FIRST,
+    SPI_MSB_FIRST
+} spi_order_t;
+
+static unsigned standin_mode; /* of SPI; after spi_init 0 */
+
 static inline uint spi_init(spi_inst_t *spi, uint baudrate)
 {
     (void)spi;
+    standin_mode = 0;
     return baudrate;
+}
+
+static inline void spi_set_format(spi_inst_t *spi, uint bits, spi_cpol_t cpol, spi_cpha_t cpha, spi_order_t order)
+{
+    (void)spi;
+    assert(bits == 8 && order == SPI_MSB_FIRST);
+    standin_mode = 2u * cpol + cpha;
 }
 
 static inline int spi_write_blocking(spi_inst_t *spi, const uint8_t *bytes, size_t count)
 {
     (void)spi;
+    assert(standin_mode == 3); /* the display's, which has no CS */
     wire_bytes(bytes, count);
     return (int)count;
 }
