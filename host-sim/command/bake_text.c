@@ -321,6 +321,30 @@ int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 
+/* Keywords of C and C++, and main. */
+static int is_taken(const char *name)
+{
+    static const char taken[] =
+        " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t"
+        " char8_t class co_await co_return co_yield compl concept const const_cast consteval constexpr"
+        " constinit continue decltype default delete do double dynamic_cast else enum explicit export extern"
+        " false float for friend goto if inline int long main mutable namespace new noexcept not not_eq"
+        " nullptr operator or or_eq private protected public register reinterpret_cast requires restrict"
+        " return short signed sizeof static static_assert static_cast struct switch template this"
+        " thread_local throw true try typedef typeid typename typeof union unsigned using virtual void"
+        " volatile wchar_t while xor xor_eq ";
+    char word[48];
+
+    return snprintf(word, sizeof word, " %s ", name) < (int)sizeof word && strstr(taken, word) != NULL;
+}
+
+int sheen_bake_is_name(const char *name)
+{
+    size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+
+    return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name) && !is_taken(name);
+}
+
 void sheen_bake_name(char *name, size_t size, const char *path)
 {
     const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
@@ -333,4 +357,8 @@ void sheen_bake_name(char *name, size_t size, const char *path)
     for (const char *c = name; *c; c += sheen_utf8_bytes(c)) /* a '_' for each character that C's names have not */
         *to++ = isalnum((unsigned char)*c) ? *c : '_';
     *to = '\0';
+    if (is_taken(name) && strlen(name) + strlen("mesh_") < size) {
+        memmove(name + strlen("mesh_"), name, strlen(name) + 1);
+        memcpy(name, "mesh_", strlen("mesh_"));
+    }
 }

@@ -5,7 +5,6 @@
  * a rendered file. The core transforms each vertex once however triangles are
  * ordered, so there is nothing to gain from another order.
  */
-#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -84,20 +83,13 @@ static unsigned shininess_of(const char *name, struct sheen_problem *problem)
     return (unsigned)n;
 }
 
-static int is_identifier(const char *name)
-{
-    size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
-
-    return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name);
-}
-
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o mesh.h)");
-    if (options->name && !is_identifier(options->name))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--name '%s': not a C identifier of 1..39 letters",
-                             options->name);
+    if (options->name && !sheen_bake_is_name(options->name))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                             "--name '%s': not a C identifier of 1..39 letters, or a keyword", options->name);
     int error = sheen_textures_out_check(options, problem);
     if (error)
         return error;

@@ -26,8 +26,7 @@ const struct sheen_command sheen_command_table[] = {
     {"plan", "MESH [options]",
      "Tells before anything is flashed how many frames a second a board draws of a mesh that turns, where the time "
      "goes, what RAM and flash it takes, what limits it and what to change first. Each line says how it came about: "
-     "measured, in cycles of the emulated processor; estimated, from instructions; counted, exact. Textures are left "
-     "out.",
+     "measured, in cycles of the emulated processor; estimated, from instructions; counted, exact.",
      SHEEN_PLAN, sheen_cmd_plan},
     {"first-light", "[options] -o OUT.png",
      "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the "
@@ -43,9 +42,16 @@ const struct sheen_command sheen_command_table[] = {
     {NULL, NULL, NULL, 0, NULL},
 };
 
+static const struct sheen_command *running; /* NULL: none yet */
+
 enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem)
 {
-    fprintf(stderr, "sheen: %s%s\n", problem->text, status == SHEEN_EXIT_USAGE ? " (see sheen --help)" : "");
+    fprintf(stderr, "sheen: %s", problem->text);
+    if (status == SHEEN_EXIT_USAGE && running != NULL)
+        fprintf(stderr, " (see sheen help %s)", running->name);
+    else if (status == SHEEN_EXIT_USAGE)
+        fputs(" (see sheen --help)", stderr);
+    fputc('\n', stderr);
     return status;
 }
 
@@ -77,6 +83,8 @@ static enum sheen_exit run(const struct sheen_command *command, int argc, char *
 {
     struct sheen_options options;
     struct sheen_problem problem;
+
+    running = command;
     int parsed = sheen_options_parse(&options, command, argc, argv, &problem);
 
     if (parsed < 0)

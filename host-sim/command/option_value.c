@@ -103,7 +103,7 @@ static int set_size(const struct sheen_option *option, const char *text, unsigne
     if (text[width] == 'x')
         height = strspn(text + width + 1, "0123456789");
     if (width < 1 || width > 4 || height < 1 || height > 4 || text[width + 1 + height] != '\0')
-        return refuse(option, text, "not a size such as 320x240", problem);
+        return refuse(option, text, "not a size such as 320x240, at most 640x480", problem);
     size[0] = (unsigned)strtoul(text, NULL, 10);
     size[1] = (unsigned)strtoul(text + width + 1, NULL, 10);
     return size[0] && size[1] ? SHEEN_OK : refuse(option, text, "no pixels", problem);

@@ -15,7 +15,7 @@ const { check, end } = judge();
 const WITHOUT = /; the command sheen reads it, this page does not$/;
 
 /* Of a broken picture libpng and libjpeg say one thing, stb_image another; and the page has no --help. */
-const same = line => line.replace(/ \(see sheen --help\)$/, '').replace(/(a broken (PNG|JPEG): ).*?(; --texture off does without)?$/, '$1$3');
+const same = line => line.replace(/ \(see sheen (--help|help [a-z-]+)\)$/, '').replace(/(a broken (PNG|JPEG): ).*?(; --texture off does without)?$/, '$1$3');
 
 function isSaid(command, lines) {
     return JSON.stringify(command.split('\n').filter(Boolean).map(same)) === JSON.stringify(lines.map(same));
