@@ -6,8 +6,8 @@
 
 #include "sheen_target.h"
 
-/* Characters: with "sheen: " before it and " (see sheen help first-light)" after it a line has at most 200. */
-#define SHEEN_PROBLEM_MAX 164
+/* Characters: with "sheen: " before it and " (see sheen help first-light)" after it a line has at most 210. */
+#define SHEEN_PROBLEM_MAX 174
 
 struct sheen_problem {
     char text[4 * SHEEN_PROBLEM_MAX + 1]; /* one line of UTF-8 without newline */

@@ -52,7 +52,7 @@ class Command:
         why = []
         if not text.startswith("sheen: ") or not text.endswith("\n") or text.count("\n") != 1:
             why.append("not one line")
-        if len(text) > 201:
+        if len(text) > 211:
             why.append(f"{len(text) - 1} characters")
         if any(unicodedata.category(c) in ("Cc", "Zl", "Zp") for c in text[:-1]):
             why.append("holds control characters")
@@ -61,7 +61,7 @@ class Command:
     def bad(self, status, parts, *words, **more):
         """
         Must fail with that status, nothing on standard output, no new file, and one
-        line of UTF-8, of at most 200 characters, on standard error that begins with "sheen: " and holds each of parts.
+        line of UTF-8, of at most 210 characters, on standard error that begins with "sheen: " and holds each of parts.
         """
         self.cases += 1
         before = sorted(os.listdir("."))
