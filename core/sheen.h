@@ -83,10 +83,12 @@ typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
 /* x degrees as turns. */
 #define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0) + (sheen_angle_t)SHEEN_CONSTANT(x))
 
-/* Any whole number of degrees, within 1e-7 of one: 2^32 / 360 = 11930464.711, in Q24.8. */
+/* Any whole number of degrees, to the nearest step (8.4e-8 degrees): 2^32 / 360 is 11930464 and 3054198966 / 2^32. */
 static inline sheen_angle_t sheen_degrees(int32_t degrees)
 {
-    return (sheen_angle_t)(((int64_t)degrees * 3054198966 + 128) / 256);
+    const uint64_t part = (uint64_t)((int64_t)degrees * 3054198966 + 2147483648);
+
+    return (sheen_angle_t)degrees * 11930464u + (sheen_angle_t)(part >> 32);
 }
 
 /* ---- what is drawn ---- */
@@ -124,7 +126,7 @@ struct sheen_mesh {
     /*
      * For textures, (0, 0) the upper left corner of the picture, (1, 1) the lower right one: u to the right, v down.
      * Between corners they are linear in space; over a triangle u times the texture's width and v times its height
-     * MUST change by less than 8192.
+     * MUST change by less than 8192; where the texture clamps both MUST lie within -32767..32767.
      */
     const int16_t *uvs;       /* 2 a vertex: u = uv_offset[0] + raw / 2^uv_bits, v likewise; NULL: none */
     uint8_t uv_bits;          /* 0..15 */
@@ -570,7 +572,7 @@ enum sheen_subject {
  * Of the last sheen_begin, sheen_draw or sheen_render that ended with SHEEN_ERR_ARGUMENT, SHEEN_ERR_DEGENERATE or
  * SHEEN_ERR_CAPACITY. *needed: for a capacity, the least with which what was drawn so far and that object would have
  * passed (for triangles and pieces: exactly, though the other may be short then; for pieces without a clipper: what
- * suffices, 12 a triangle); else 0. It may be NULL.
+ * suffices, 12 a triangle; for edges at first what the mesh alone takes: with that, ask again); else 0. It may be NULL.
  */
 enum sheen_subject sheen_frame_about(const struct sheen_frame *frame, uint32_t *needed);
 
@@ -582,7 +584,8 @@ const char *sheen_subject_name(enum sheen_subject subject);
 
 /*
  * In place of sheen_end, by hand: each band once, in any order, by any worker, and sheen_finish when all are done.
- * Both return the frame's error once there is one. SHEEN_ERR_STATE for a band that is done already. Where a band was
+ * Both return the frame's error once there is one. SHEEN_ERR_STATE for a band that is done already,
+ * SHEEN_ERR_ARGUMENT for a band or worker that there is none of. Where a band was
  * left out the next frame sends everything. Bands are numbered from 0 at the top; their count is the last begun
  * frame's, 0 before.
  */
@@ -591,7 +594,8 @@ int sheen_band(struct sheen_frame *frame, unsigned worker, unsigned band);
 
 /*
  * Worker's share of the bands: its part of the picture from the top, then what others have not begun of theirs, until
- * none is left. Each worker calls it, and sheen_finish comes when all have returned. 0, or the frame's error.
+ * none is left. Each worker calls it, and sheen_finish comes when all have returned. 0, the frame's error, or
+ * SHEEN_ERR_ARGUMENT where there is no such worker.
  */
 int sheen_bands(struct sheen_frame *frame, unsigned worker);
 int sheen_finish(struct sheen_frame *frame);
@@ -609,8 +613,9 @@ struct sheen_stats {
     uint32_t edges;                            /* listed to be drawn */
     uint32_t setups, spans;   /* set-ups made, more than one for a triangle that was not carried; rows of triangles */
     uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
-    uint32_t rectangles, pixels;                            /* pushes and their area */
-    uint32_t ram_arena, ram_vertices, ram_lists, ram_bands; /* B */
+    uint32_t rectangles, pixels; /* pushes and their area */
+    /* B: all of it; of that max_vertices and max_used, max_triangles, and bands' pixels and depths */
+    uint32_t ram_arena, ram_vertices, ram_lists, ram_bands;
 };
 
 /* Copies them; they stand until the next sheen_begin(). */
@@ -681,7 +686,7 @@ int sheen_pose_orthonormalize(struct sheen_pose *pose);
 /*
  * The pose of the world for an eye at `eye` that looks at `target` with `up` upwards: compose it with a
  * model's own pose. SHEEN_ERR_DEGENERATE where up points along the view or target is the eye,
- * SHEEN_ERR_ARGUMENT where the eye is more than 128 units from the origin.
+ * SHEEN_ERR_ARGUMENT where along an axis of the eye the origin is more than 128 units away.
  */
 int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], const sheen_q24_t target[3],
                        const int32_t up[3]);

@@ -100,7 +100,8 @@ struct sheen_memory {
 
 /*
  * A target whose push copies into *memory, which it borrows. On packed greys rectangles begin and end on whole bytes.
- * SHEEN_ERR_ARGUMENT where the stride is too small.
+ * SHEEN_ERR_ARGUMENT where the stride is too small, or odd on 565, there is no such pixel, or pixels are NULL; width
+ * and height are sheen_init's to check.
  */
 int sheen_memory_target(struct sheen_target *target, struct sheen_memory *memory, uint16_t width, uint16_t height,
                         enum sheen_pixel pixel);

@@ -290,7 +290,9 @@ int core_frame_make(struct core_frame *f, const struct sheen_config *config)
     f->arena = f->arena_bytes ? malloc(f->arena_bytes) : NULL;
     if (!f->arena)
         return SHEEN_ERR_MEMORY;
-    memset(f->arena, 0xa5, f->arena_bytes); /* nothing may be taken for granted */
+    static uint32_t noise; /* nothing may be taken for granted */
+    for (size_t i = 0; i < f->arena_bytes; i++)
+        ((uint8_t *)f->arena)[i] = (uint8_t)((noise = noise * 1664525u + 1013904223u) >> 24);
     int status = sheen_init(&f->frame, f->arena, &f->arena_bytes, config);
     if (status < 0)
         core_frame_free(f);

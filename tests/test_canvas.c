@@ -143,6 +143,12 @@ static void test_places(void **state)
     assert_int_equal(r.y0, 5);
     assert_int_equal(r.x1, -3 + 3 * 12);
     assert_int_equal(r.y1, 5 + 14);
+    struct sheen_font close = sheen_font_5x7; /* a glyph reaches into the next */
+    struct sheen_text text = scene.text;
+    close.advance = 3;
+    text.font = &close;
+    assert_int_equal(sheen_text_rect(&text, "ABC").x1, -3 + 2 * (3 + 3 + 5));
+    assert_int_equal(sheen_text_rect(&text, "").x1, -3);
     scene.text.x = 32000;
     assert_int_equal(sheen_text_rect(&scene.text, NULL).x1, 32000 + 23 * 12);
     scene.text.line = "";

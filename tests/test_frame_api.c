@@ -236,8 +236,11 @@ static void steps_of_poses(void **state)
     struct sheen_pose a, b;
 
     (void)state;
-    for (int k = -800; k <= 800; k += 37)
-        assert_true(abs((int32_t)(sheen_degrees(k) - (uint32_t)llrint(k / 360. * 4294967296.))) <= 2);
+    for (int64_t k = INT32_MIN, step = 1; k <= INT32_MAX; k += step) {
+        const int64_t turn = (k % 360 + 360) % 360 * 4294967296 / 360; /* floor */
+        assert_in_range((uint32_t)(sheen_degrees((int32_t)k) - (uint32_t)turn), 0, 1);
+        step = k >= -1000 && k < 1000 ? 1 : 9973;
+    }
     for (unsigned axis = 0; axis < 3; axis++)
         for (int degrees = 0; degrees < 360; degrees += 15) {
             sheen_angle_t angle = sheen_degrees(degrees);

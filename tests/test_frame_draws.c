@@ -86,6 +86,101 @@ static void first_drawn_stays(void **state)
     memory_target_free(&only_a);
 }
 
+/* ---- at the ends of ranges ---- */
+
+static const int16_t corners[] = {-32000, -32000, -32000, 32000, -32000, 32767, 0, 32000, -32000};
+static const int16_t normals[] = {0, 0, 32767, 23170, 0, 23170, 0, 23170, 23170};
+static const uint8_t indices[] = {0, 1, 2};
+static const struct sheen_triangle_edges borders = {{SHEEN_NO_TRIANGLE, SHEEN_NO_TRIANGLE, SHEEN_NO_TRIANGLE}, 0, 0};
+static const struct sheen_mesh triangle = {.positions = corners,
+                                           .normals = normals,
+                                           .polygon_normals = normals,
+                                           .indices = indices,
+                                           .index_bytes = 1,
+                                           .vertices = 3,
+                                           .triangles = 1,
+                                           .scale = SHEEN_Q24(1),
+                                           .edges = &borders};
+
+/* A frame of one object on a target of 64 x 64; the view is given from where it is shown on. */
+static void show(const struct sheen_view *view, const struct sheen_object *object, uint32_t by_way[SHEEN_WAYS])
+{
+    struct memory_target target;
+    struct core_frame f;
+
+    assert_int_equal(memory_target_init(&target, 64, 64, SHEEN_RGB565_BE), 0);
+    const struct sheen_config config = {
+        .target = &target.target, .max_vertices = 3, .max_triangles = 1, .max_edges = 4, .smooth = 1};
+    assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+    assert_int_equal(sheen_render(f.frame, view, object, 1), SHEEN_OK);
+    sheen_frame_ways(f.frame, by_way);
+    assert_int_equal(target.breaches, 0);
+    core_frame_free(&f);
+    memory_target_free(&target);
+}
+
+/* Light of 36 times 1.0: a triangle in steep perspective is as little linear as under less. */
+static void brightest(void **state)
+{
+    const struct sheen_light lights[4] = {{.to = {0, 0, 1}}, {.to = {0, 0, 1}}, {.to = {0, 0, 1}}, {.to = {0, 0, 1}}};
+    const struct sheen_shader *const shaders[] = {&sheen_gouraud, &sheen_gouraud_colored};
+
+    (void)state;
+    for (int i = 0; i < 2 * 2 * 24; i++) {
+        const struct sheen_material material = {.base = {255, 255, 255},
+                                                .ambient = SHEEN_Q16(4),
+                                                .diffuse = SHEEN_Q16(4),
+                                                .specular = i & 1 ? SHEEN_Q16(4) : SHEEN_Q16(3),
+                                                .shine = &sheen_shine_4};
+        const struct sheen_object object = {.mesh = &triangle,
+                                            .material = &material,
+                                            .shader = shaders[i >> 1 & 1],
+                                            .lights = lights,
+                                            .light_count = 4};
+        const struct sheen_view view = {.z_near = SHEEN_Q24(0.5),
+                                        .pose.translation[2] = -SHEEN_Q24(2.5) - (i >> 2) * 40000};
+        uint32_t by_way[SHEEN_WAYS];
+        show(&view, &object, by_way);
+        assert_int_equal(by_way[SHEEN_WAY_GOURAUD_LINEAR], 0);
+        assert_int_equal(by_way[SHEEN_WAY_GOURAUD_QUADRATIC] + by_way[SHEEN_WAY_GOURAUD_QUOTIENT], 1);
+    }
+}
+
+/* A light that its view moves out of range reaches nothing, and nothing overflows. */
+static void farthest_light(void **state)
+{
+    const struct sheen_light light = {.at = {0, 0, SHEEN_Q24(-127.9)}, .radius = SHEEN_Q16(1), .points = &sheen_points};
+    const struct sheen_material material = {.base = {80, 80, 80}, .ambient = SHEEN_Q16(0.2), .diffuse = SHEEN_Q16(0.5)};
+    struct sheen_mesh large = triangle;
+
+    (void)state;
+    large.scale = SHEEN_Q24(2);
+    const struct sheen_object object = {
+        .mesh = &large, .material = &material, .shader = &sheen_gouraud_colored, .lights = &light, .light_count = 1};
+    const struct sheen_view view = {.pose.translation[2] = SHEEN_Q24(-6)};
+    uint32_t by_way[SHEEN_WAYS];
+    show(&view, &object, by_way);
+}
+
+/* Viewports of one row, with edges, one of which ends above it: there is no row to go back to. */
+static void single_rows(void **state)
+{
+    const struct sheen_material material = {.base = {200, 0, 0}, .ambient = SHEEN_Q16(0.5)};
+    const struct sheen_edges *const kinds[] = {&sheen_edges_smooth, &sheen_edges_outline, &sheen_edges_wire};
+
+    (void)state;
+    for (int i = 0; i < 3 * 200; i++) {
+        const struct sheen_object object = {
+            .mesh = &triangle, .material = &material, .shader = &sheen_flat, .edges = kinds[i % 3]};
+        /* a pixel is .21 units wide where the middle corner is, which goes from one above the row to one below */
+        const struct sheen_view view = {.viewport = {0, (int16_t)(i % 64), 64, (int16_t)(i % 64 + 1)},
+                                        .fov = SHEEN_DEGREES(4),
+                                        .pose.translation = {0, SHEEN_Q24(0.75) + i * 14000, SHEEN_Q24(-4)}};
+        uint32_t by_way[SHEEN_WAYS];
+        show(&view, &object, by_way);
+    }
+}
+
 /* ---- calls out of order ---- */
 
 static void out_of_order(void **state)
@@ -133,9 +228,8 @@ static void out_of_order(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_draws_of_one_mesh),
-        cmocka_unit_test(first_drawn_stays),
-        cmocka_unit_test(out_of_order),
+        cmocka_unit_test(two_draws_of_one_mesh), cmocka_unit_test(first_drawn_stays), cmocka_unit_test(brightest),
+        cmocka_unit_test(farthest_light),        cmocka_unit_test(single_rows),       cmocka_unit_test(out_of_order),
     };
 
     return cmocka_run_group_tests_name("frame_draws", tests, make_stage, free_stage);

@@ -204,6 +204,47 @@ static void test_arguments(void **unused)
     memory_target_free(&target);
 }
 
+/* A draw that is refused for its transparency leaves the frame as it was: the picture, what is linked, the shades. */
+static void test_refused(void **unused)
+{
+    static const struct actor others[] = {{STAGE_BALL, 1, SHEEN_GOURAUD, -0.4, -0.3, 2.6, 1, 25, 35},
+                                          {STAGE_BALL, 2, SHEEN_GOURAUD, 0.5, 0.4, 1.9, 0.9, 10, 20}};
+
+    (void)unused;
+    for (int refused = 0; refused < 3; refused++) {
+        struct memory_target target;
+        struct sheen_config config;
+        struct sheen_view view;
+        struct core_frame f;
+        struct sheen_object object;
+        assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
+        stage_config(&config, &target, 3);
+        config.max_shades = 1;
+        assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
+        stage_view(&view);
+        assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+        stage_draw(&stage, &cast[0], &object);
+        object.stipple = &sheen_stipple;
+        object.transparency = 32;
+        assert_int_equal(sheen_draw(f.frame, &object), SHEEN_OK);
+        stage_draw(&stage, &others[0], &object); /* it would take the shades */
+        object.transparency = refused == 1 ? 32 : 65;
+        object.stipple = refused == 1 ? NULL : &sheen_stipple;
+        if (refused)
+            assert_int_equal(sheen_draw(f.frame, &object), SHEEN_ERR_ARGUMENT);
+        stage_draw(&stage, &others[1], &object);
+        assert_int_equal(sheen_draw(f.frame, &object), SHEEN_OK);
+        assert_int_equal(sheen_end(f.frame), SHEEN_OK);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                picture[refused][y][x] = memory_target_pixel(&target, x, y);
+        core_frame_free(&f);
+        memory_target_free(&target);
+    }
+    assert_memory_equal(picture[1], picture[0], sizeof picture[0]);
+    assert_memory_equal(picture[2], picture[0], sizeof picture[0]);
+}
+
 /* What lies at full fog is of its colour. */
 static void test_full_fog(void **unused)
 {
@@ -281,16 +322,35 @@ static void test_fog_arguments(void **unused)
     assert_string_equal(sheen_subject_name(SHEEN_ABOUT_FOG), "fog");
     view.fog = &fog;
     assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+    assert_int_equal(sheen_finish(f.frame), SHEEN_OK);
+    /* Thin slabs in fog that reaches far beyond both sides. */
+    static const struct {
+        sheen_q24_t near, far;
+        struct sheen_fog fog;
+        int orthographic;
+    } thin[] = {{SHEEN_Q24(8), SHEEN_Q24(10), {SHEEN_Q24(0.0004), SHEEN_Q24(9.9), {0, 0, 0}, &sheen_fog_mixer}, 0},
+                {SHEEN_Q24(1), SHEEN_Q24(1.1), {SHEEN_Q24(0.0001), SHEEN_Q24(1.09), {0, 0, 0}, &sheen_fog_mixer}, 0},
+                {SHEEN_Q24(127), SHEEN_Q24(127.01), {1, INT32_MAX, {0, 0, 0}, &sheen_fog_mixer}, 0},
+                {SHEEN_Q24(0.01), SHEEN_Q24(0.0101), {1, SHEEN_Q24(100), {0, 0, 0}, &sheen_fog_mixer}, 1},
+                {1, 2, {1, INT32_MAX, {0, 0, 0}, &sheen_fog_mixer}, 1}};
+    for (unsigned i = 0; i < sizeof thin / sizeof *thin; i++) {
+        view.fog = &thin[i].fog;
+        view.z_near = thin[i].near;
+        view.z_far = thin[i].far;
+        view.orthographic = thin[i].orthographic ? SHEEN_Q24(1) : 0;
+        assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
+        assert_int_equal(sheen_finish(f.frame), SHEEN_OK);
+    }
     core_frame_free(&f);
     memory_target_free(&target);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out),     cmocka_unit_test(test_greys),
-                                       cmocka_unit_test(test_dithered),     cmocka_unit_test(test_arguments),
-                                       cmocka_unit_test(test_full_fog),     cmocka_unit_test(test_line_fog),
-                                       cmocka_unit_test(test_fog_arguments)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_left_out), cmocka_unit_test(test_greys),
+                                       cmocka_unit_test(test_dithered), cmocka_unit_test(test_arguments),
+                                       cmocka_unit_test(test_refused),  cmocka_unit_test(test_full_fog),
+                                       cmocka_unit_test(test_line_fog), cmocka_unit_test(test_fog_arguments)};
 
     return cmocka_run_group_tests_name("frame_stipple", tests, make_stage, free_stage);
 }

@@ -130,9 +130,11 @@ void sheen_canvas_text(const struct sheen_canvas *canvas, enum sheen_pixel pixel
 struct sheen_rect sheen_text_rect(const struct sheen_text *text, const char *line)
 {
     const struct sheen_font *font = font_of(text);
-    int32_t scale = text->scale ? text->scale : 1, x = text->x;
+    int32_t scale = text->scale ? text->scale : 1, x = text->x, end = x;
 
-    for (const char *c = line != NULL ? line : text->line; *c != '\0' && x < 32767; c++)
+    for (const char *c = line != NULL ? line : text->line; *c != '\0' && x < 32767; c++) {
+        end = x + (font->width > font->advance ? font->width : font->advance) * scale;
         x += font->advance * scale;
-    return (struct sheen_rect){text->x, text->y, canvas_edge(x), canvas_edge(text->y + font->height * scale)};
+    }
+    return (struct sheen_rect){text->x, text->y, canvas_edge(end), canvas_edge(text->y + font->height * scale)};
 }

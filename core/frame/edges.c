@@ -62,12 +62,13 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
         }
         if (!f->config.smooth)
             return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_SMOOTH, 1);
-        smooth_begin(f);
     }
     if (mesh->edges == NULL)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_EDGES, 0);
     if (first + noted > most)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, first + noted);
+    if (d->edges->kind->finish != NULL)
+        smooth_begin(f);
     struct line_list list = {.mesh = mesh,
                              .draw = &d->as,
                              .front = (uint32_t *)(void *)(f->line + most - noted),
@@ -208,8 +209,9 @@ static void edges_draw(const struct sheen_frame *f, struct worker *w, struct til
     draw_all_lines(f, w, t, rect.y0, rect.y1);
     if (rect.y1 != strip_end) /* what goes on does so below these rows alone */
         w->last_band = -2;
+    const int32_t again = max32(t->rect.y1 - f->screen.again, t->rect.y0); /* a tile of a row alone has no apron */
     for (unsigned slot = w->first_carried; slot != f->config.max_carried; slot = slot_of(w, slot)->next)
-        sheen_spans_back(slot_of(w, slot), t->rect.y1 - f->screen.again);
+        sheen_spans_back(slot_of(w, slot), again);
     t->depth += above;
     t->pixels = (char *)t->pixels + above * (t->format->grey ? 1 : 2);
     t->rect = rect;

@@ -110,7 +110,7 @@ COLD int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
     return SHEEN_OK;
 }
 
-/* ---- draw: transform, light, clip, bin ---- */
+/* ---- draw: transform, clip, bin, light ---- */
 
 /* Transform those of `count` vertices that are used for the first time; 0 where one found no room. */
 int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
@@ -324,9 +324,9 @@ static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *ob
     begin_colours(f, d, object);
     d->quads = f->config.quads != NULL ? f->config.quads->most(f, d) : 0;
     if (object->transparency != 0) {
-        f->stipple = object->stipple;
-        if (f->stipple == NULL || f->stipple->begin(d, object) < 0)
+        if (object->stipple == NULL || object->stipple->begin(d, object) < 0)
             return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_TRANSPARENCY, 0);
+        f->stipple = object->stipple;
     }
     return SHEEN_OK;
 }
@@ -350,13 +350,13 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
         error = room_for(f, f->vertices + object->mesh->vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
     if (error == SHEEN_OK)
         error = begin_draw(f, object, &d->as, &t, &viewpoint);
-    if (error < 0)
-        return error;
-    d->first_vertex = f->vertices;
-    d->edges = object->edges;
-    error = draw_triangles(f, d, &t, &viewpoint);
-    if (error == SHEEN_OK && d->edges != NULL)
-        error = d->edges->list(f, d, object, &t);
+    if (error == SHEEN_OK) {
+        d->first_vertex = f->vertices;
+        d->edges = object->edges;
+        error = draw_triangles(f, d, &t, &viewpoint);
+        if (error == SHEEN_OK && d->edges != NULL)
+            error = d->edges->list(f, d, object, &t);
+    }
     if (error < 0) {
         memcpy(taken, before, TAKEN_BYTES);
         sheen_bin_rollback(f, entries);

@@ -1,9 +1,9 @@
 /*
  * frame.h - private: what each stage of a frame hands the next.
  *
- *   transform -> light -> clip -> bin -> setup -> spans -> *_rows.c -> target
+ *   transform -> clip -> bin -> light -> setup -> spans -> *_rows.c -> target
  *
- * frame.c calls them in this order. Everything here lives in the caller's arena.
+ * frame.c calls the first four in this order, band.c the others. Everything here lives in the caller's arena.
  */
 #ifndef SHEEN_FRAME_H
 #define SHEEN_FRAME_H
@@ -69,7 +69,7 @@ struct worker {
     uint32_t by_way[SHEEN_WAYS];       /* set-ups */
 };
 
-/* SHEEN_BYTES_CLIPPING before `carried`: while the worker draws a band, a struct stippled_rows. */
+/* SHEEN_BYTES_CLIPPING before `carried`: a morph's normals, until an entry's set-up is made; then stippled rows. */
 static inline void *scratch_of(const struct worker *w)
 {
     return w->carried - SHEEN_BYTES_CLIPPING;

@@ -11,7 +11,6 @@
  * contour bounds. Of several the largest stands: of those that do the one that covers most, of others likewise. For
  * what lies behind other surfaces of a mesh has contours there too, of which the outermost is seen.
  */
-#define FROM 3u
 #define FROM_LEFT 0u
 #define FROM_RIGHT 1u
 #define FROM_ABOVE 2u

@@ -204,7 +204,7 @@ struct texel_terms {
     uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(BRIGHT_BITS + c_shift) */
     uint16_t gloss;   /* where the highlight is white: what 1.0 of specular gives, UQ1.15 */
     uint16_t grey[3]; /* what a channel's level of 565 / 2^GREY_BITS is in the target's, with 31 - level_bits bits */
-    uint8_t fraction; /* 25..30 */
+    uint8_t fraction; /* 24..30 */
     uint8_t c_shift;
     uint8_t alike;  /* all channels' light is one */
     uint8_t white;  /* all channels' highlight is one, and 1.0 at the most */

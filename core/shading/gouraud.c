@@ -17,7 +17,7 @@ static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[
 
     most = magnitude32(d[1]) > most ? magnitude32(d[1]) : most;
     most = magnitude32(d[1] - d[0]) > most ? magnitude32(d[1] - d[0]) : most;
-    most = (most >> (terms->unit - 20)) + 1;
+    most = (most << 1 >> (terms->unit - 19)) + 1;
     return most > 0xffff ? 0xffff : most;
 }
 
@@ -101,7 +101,7 @@ static APART void glossy(struct setup *s, struct surface_corners *c, const struc
     int32_t d[2];
 
     corner_channels(draw, lit, channel, d);
-    if (way_wanted(draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << (terms->unit - 20))) {
+    if (way_wanted(draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << terms->unit >> 20)) {
         sheen_setup_linear(s, g, channel);
         return;
     }

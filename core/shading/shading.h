@@ -2,8 +2,8 @@
  * shading.h - private: what a shading is to a frame.
  *
  * A frame knows a shading as a struct sheen_shader, which the caller names: what is
- * not named is not linked. A room (flat, gouraud, phong, slerp) gets a draw record,
- * a triangle and a tile; it never sees the frame.
+ * not named is not linked. A room (flat, gouraud, phong, slerp, colored, textured,
+ * matcap) gets a draw record, a triangle and a tile; it never sees the frame.
  */
 #ifndef SHEEN_SHADING_H
 #define SHEEN_SHADING_H
@@ -36,7 +36,7 @@ enum quads_taken {
  *   seen), once for each that a listed triangle uses; NULL: nothing. Between corners it is linear.
  * carry: of a triangle's corners three numbers each, for the side that is seen, which are linear in between: what its
  *   pieces have in place of normals; NULL: normals.
- * setup: chooses the cheapest way within PICTURE's table and fills in what follows *s; g: NULL
+ * setup: chooses the cheapest way that is off by less than a level shows and fills in what follows *s; g: NULL
  *   where the triangle is too flat for gradients. Sets way, fast and rows.
  * shades: sheen_shades_of, so that what takes none does not link it; NULL: it takes none.
  * takes: 0 where the material's texture, or NULL, is none that the shading can show; NULL: it needs none.

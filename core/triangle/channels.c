@@ -6,7 +6,7 @@
 /* A channel may be off by 3/64 of a 64th of 1.0, as Gouraud's colours. */
 static int is_straight(const struct surface_corners *c, const struct colour_terms *terms, int32_t d1, int32_t d2)
 {
-    return sheen_straight(c, d1, d2, 3u << (terms->unit - 20));
+    return sheen_straight(c, d1, d2, 3u << terms->unit >> 20);
 }
 
 /* 1 where perspective shows in none of the channels, nor in their sum, which is what counts on greys. */

@@ -65,7 +65,7 @@ SPECIALISED uint32_t fogged(uint32_t channel, uint32_t level, int32_t share)
     return channel + (uint32_t)asr32(((int32_t)level - (int32_t)channel) * share, 14);
 }
 
-/* The one rounding of channels with 16 - LEVEL_BITS fraction bits, each at most 1.0; threshold in 1/128. */
+/* The one rounding of channels with 16 - level_bits fraction bits, each at most 1.0; threshold in 1/128. */
 SPECIALISED void put_fogged(const struct tile *t, const struct fog_terms *fog, uint32_t at, uint32_t z, uint32_t r,
                             uint32_t g, uint32_t b, uint32_t threshold, unsigned grey)
 {

@@ -14,7 +14,7 @@ struct sheen_morpher {
     void (*position)(const struct draw *d, const int16_t *first, int16_t out[3]);
     void (*normal)(const struct draw *d, const int16_t *first, int16_t out[3]);
     void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: the first frame's */
-    /* Normals of an entry's corners, where its set-up reads them; they stand until its rows are drawn. */
+    /* Normals of an entry's corners, where its set-up reads them; they stand until it is made. */
     void (*corners)(const struct draw *d, struct corners *c, const struct worker *w);
     /* Points and normals of a triangle that is cut; these are in `store`. */
     void (*cut)(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3],

@@ -30,8 +30,10 @@ static void place_point(struct draw *d, const struct sheen_light *light, const s
         at[k] = light->at[k];
         apart[k] = offset[k];
     }
-    if ((!light->with_eye && !sheen_pose_is_zero(view) && move_by(view, at) < 0) || move_by(pose, apart) < 0)
-        return; /* nothing of it reaches the mesh */
+    if ((!light->with_eye && !sheen_pose_is_zero(view) && move_by(view, at) < 0) || move_by(pose, apart) < 0) {
+        at[0] = at[1] = at[2] = 0; /* nothing of it reaches the mesh */
+        return;
+    }
     for (int k = 0; k < 3; k++)
         apart[k] = (int32_t)round_shift64((int64_t)at[k] - apart[k], 4);
     sheen_to_model(pose->rotation, apart, at);

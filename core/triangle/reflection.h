@@ -31,7 +31,7 @@ uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3]);
 
 /*
  * Four times what an edge's middle lies above the mean of its ends, Q.16, of a cosine that has these there, Q0.15. h, a
- * quarter of |Ni - Nj|^2, and lean: Q0.18, below 2^14, 2^15.
+ * quarter of |Ni - Nj|^2, and lean: Q0.18, both below 2^15.
  */
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean);
 

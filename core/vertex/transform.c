@@ -57,10 +57,12 @@ static void depth_factor(const struct projection *p, struct scaled *s)
     scale_by(s, both.mantissa, 31 - both.exponent);
 }
 
-/* With 16 fraction bits. Range: 2^-31 to 2^30. */
+/* With 16 fraction bits. Range: 2^-31 to 65020 * 2^31. */
 static int64_t scaled_value(const struct scaled *s)
 {
-    return (int64_t)((uint64_t)s->mantissa << 16 >> (31 - s->exponent));
+    const int up = s->exponent - 15;
+
+    return (int64_t)(up < 0 ? (uint64_t)s->mantissa >> -up : (uint64_t)s->mantissa << up);
 }
 
 /*

@@ -53,7 +53,7 @@ struct scaled {
 struct projection {
     struct scaled focal; /* px */
     uint32_t depth;      /* mantissa of depth: z16 = DEPTH_FAR + depth / m - depth / far; orthographic: of a unit's */
-    int depth_shift;     /* its exponent, less what depth_at makes of it */
+    int depth_shift;     /* its exponent, less what depth_over makes of it */
     unsigned depth_fraction; /* 0..15: of depth / m, as many bits as 32 have room for */
     uint32_t depth_base;     /* with as many: DEPTH_FAR - depth / far + 1/2 */
     sheen_q24_t near, far;
