@@ -1,5 +1,5 @@
 /*
- * main.c - the smallest complete program: a cube that turns, Phong shaded, on an OLED of 16 greys.
+ * main.c - the smallest complete program: a cube that turns on an OLED of 16 greys.
  */
 #include "sheen.h"
 #include "sheen_panel.h"
@@ -40,24 +40,19 @@ static int delay(void *ctx, uint32_t us)
     return SHEEN_OK;
 }
 
-/* A corner of the cube at distance 1, and its unit normal: 32767 / sqrt(3). */
+/* A corner of the cube at distance 1: 32767 / sqrt(3). */
 #define C 18918
 static const int16_t corners[] = {-C, -C, -C, C, -C, -C, -C, C, -C, C, C, -C, -C, -C, C, C, -C, C, -C, C, C, C, C, C};
 static const uint8_t triangles[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
                                     1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3};
 static const struct sheen_mesh cube = {.positions = corners,
-                                       .normals = corners,
                                        .indices = triangles,
                                        .index_bytes = 1,
                                        .vertices = 8,
                                        .triangles = 12,
                                        .scale = SHEEN_Q24(1)};
-static const struct sheen_material gold = {.base = {200, 160, 80},
-                                           .ambient = SHEEN_Q16(.1),
-                                           .diffuse = SHEEN_Q16(.6),
-                                           .specular = SHEEN_Q16(.3),
-                                           .shine = &sheen_shine_32};
-static const struct sheen_light lamp = {.to = {-5, 7, 5}};
+static const struct sheen_material gold = {.base = {240, 208, 128}, .ambient = SHEEN_Q16(.2), .diffuse = SHEEN_Q16(.8)};
+static const struct sheen_light lamp = {.to = {-3, 5, 6}};
 static const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN_Q24(4.05), .dither = 1};
 
 int main(void)
@@ -71,7 +66,7 @@ int main(void)
     struct sheen_config config = {
         .target = &target, .max_vertices = 8, .max_triangles = 12, .max_draws = 1, .max_carried = 12};
     struct sheen_object object = {
-        .mesh = &cube, .material = &gold, .shader = &sheen_phong, .lights = &lamp, .light_count = 1};
+        .mesh = &cube, .material = &gold, .shader = &sheen_flat, .lights = &lamp, .light_count = 1};
     int error = sheen_panel_open(&panel, &sheen_panel_ssd0323, &bus, 0) || sheen_panel_target(&panel, &target) ||
                 sheen_init(&frame, arena, &size, &config);
 
