@@ -57,12 +57,10 @@ static void depth_factor(const struct projection *p, struct scaled *s)
     scale_by(s, both.mantissa, 31 - both.exponent);
 }
 
-/* With 16 fraction bits. Range: 2^-31 to 65020 * 2^31. */
+/* With 16 fraction bits. Range: 2^-17 to 2^47; 65020 steps over 128 units at the least, over a raw one at the most. */
 static int64_t scaled_value(const struct scaled *s)
 {
-    const int up = s->exponent - 15;
-
-    return (int64_t)(up < 0 ? (uint64_t)s->mantissa >> -up : (uint64_t)s->mantissa << up);
+    return (int64_t)((uint64_t)s->mantissa << 31 >> (46 - s->exponent));
 }
 
 /*
