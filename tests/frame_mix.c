@@ -151,6 +151,8 @@ static void random_material(uint32_t *seed, struct mix_look *look, bool textured
     random_color(seed, m->highlight);
     random_color(seed, m->ambient_color);
     random_color(seed, m->line);
+    if (!unlit && one_in(seed, 12)) /* as much as there may be */
+        m->ambient = m->diffuse = m->specular = SHEEN_Q16(4);
     if (one_in(seed, 2))
         memset(m->base, 255, sizeof m->base);
     if (one_in(seed, 2))
@@ -226,7 +228,7 @@ static struct sheen_rect random_rect(uint32_t *seed, int align_x, int align_y)
     const int x = (int)below(seed, MIX_WIDTH / 2) / align_x * align_x;
     const int y = (int)below(seed, MIX_HEIGHT / 2) / align_y * align_y;
     const int width = (int)(16 + below(seed, MIX_WIDTH / 2 - 16)) / align_x * align_x;
-    const int height = (int)(16 + below(seed, MIX_HEIGHT / 2 - 16)) / align_y * align_y;
+    const int height = one_in(seed, 4) ? align_y : (int)(16 + below(seed, MIX_HEIGHT / 2 - 16)) / align_y * align_y;
 
     return (struct sheen_rect){(int16_t)x, (int16_t)y, (int16_t)(x + width), (int16_t)(y + height)};
 }
@@ -253,7 +255,10 @@ static void random_view(uint32_t *seed, struct mix_frame *f, int align_x, int al
     }
     if (!one_in(seed, 3))
         return;
-    f->fog = (struct sheen_fog){.start = SHEEN_Q24(start > 0.1 ? start : 0.1), .mixer = &sheen_fog_mixer};
+    f->fog = (struct sheen_fog){.start = one_in(seed, 8) ? 1 + (sheen_q24_t)below(seed, 5000)
+                                         : start > 0.1   ? SHEEN_Q24(start)
+                                                         : SHEEN_Q24(0.1),
+                                .mixer = &sheen_fog_mixer};
     f->fog.end = f->fog.start + SHEEN_Q24(stage_uniform(seed, 0.2, 1.5) * depth);
     random_color(seed, f->fog.color);
     v->fog = &f->fog;

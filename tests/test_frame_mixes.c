@@ -1,6 +1,7 @@
 /*
  * test_frame_mixes.c - random mixes of shadings and all there is besides, over a few frames of one struct sheen_frame
- * in random bands, buffers, workers, orders and carried set-ups, against each frame drawn alone, whole, in one band.
+ * in random bands, buffers, workers, orders and carried set-ups, with objects between that are refused, against each
+ * frame drawn alone, whole, in one band.
  *
  *   test_frame_mixes          400 mixes
  *   test_frame_mixes all      40,000
@@ -127,12 +128,42 @@ static int run_bands(struct sheen_frame *frame, const struct way *way, uint32_t 
 
 /* ---- frames ---- */
 
-static int draw_objects(struct sheen_frame *frame, const struct mix_frame *f)
+/* The object with something wrong, which is found before anything is done, on the way, or when its lines are listed. */
+static void draw_refused(struct sheen_frame *frame, const struct sheen_object *from, uint32_t *seed)
+{
+    struct sheen_object o = *from;
+    struct sheen_mesh mesh = *from->mesh;
+    const unsigned kind = stage_random(seed) % 5;
+
+    if (kind == 0) {
+        o.transparency = 32;
+        o.stipple = NULL;
+    } else if (kind == 1) {
+        o.transparency = 65;
+        o.stipple = &sheen_stipple;
+    } else if (kind == 2) {
+        o.pose.scale = -1;
+    } else if (kind == 3) {
+        o.depth_bias = 4096;
+    } else {
+        mesh.edges = NULL;
+        o.mesh = &mesh;
+        o.morph = NULL;
+        o.edges = stage_random(seed) % 2 ? &sheen_edges_outline : &sheen_edges_wire; /* smooth: none on two levels */
+    }
+    assert_true(sheen_draw(frame, &o) < 0);
+}
+
+/* seed: NULL, or where objects that are refused come between. */
+static int draw_objects(struct sheen_frame *frame, const struct mix_frame *f, uint32_t *seed)
 {
     int status = sheen_begin(frame, &f->view);
 
-    for (unsigned i = 0; i < f->count && status == SHEEN_OK; i++)
+    for (unsigned i = 0; i < f->count && status == SHEEN_OK; i++) {
+        if (seed != NULL && stage_random(seed) % 4 == 0)
+            draw_refused(frame, &f->object[stage_random(seed) % f->count], seed);
         status = sheen_draw(frame, &f->object[i]);
+    }
     return status;
 }
 
@@ -191,7 +222,7 @@ static void compare(const struct memory_target *got, const struct mix_frame *f, 
     int at[2] = {0, 0};
 
     open_frame(&alone, &expected, &whole);
-    check(alone.frame, draw_objects(alone.frame, f));
+    check(alone.frame, draw_objects(alone.frame, f, NULL));
     check(alone.frame, sheen_end(alone.frame));
     if (r.x0 >= r.x1 || r.y0 >= r.y1)
         r = (struct sheen_rect){0, 0, MIX_WIDTH, MIX_HEIGHT};
@@ -229,7 +260,7 @@ static void play(const struct mix *mix, const struct way *way, uint32_t *seed)
         memory_target_begin(&target);
         if (frame->invalidated)
             sheen_invalidate(f.frame);
-        check(f.frame, draw_objects(f.frame, frame));
+        check(f.frame, draw_objects(f.frame, frame, seed));
         if (frame->mark.x0 < frame->mark.x1)
             check(f.frame, sheen_mark(f.frame, frame->mark));
         if (way->order != BY_END)
