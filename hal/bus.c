@@ -55,7 +55,9 @@ static int pass_tearing(void *ctx)
 void sheen_bus_layer_open(struct sheen_bus_layer *layer, const struct sheen_bus *to)
 {
     layer->to = to;
-    layer->bus = (struct sheen_bus){.ctx = layer, .send = pass_send, .delay = pass_delay};
+    layer->bus = (struct sheen_bus){.ctx = layer};
+    layer->bus.send = to->send ? pass_send : NULL;
+    layer->bus.delay = to->delay ? pass_delay : NULL;
     layer->bus.wait = to->wait ? pass_wait : NULL;
     layer->bus.reset = to->reset ? pass_reset : NULL;
     layer->bus.acquire = to->acquire ? pass_acquire : NULL;

@@ -50,7 +50,7 @@ static int i2c_send(void *ctx, const uint8_t *command, size_t commands, const vo
 
 int sheen_i2c_open(struct sheen_i2c *i2c, const struct sheen_bus *to, size_t longest)
 {
-    if (!i2c || !to || !to->send || (longest && longest <= SHEEN_BUS_COMMANDS))
+    if (!i2c || !to || !to->send || !to->delay || (longest && longest <= SHEEN_BUS_COMMANDS))
         return SHEEN_ERR_ARGUMENT;
     i2c->longest = longest && longest < SHEEN_I2C_MESSAGE ? longest : SHEEN_I2C_MESSAGE;
     sheen_bus_layer_open(&i2c->layer, to);

@@ -59,7 +59,10 @@ struct sheen_bus {
      */
     int (*wait)(void *ctx);
 
-    /* Drives the panel's reset line, level 0 = asserted. NULL: none, the driver resets by command. */
+    /*
+     * Drives the panel's reset line, level 0 = asserted. NULL: none; controllers that have a command for it (DCS) are
+     * reset by that, others are initialised as they are.
+     */
     int (*reset)(void *ctx, int level);
 
     /*

@@ -71,7 +71,7 @@ struct sheen_panel_record {
     uint32_t clock_hz;                       /* rated write clock, 1 / minimum cycle of the data sheet */
     uint16_t glass_w, glass_h;               /* px, rotation 0 */
     uint16_t ram_w, ram_h;                   /* px */
-    uint16_t gap_x, gap_y;                   /* RAM column and row, px */
+    uint16_t gap_x, gap_y;                   /* RAM column and row, px; the SSD1351's is not looked at */
     uint16_t reset_low_us, reset_ms;         /* reset pulse; rest after it (and after a reset by command) */
     uint8_t steps;                           /* entries of init */
     uint8_t spi_mode;                        /* 0 or 3 */

@@ -9,6 +9,12 @@ sheen_test(test_linux_bus panel SOURCES test_linux_bus.c test_panel_canvas.c ${l
 target_include_directories(test_linux_bus PRIVATE ${linux})
 target_compile_definitions(test_linux_bus PRIVATE _GNU_SOURCE)
 target_link_options(test_linux_bus PRIVATE -Wl,--wrap=open,--wrap=close,--wrap=ioctl,--wrap=clock_nanosleep)
+set(program ${PROJECT_SOURCE_DIR}/firmware/linux)
+sheen_test(test_linux_options cli SOURCES test_linux_options.c ${program}/options.c ${program}/options_file.c
+  ${program}/options_module.c ${program}/options_table.c ${program}/stop.c ${linux}/failure.c
+  LIBRARIES sheen::view)
+target_include_directories(test_linux_options PRIVATE ${linux} ${PROJECT_SOURCE_DIR}/host-sim/command)
+target_compile_definitions(test_linux_options PRIVATE _GNU_SOURCE)
 if(TARGET sheen_linux)
   sheen_test(test_sender threads SOURCES test_sender.c LIBRARIES sheen::linux)
 endif()

@@ -60,6 +60,12 @@ static void calls_become_messages(void **state)
     (void)state;
     assert_int_equal(sheen_i2c_open(&i2c, &wire, 16), SHEEN_ERR_ARGUMENT);
     assert_int_equal(sheen_i2c_open(&i2c, NULL, 0), SHEEN_ERR_ARGUMENT);
+    struct sheen_bus timeless = wire; /* what a bus has not, a layer around it has not */
+    struct sheen_bus_layer layer;
+    timeless.delay = NULL;
+    assert_int_equal(sheen_i2c_open(&i2c, &timeless, 0), SHEEN_ERR_ARGUMENT);
+    sheen_bus_layer_open(&layer, &timeless);
+    assert_true(layer.bus.delay == NULL && layer.bus.send != NULL);
     assert_int_equal(sheen_i2c_open(&i2c, &wire, 17), 0);
     assert_int_equal(bus->send(bus->ctx, bytes, 3, NULL, 0), 0);
     assert_int_equal(bus->wait(bus->ctx), 0);

@@ -126,7 +126,8 @@ static int check_bus(const struct options *options, struct sheen_failure *why)
         return sheen_failed(why, 2, "--address is for --i2c");
     if (!options->dc[0])
         return sheen_failed(why, 2, "--dc is missing: the line that tells data from commands");
-    if (!options->spi[0] == !(options->sclk[0] && options->mosi[0]))
+    const int lines = (options->sclk[0] != 0) + (options->mosi[0] != 0);
+    if (lines != (options->spi[0] ? 0 : 2))
         return sheen_failed(why, 2, "either --spi, or --sclk and --mosi, or --i2c");
     return 0;
 }

@@ -32,6 +32,7 @@ struct options {
     long quiet; /* no statistics */
     /* other than showing */
     long list, panels, help, man, version;
+    char *file; /* the text of --config, which names of the view point into; NULL: none. Kept to the program's end */
 };
 
 /*

@@ -10,7 +10,10 @@
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#define LONGEST 4094 /* characters of a line */
 
 /* Cuts blanks off both ends, in place. */
 static char *trim(char *text)
@@ -42,25 +45,48 @@ static int read_line(struct options *options, char *line, struct sheen_failure *
     return options_set(options, name, trim(equals + 1), why);
 }
 
-int options_read_file(struct options *options, const char *path, struct sheen_failure *why)
+/* All of a file, to be freed; NULL and *why. It holds no zero byte. */
+static char *read_all(const char *path, struct sheen_failure *why)
 {
     FILE *file = fopen(path, "re");
-    char line[4096];
-    struct sheen_failure what = {""};
-    int error = 0;
+    char *text = NULL;
+    size_t size = 0;
 
-    if (!file)
-        return sheen_failed(why, 1, "%s: %s", path, strerror(errno));
-    for (unsigned number = 1; error == 0 && fgets(line, sizeof line, file); number++) {
-        if (!strchr(line, '\n') && !feof(file))
-            error = sheen_failed(&what, -1, "a line longer than %zu characters", sizeof line - 2);
+    if (!file) {
+        sheen_failed(why, 1, "%s: %s", path, strerror(errno));
+        return NULL;
+    }
+    ssize_t length = getdelim(&text, &size, '\0', file);
+    const char *wrong = ferror(file) ? strerror(errno) : text ? NULL : strerror(ENOMEM);
+    fclose(file);
+    if (!wrong && length < 0)
+        *text = '\0'; /* an empty file */
+    else if (!wrong && strlen(text) != (size_t)length)
+        wrong = "holds a zero byte";
+    if (!wrong)
+        return text;
+    free(text);
+    sheen_failed(why, 1, "%s: %s", path, wrong);
+    return NULL;
+}
+
+int options_read_file(struct options *options, const char *path, struct sheen_failure *why)
+{
+    struct sheen_failure what = {""};
+    char *next = options->file = read_all(path, why);
+    int error = next ? 0 : 1;
+
+    for (unsigned number = 1; !error && next; number++) {
+        char *line = next, *end = strchr(line, '\n');
+        next = end ? end + 1 : NULL;
+        if (end)
+            *end = '\0';
+        if (strlen(line) > LONGEST)
+            error = sheen_failed(&what, -1, "a line longer than %d characters", LONGEST);
         else
             error = read_line(options, line, &what);
         if (error)
             error = sheen_failed(why, 1, "%s:%u: %s", path, number, what.text);
     }
-    if (error == 0 && ferror(file))
-        error = sheen_failed(why, 1, "%s: %s", path, strerror(errno));
-    fclose(file);
     return error;
 }

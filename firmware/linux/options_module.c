@@ -19,6 +19,8 @@ static int set_gap(const struct options *options, struct sheen_panel_record *rec
 
     if (options->gap[0] < 0)
         return 0;
+    if (record->driver == &sheen_driver_ssd1351)
+        return sheen_failed(why, 2, "--gap: %s has none", record->name);
     for (unsigned axis = 0; axis < 2; axis++) {
         if (options->gap[axis] > most[axis])
             return sheen_failed(why, 2, "--gap %ld,%ld: %s shows %ux%u of %ux%u pixels of memory: at most %ld,%ld",
@@ -52,10 +54,13 @@ static int set_address(const struct options *options, struct sheen_panel_record 
 {
     if (options->i2c[0] && !record->i2c_address)
         return sheen_failed(why, 2, "--i2c: %s speaks SPI only", record->name);
-    if (options->address > 0x77)
+    const long half = options->address >> 1;
+    if (options->address > 0x77 && options->address % 2 == 0 && half <= 0x77)
         return sheen_failed(
             why, 2, "--address: 0x%02lx is 0x%02lx with a bit for writing, as some boards print it; give 0x%02lx",
-            options->address, options->address >> 1, options->address >> 1);
+            options->address, half, half);
+    if (options->address && (options->address < 0x08 || options->address > 0x77))
+        return sheen_failed(why, 2, "--address: 0x%02lx is not in 0x08..0x77", options->address);
     if (options->address)
         record->i2c_address = (uint8_t)options->address;
     return 0;
@@ -81,6 +86,8 @@ int options_record(const struct options *options, struct sheen_panel_record *rec
         record->spi_mode = (uint8_t)options->spi_mode;
     if (options->brightness >= 0 && !record->brightness_command)
         return sheen_failed(why, 2, "--brightness: %s has none", record->name);
+    if (options->te[0] && record->driver != &sheen_driver_dcs)
+        return sheen_failed(why, 2, "--te: %s has no such output", record->name);
     error = set_gap(options, record, why);
     if (error == 0)
         error = set_colours(options, record, why);

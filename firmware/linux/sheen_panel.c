@@ -15,9 +15,11 @@
 
 #include "../../host-sim/command/scene.h"
 
+#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define BAND_ROWS 16 /* of the test picture */
 
@@ -117,6 +119,8 @@ int main(int argc, char **argv)
         if (status == 0)
             status = run(&options, &why) < 0;
     }
+    if (status == 0 && (fflush(stdout) != 0 || ferror(stdout)))
+        status = sheen_failed(&why, 1, "standard output: %s", strerror(errno));
     if (status) {
         struct sheen_problem line; /* what a file or a command line holds does not reach a terminal as it is */
         sheen_problem(&line, status, "%s", why.text);

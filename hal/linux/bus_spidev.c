@@ -71,6 +71,14 @@ static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, 
     return 0;
 }
 
+/* A message of nothing, after which the controller's chip select rises. Whatever it answers, an error came before. */
+static void deselect(struct sheen_linux_bus *bus)
+{
+    struct spi_ioc_transfer nothing = {.speed_hz = bus->clock_hz, .bits_per_word = 8};
+
+    (void)sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &nothing);
+}
+
 static int open_fail(struct sheen_linux_bus *bus, int error)
 {
     switch (error) {
@@ -124,6 +132,7 @@ int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
     if (bus->fd < 0)
         return open_fail(bus, errno);
     bus->put = put;
+    bus->deselect = wiring->cs ? NULL : deselect;
     bus->chunk = chunk_size();
     return set_up(bus, wiring->cs != NULL);
 }

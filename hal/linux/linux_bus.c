@@ -48,6 +48,8 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
         int released = sheen_pin_set(&bus->cs, 1, error ? NULL : bus->why);
 
         error = error ? error : released;
+    } else if (error && commands && count && bus->deselect) {
+        bus->deselect(bus);
     }
     return error;
 }

@@ -10,6 +10,7 @@
 #include <gpiod.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #define EDGES_QUEUED 16 /* the kernel keeps that many of a line (gpiolib-cdev.c: 16 a requested line) */
 
@@ -83,14 +84,36 @@ int sheen_pin_set(struct sheen_pin *pin, int level, struct sheen_failure *why)
     return 0;
 }
 
+static int64_t now_us(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * (int64_t)1000000 + now.tv_nsec / 1000;
+}
+
+/* As sheen_gpiod_edge, but for signals: what is left of the time after one, none at last. */
+static int next_edge(struct sheen_pin *pin, uint32_t timeout_us)
+{
+    const int64_t end = now_us() + timeout_us;
+    int64_t left = timeout_us;
+    int found;
+
+    do {
+        found = sheen_gpiod_edge(pin, (uint32_t)left);
+        left = end - now_us();
+    } while (found < 0 && (errno == EINTR || errno == EAGAIN) && left > 0);
+    return found < 0 && left <= 0 && (errno == EINTR || errno == EAGAIN) ? 0 : found;
+}
+
 int sheen_pin_await(struct sheen_pin *pin, uint32_t timeout_us, struct sheen_failure *why)
 {
     int found = 1;
 
     for (int stale = 0; found > 0 && stale < EDGES_QUEUED; stale++)
-        found = sheen_gpiod_edge(pin, 0);
+        found = next_edge(pin, 0);
     if (found >= 0)
-        found = sheen_gpiod_edge(pin, timeout_us);
+        found = next_edge(pin, timeout_us);
     if (found < 0)
         return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
     if (found == 0)

@@ -40,7 +40,7 @@ int sheen_gpiod_rising(struct sheen_pin *pin, unsigned offset);
 
 int sheen_gpiod_set(struct sheen_pin *pin, int level);
 
-/* 1: an edge came and is taken from the queue; 0: none within timeout_us (0: do not wait). */
+/* 1: an edge came and is taken from the queue; 0: none within timeout_us (0: do not wait); a signal is an error. */
 int sheen_gpiod_edge(struct sheen_pin *pin, uint32_t timeout_us);
 
 void sheen_gpiod_release(struct sheen_pin *pin);

@@ -87,14 +87,9 @@ int sheen_gpiod_edge(struct sheen_pin *pin, uint32_t timeout_us)
 {
     const struct timespec timeout = {.tv_sec = timeout_us / 1000000, .tv_nsec = timeout_us % 1000000 * 1000L};
     struct gpiod_line_event event;
-    int tries = SHEEN_TRIES, found;
+    int found = gpiod_line_event_wait(pin->line, &timeout);
 
-    do {
-        found = gpiod_line_event_wait(pin->line, &timeout);
-        if (found > 0 && gpiod_line_event_read(pin->line, &event))
-            found = -1;
-    } while (found < 0 && sheen_again(errno, &tries));
-    return found;
+    return found > 0 && gpiod_line_event_read(pin->line, &event) ? -1 : found;
 }
 
 void sheen_gpiod_release(struct sheen_pin *pin)

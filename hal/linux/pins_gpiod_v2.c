@@ -111,15 +111,12 @@ int sheen_gpiod_set(struct sheen_pin *pin, int level)
 int sheen_gpiod_edge(struct sheen_pin *pin, uint32_t timeout_us)
 {
     struct gpiod_edge_event_buffer *buffer = gpiod_edge_event_buffer_new(1);
-    int tries = SHEEN_TRIES, found;
 
     if (!buffer)
         return -1;
-    do {
-        found = gpiod_line_request_wait_edge_events(pin->request, (int64_t)timeout_us * 1000);
-        if (found > 0)
-            found = gpiod_line_request_read_edge_events(pin->request, buffer, 1);
-    } while (found < 0 && sheen_again(errno, &tries));
+    int found = gpiod_line_request_wait_edge_events(pin->request, (int64_t)timeout_us * 1000);
+    if (found > 0)
+        found = gpiod_line_request_read_edge_events(pin->request, buffer, 1);
     gpiod_edge_event_buffer_free(buffer);
     return found;
 }

@@ -30,9 +30,9 @@ struct sheen_wiring {
     const char *mosi;  /* bit-bang only */
     const char *cs;    /* chip select, low selects; NULL: the controller's own, or tied low */
     const char *dc;    /* NULL with i2c only */
-    const char *reset; /* NULL: the panel is reset by command */
+    const char *reset; /* NULL: not wired (sheen_bus.h) */
     const char *te;    /* tearing effect, an input */
-    uint32_t clock_hz; /* of spidev; bit-bang runs as fast as the kernel lets it, below 1 MHz */
+    uint32_t clock_hz; /* of spidev, from 1 Hz; bit-bang runs as fast as the kernel lets it, below 1 MHz */
     uint8_t spi_mode;  /* 0..3 */
     uint8_t address;   /* of i2c, 7 bits; 0: SHEEN_I2C_ADDRESS */
 };
@@ -46,13 +46,14 @@ struct sheen_linux_bus {
     struct sheen_i2c i2c;  /* around wire */
     struct sheen_pin sclk, mosi, cs, dc, reset, te; /* closed where they are not wired */
     int (*put)(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count,
-               int more);      /* sends bytes; more: CS stays */
-    struct sheen_failure *why; /* borrowed, for messages */
-    int fd;                    /* of spidev or i2c; -1: none */
-    size_t chunk;              /* B, the largest transfer that spidev takes */
-    uint32_t clock_hz;         /* of spidev */
-    uint8_t spi_mode, address; /* as in the wiring */
-    const char *path;          /* borrowed, for messages */
+               int more);                          /* sends bytes; more: CS stays */
+    void (*deselect)(struct sheen_linux_bus *bus); /* ends a command whose data do not follow; NULL: nothing to do */
+    struct sheen_failure *why;                     /* borrowed, for messages */
+    int fd;                                        /* of spidev or i2c; -1: none */
+    size_t chunk;                                  /* B, the largest transfer that spidev takes */
+    uint32_t clock_hz;                             /* of spidev */
+    uint8_t spi_mode, address;                     /* as in the wiring */
+    const char *path;                              /* borrowed, for messages */
 };
 
 /*

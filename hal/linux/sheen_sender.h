@@ -35,7 +35,7 @@ struct sheen_sender {
 /* 0, or SHEEN_ERR_MEMORY where there is no thread to be had. *to must outlive the sender. */
 int sheen_sender_open(struct sheen_sender *sender, const struct sheen_bus *to);
 
-/* Waits for the call under way and ends the thread. */
+/* Waits for the call under way, whose error is lost (wait takes it), and ends the thread. */
 void sheen_sender_close(struct sheen_sender *sender);
 
 /* Nanoseconds that the bus has been busy sending, since the last call. */

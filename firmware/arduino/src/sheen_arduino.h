@@ -79,7 +79,8 @@ class SheenSPI
 
     static int wait_us(void *, uint32_t us)
     {
-        delay(us / 1000);
+        if (us >= 1000)
+            delay(us / 1000 + 1); /* of ticks, whose first may come at once */
         delayMicroseconds(us % 1000);
         return SHEEN_OK;
     }

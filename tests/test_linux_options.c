@@ -1,0 +1,112 @@
+/*
+ * test_linux_options.c - sheen-panel's options from a file, whose texts stay, and the signals that it heeds.
+ */
+#include <setjmp.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "../firmware/linux/options.h"
+#include "../firmware/linux/stop.h"
+
+static char path[] = "/tmp/sheen_options_XXXXXX";
+
+/* Reads a file of these bytes as --config. */
+static int read_file(struct options *options, const char *bytes, size_t count, struct sheen_failure *why)
+{
+    char name[] = "sheen-panel", config[] = "--config";
+    char *words[] = {name, config, path, NULL};
+    FILE *file = fopen(path, "w");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, count, file), count);
+    assert_int_equal(fclose(file), 0);
+    why->text[0] = '\0';
+    return options_read(options, 3, words, why);
+}
+
+static void texts_stay(void **state)
+{
+    static const char text[] = "matcap = chrome\n  texture = /usr/share/a-wood.png # of the table\nmorph=second.obj\n\n"
+                               "texture-out = t.png\nfps = 30\npanel = ili9341\nquiet = yes";
+    struct options options;
+    struct sheen_failure why;
+
+    (void)state;
+    assert_int_equal(read_file(&options, text, strlen(text), &why), 0);
+    assert_string_equal(options.view.matcap, "chrome");
+    assert_string_equal(options.view.texture, "/usr/share/a-wood.png");
+    assert_string_equal(options.view.morph, "second.obj");
+    assert_string_equal(options.view.texture_out, "t.png");
+    assert_string_equal(options.panel, "ili9341");
+    assert_int_equal(options.quiet, 1);
+    free(options.file);
+}
+
+static void wrong_files(void **state)
+{
+    static const char zero[] = "fps = 30\n\0quiet = yes\n";
+    static char longest[4096 + 16];
+    struct options options;
+    struct sheen_failure why;
+
+    (void)state;
+    assert_int_equal(read_file(&options, "", 0, &why), 0);
+    free(options.file);
+    assert_int_equal(read_file(&options, zero, sizeof zero - 1, &why), 1);
+    assert_non_null(strstr(why.text, ": holds a zero byte"));
+    assert_int_equal(read_file(&options, "fps = 30\nfps\n", 13, &why), 1);
+    assert_non_null(strstr(why.text, ":2: 'fps' is not of the form name = value"));
+    free(options.file);
+    memset(longest, '#', sizeof longest - 1);
+    longest[0] = '\n';
+    assert_int_equal(read_file(&options, longest, 4095, &why), 0);
+    free(options.file);
+    assert_int_equal(read_file(&options, longest, 4096, &why), 1);
+    assert_non_null(strstr(why.text, ":2: a line longer than 4094 characters"));
+    free(options.file);
+}
+
+/* What nohup or a shell has had ignored stays ignored. */
+static void signals(void **state)
+{
+    (void)state;
+    (void)signal(SIGHUP, SIG_IGN);
+    stop_watch();
+    assert_int_equal(raise(SIGHUP), 0);
+    assert_int_equal(stop_asked(), 0);
+    assert_int_equal(raise(SIGTERM), 0);
+    assert_int_equal(stop_asked(), 1);
+}
+
+static int make_file(void **state)
+{
+    const int fd = mkstemp(path);
+
+    (void)state;
+    return fd < 0 ? -1 : close(fd);
+}
+
+static int remove_file(void **state)
+{
+    (void)state;
+    return unlink(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(texts_stay),
+        cmocka_unit_test(wrong_files),
+        cmocka_unit_test(signals),
+    };
+
+    return cmocka_run_group_tests_name("linux options", tests, make_file, remove_file);
+}
