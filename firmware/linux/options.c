@@ -120,6 +120,8 @@ static int check_bus(const struct options *options, struct sheen_failure *why)
     if (options->i2c[0]) {
         if (options->spi[0] || options->sclk[0] || options->mosi[0] || options->cs[0] || options->dc[0])
             return sheen_failed(why, 2, "--i2c takes the place of --spi, --sclk, --mosi, --cs and --dc");
+        if (options->clock || options->spi_mode >= 0)
+            return sheen_failed(why, 2, "--clock and --spi-mode are for SPI; the kernel sets the clock of --i2c");
         return 0;
     }
     if (options->address)
@@ -129,6 +131,8 @@ static int check_bus(const struct options *options, struct sheen_failure *why)
     const int lines = (options->sclk[0] != 0) + (options->mosi[0] != 0);
     if (lines != (options->spi[0] ? 0 : 2))
         return sheen_failed(why, 2, "either --spi, or --sclk and --mosi, or --i2c");
+    if (options->clock && !options->spi[0])
+        return sheen_failed(why, 2, "--clock is for --spi; lines are set as fast as they can be");
     return 0;
 }
 
