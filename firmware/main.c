@@ -13,7 +13,7 @@
 #define FIRST_LIGHT_HZ 1000000u
 
 static uint64_t arena[BOARD_ARENA_BYTES / 8];
-static uint8_t line[640]; /* first light's: a row of 320 pixels, two of 128 greys */
+static uint8_t line[BOARD_LINE_BYTES]; /* first light's: a row of the panel's longer side, of greys two */
 
 static struct sheen_panel panel;
 static struct sheen_target panel_target, target;
@@ -119,6 +119,7 @@ static void log_error(const char *what, int error)
 
 static void first_light(void)
 {
+    (void)sheen_wait(demo.frame); /* a band may still fly, at the other clock; after its error all begins anew too */
     board_bus_clock(FIRST_LIGHT_HZ);
     int error = sheen_panel_init(&panel);
 

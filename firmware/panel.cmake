@@ -1,5 +1,6 @@
 # sheen_panel_symbol(VARIABLE NAME): the C name of the record of the panel NAME, as sheen_panel_find() finds it: in small
-# letters or large, whole or up to a dash, the table's first. Stops with the names that there are where none is meant.
+# letters or large, whole or up to a dash, the table's first; and in VARIABLE_side its longer side, px. Stops with the
+# names that there are where none is meant.
 set(sheen_panel_records ${CMAKE_CURRENT_LIST_DIR}/../hal/records)
 function(sheen_panel_symbol variable name)
   file(GLOB files ${sheen_panel_records}/*.c)
@@ -21,6 +22,11 @@ function(sheen_panel_symbol variable name)
     string(FIND "${CMAKE_MATCH_1}-" "${wanted}-" at)
     if(at EQUAL 0 AND (CMAKE_MATCH_1 STREQUAL wanted OR NOT symbol))
       set(symbol ${record})
+      string(REGEX MATCH "([0-9]+)x([0-9]+)" size "${CMAKE_MATCH_1}")
+      set(side ${CMAKE_MATCH_1})
+      if(CMAKE_MATCH_2 GREATER side)
+        set(side ${CMAKE_MATCH_2})
+      endif()
     endif()
   endforeach()
   if(NOT symbol)
@@ -28,4 +34,5 @@ function(sheen_panel_symbol variable name)
     message(FATAL_ERROR "no panel is called '${name}'; there are: ${names}")
   endif()
   set(${variable} ${symbol} PARENT_SCOPE)
+  set(${variable}_side ${side} PARENT_SCOPE)
 endfunction()

@@ -45,11 +45,16 @@ def main():
         right = crc32(image[:BOOT2])
         if len(image) <= 256 or image[BOOT2:BOOT2 + 4] != struct.pack("<I", right):
             sys.exit(f"{source}: boot2's checksum is wrong; boot2.S should end with .word {right:#010x}")
-        with open(out + ".part", "wb") as f:
-            f.writelines(blocks(image))
-        os.replace(out + ".part", out)
+        try:
+            with open(out + ".part", "wb") as f:
+                f.writelines(blocks(image))
+            os.replace(out + ".part", out)
+        except OSError:
+            if os.path.exists(out + ".part"):
+                os.unlink(out + ".part")
+            raise
     except OSError as error:
-        sys.exit(f"{error.filename}: {error.strerror}")
+        sys.exit(f"{error.filename or out}: {error.strerror}")
 
 
 if __name__ == "__main__":
