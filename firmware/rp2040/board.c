@@ -15,7 +15,8 @@
 #define DMA_BUSY (1u << 24)
 #define BUS_SLACK_US 1000u /* beyond twice the time that the bytes take */
 #define WATCHDOG_ENABLE (1u << 30)
-#define WATCHDOG_RESETS 0x1FFFCu /* all but the two oscillators */
+#define WATCHDOG_RESETS 0x1FFFCu  /* all but the two oscillators */
+#define WATCHDOG_OURS 0x73686565u /* the boot ROM restarts by it too, when a UF2 has been dragged */
 
 const char board_name[] = "rp2040";
 const struct sheen_panel_record *const board_panel = &BOARD_PANEL;
@@ -146,7 +147,7 @@ const struct sheen_bus board_bus = {.send = bus_send, .delay = both_delay, .wait
 
 int board_open(uint32_t clock_hz, unsigned spi_mode)
 {
-    int restarted = (WATCHDOG_REASON & 1u) != 0;
+    int restarted = (WATCHDOG_REASON & 1u) != 0 && WATCHDOG_SCRATCH0 == WATCHDOG_OURS;
 
     ticks_open(CLOCK_HZ);
     pl011_open(UART0, CLOCK_HZ, 115200);
@@ -155,6 +156,7 @@ int board_open(uint32_t clock_hz, unsigned spi_mode)
     SIO_OUT_SET = 1u << PIN_BACKLIGHT;
     PSM_WDSEL = WATCHDOG_RESETS;
     board_feed();
+    WATCHDOG_SCRATCH0 = WATCHDOG_OURS;
     SET(WATCHDOG_CTRL) = WATCHDOG_ENABLE;
     if (BOARD_CORES == 2)
         cores_open();

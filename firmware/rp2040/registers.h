@@ -44,6 +44,7 @@
 #define WATCHDOG_CTRL 0x40058000u      /* 4.7.6 */
 #define WATCHDOG_LOAD REG(0x40058004u) /* counts down by 2 a tick (erratum RP2040-E1) */
 #define WATCHDOG_REASON REG(0x40058008u)
+#define WATCHDOG_SCRATCH0 REG(0x4005800Cu) /* 0 after power-on, kept by the watchdog's restart */
 #define WATCHDOG_TICK REG(0x4005802Cu)
 
 #define GPIO_CTRL(pin) REG(0x40014004u + 8u * (pin)) /* 2.19.6 */
