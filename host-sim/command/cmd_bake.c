@@ -88,8 +88,13 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o mesh.h)");
     if (options->name && !sheen_bake_is_name(options->name))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                             "--name '%s': not a C identifier of 1..39 letters, or a keyword", options->name);
+        return sheen_problem(
+            problem, SHEEN_ERR_ARGUMENT,
+            "--name '%s': not a C identifier of 1..39 letters, or a keyword or another name that C or sheen has",
+            options->name);
+    if (sheen_bake_is_own_header(options->out))
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: called as a header of sheen's own, which it includes",
+                             options->out);
     int error = sheen_textures_out_check(options, problem);
     if (error)
         return error;
