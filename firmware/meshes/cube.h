@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:cube`. */
 /* clang-format off */
-#ifndef CUBE_MESH_H
-#define CUBE_MESH_H
+#ifndef cube_MESH_H_321de8b1
+#define cube_MESH_H_321de8b1
 
 #include "sheen.h"
 

@@ -1,7 +1,7 @@
 /* Made by `sheen bake mist.obj --groups --filter bilinear --palette 16`. */
 /* clang-format off */
-#ifndef MIST_MESH_H
-#define MIST_MESH_H
+#ifndef mist_MESH_H_90820c44
+#define mist_MESH_H_90820c44
 
 #include "sheen.h"
 

@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:teapot --crease 180`. */
 /* clang-format off */
-#ifndef TEAPOT_MESH_H
-#define TEAPOT_MESH_H
+#ifndef teapot_MESH_H_0bf60823
+#define teapot_MESH_H_0bf60823
 
 #include "sheen.h"
 

@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <inttypes.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -255,21 +256,62 @@ static void put_comment(FILE *stream, const char *text)
         putc(c[0] == '*' && c[1] == '/' ? '?' : *c, stream);
 }
 
-static void put_head(FILE *stream, const char *name, const char *source)
+/* What stands between the include guard's lines, made in memory first: the guard is called by it. */
+struct body {
+    FILE *stream;
+    char *text;
+    size_t size;
+};
+
+/* FNV-1a. */
+static uint32_t hash_of(const char *text, size_t size)
+{
+    uint32_t hash = 2166136261u;
+
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ (unsigned char)text[i]) * 16777619u;
+    return hash;
+}
+
+/*
+ * A guard of a header's own: of two meshes of one name the second is not passed over in silence, the compiler says what
+ * it has twice. One mesh's header may be included twice.
+ */
+static void put_head(FILE *stream, const struct body *body, const char *name, const char *source)
 {
     char guard[80];
-    size_t length = (size_t)snprintf(guard, sizeof guard, "%s_mesh_h", name);
 
-    for (size_t i = 0; i < length; i++)
-        guard[i] = (char)toupper((unsigned char)guard[i]);
+    snprintf(guard, sizeof guard, "%s_MESH_H_%08" PRIx32, name, hash_of(body->text, body->size));
     fputs("/* Made by `", stream);
     put_comment(stream, source);
     fprintf(stream, "`. */\n/* clang-format off */\n#ifndef %s\n#define %s\n\n#include \"sheen.h\"\n\n", guard, guard);
 }
 
-int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
+static int open_body(struct body *body)
 {
-    put_head(stream, bake->name, bake->source);
+    body->text = NULL;
+    body->stream = open_memstream(&body->text, &body->size);
+    return body->stream ? SHEEN_OK : SHEEN_ERR_MEMORY;
+}
+
+/* The whole header. */
+static int close_body(struct body *body, FILE *stream, const char *name, const char *source)
+{
+    int failed = ferror(body->stream);
+
+    if (fclose(body->stream) != 0 || failed) {
+        free(body->text);
+        return SHEEN_ERR_MEMORY;
+    }
+    put_head(stream, body, name, source);
+    fwrite(body->text, 1, body->size, stream);
+    fputs("#endif\n", stream);
+    free(body->text);
+    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
+static void put_bake(FILE *stream, const struct sheen_bake *bake)
+{
     for (size_t i = 0; i < bake->count; i++) {
         char name[80];
         if (bake->groups || bake->count > 1)
@@ -285,43 +327,57 @@ int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
         put_groups(stream, bake);
     else if (bake->count > 1)
         put_parts(stream, bake);
-    fputs("#endif\n", stream);
-    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+}
+
+int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)
+{
+    struct body body;
+
+    if (open_body(&body) != 0)
+        return SHEEN_ERR_MEMORY;
+    put_bake(body.stream, bake);
+    return close_body(&body, stream, bake->name, bake->source);
 }
 
 int sheen_bake_shine_text(FILE *stream, const struct sheen_shine *shine, const char *name, const char *source)
 {
+    struct body body;
     size_t column = 0;
 
-    put_head(stream, name, source);
-    fprintf(stream, "static const struct sheen_shine %s = {\n    .power = {", name);
+    if (open_body(&body) != 0)
+        return SHEEN_ERR_MEMORY;
+    fprintf(body.stream, "static const struct sheen_shine %s = {\n    .power = {", name);
     for (size_t i = 0; i < sizeof shine->power / sizeof shine->power[0]; i++)
-        put(stream, shine->power[i], &column);
-    fprintf(stream, "\n    },\n    .shininess = %u,\n    .shift = %u,\n};\n\n#endif\n", shine->shininess, shine->shift);
-    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+        put(body.stream, shine->power[i], &column);
+    fprintf(body.stream, "\n    },\n    .shininess = %u,\n    .shift = %u,\n};\n\n", shine->shininess, shine->shift);
+    return close_body(&body, stream, name, source);
 }
 
 int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, const char *name, const char *source)
 {
-    put_head(stream, name, source);
-    put_texture(stream, name, texels);
-    fputs("#endif\n", stream);
-    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+    struct body body;
+
+    if (open_body(&body) != 0)
+        return SHEEN_ERR_MEMORY;
+    put_texture(body.stream, name, texels);
+    return close_body(&body, stream, name, source);
 }
 
 int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char *name, const char *source)
 {
+    struct body body;
     size_t column = 0;
 
-    put_head(stream, name, source);
-    fprintf(stream,
+    if (open_body(&body) != 0)
+        return SHEEN_ERR_MEMORY;
+    fprintf(body.stream,
             "static const struct sheen_ramp %s = {\n    .reader = &sheen_ramp_reader,\n    .low = %" PRId32
             ",\n    .span = %" PRId32 ",\n    .value = {",
             name, ramp->low, ramp->span);
     for (size_t i = 0; i <= SHEEN_RAMP_STEPS; i++)
-        put(stream, ramp->value[i], &column);
-    fprintf(stream, "\n    },\n    .steep = %u,\n};\n\n#endif\n", ramp->steep);
-    return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
+        put(body.stream, ramp->value[i], &column);
+    fprintf(body.stream, "\n    },\n    .steep = %u,\n};\n\n", ramp->steep);
+    return close_body(&body, stream, name, source);
 }
 
 /* Keywords of C and C++, main, and macros of compilers and of what sheen.h includes. */

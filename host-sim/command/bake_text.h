@@ -29,7 +29,7 @@ struct sheen_bake {
 /* B of flash that a mesh takes on a 32-bit machine. */
 size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int edges);
 
-/* The header's text. The same on every machine. 0, or SHEEN_ERR_ARGUMENT where the stream fails. */
+/* The header's text. The same on every machine. 0, SHEEN_ERR_MEMORY, or SHEEN_ERR_ARGUMENT where the stream fails. */
 int sheen_bake_text(FILE *stream, const struct sheen_bake *bake);
 
 /* Likewise of a power table, called `name`. */
@@ -48,8 +48,8 @@ int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char
 int sheen_bake_is_name(const char *name);
 
 /*
- * The identifier that a file's name gives: its base without ending, others than letters and digits as _, "mesh_" before
- * what would be none or is taken.
+ * The identifier that a file's name gives: its base without ending, others than letters and digits as _, "mesh_"
+ * before what would be none or is taken.
  */
 void sheen_bake_name(char *name, size_t size, const char *path);
 
