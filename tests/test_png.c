@@ -150,18 +150,28 @@ static void names_of_frames(void **state)
     static const struct {
         const char *pattern, *name;
         int varies;
-    } cases[] = {{"a%d.png", "a42.png", 1},   {"%04d", "0042", 1},         {"a.png", "a.png", 0},
-                 {"%d%d.png", "%d%d.png", 0}, {"100%.png", "100%.png", 0}, {"%s%n.png", "%s%n.png", 0},
-                 {"%%d.png", "%42.png", 1},   {"%05x.png", "%05x.png", 0}, {"%012d", "%012d", 0}};
+    } cases[] = {{"a%d.png", "a42.png", 1},
+                 {"%04d", "0042", 1},
+                 {"a.png", "a.png", 0},
+                 {"%d%d.png", "%d%d.png", 0},
+                 {"100%.png", "100%.png", 0},
+                 {"%s%n.png", "%s%n.png", 0},
+                 {"%%d.png", "%42.png", 1},
+                 {"%05x.png", "%05x.png", 0},
+                 {"%012d", "%012d", 0},
+                 {"50%d/a.png", "50%d/a.png", 0},
+                 {"%d/%d/a%02d.png", "%d/%d/a42.png", 1}};
     char name[32];
 
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         assert_int_equal(sheen_frame_name_varies(cases[i].pattern), cases[i].varies);
-        assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 42), 0);
+        assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 42, 43), 0);
         assert_string_equal(name, cases[i].name);
+        assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 0, 1), 0); /* the only one */
+        assert_string_equal(name, cases[i].pattern);
     }
-    assert_int_equal(sheen_frame_name(name, 5, "%d.png", 12), -1);
+    assert_int_equal(sheen_frame_name(name, 5, "%d.png", 12, 13), -1);
 }
 
 int main(void)

@@ -56,7 +56,7 @@ static int put_frame(const struct sheen_turntable *table, struct sheen_gif *gif,
         int error = sheen_gif_add(gif, table->rgb);
         return error ? sheen_problem(problem, error, "%s: not enough memory", out) : SHEEN_OK;
     }
-    if (sheen_frame_name(path, sizeof path, out, number) != 0)
+    if (sheen_frame_name(path, sizeof path, out, number, (size_t)table->options->frames) != 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", out, strerror(ENAMETOOLONG));
     return sheen_png_write(path, table->rgb, table->choice.width, table->choice.height, problem);
 }

@@ -6,11 +6,14 @@
 
 #include <stddef.h>
 
-/* 1 where the pattern holds exactly one %d or %0Nd (N: 1..9), which is all that counts as one. */
+/* 1 where the pattern holds, behind its folders, exactly one %d or %0Nd (N: 1..9), which is all that counts as one. */
 int sheen_frame_name_varies(const char *pattern);
 
-/* The name of frame `number`; a pattern that does not vary is copied. 0, or -1 where it does not fit. */
-int sheen_frame_name(char *name, size_t size, const char *pattern, int number);
+/*
+ * The name of frame `number` of `count`; that of the only one, and a pattern that does not vary, is copied. 0, or -1
+ * where it does not fit.
+ */
+int sheen_frame_name(char *name, size_t size, const char *pattern, int number, size_t count);
 
 /* The ending of a file's name, with its dot; "" where it has none. */
 const char *sheen_ending(const char *path);

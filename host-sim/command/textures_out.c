@@ -55,7 +55,7 @@ int sheen_textures_out(const struct sheen_options *options, const struct sheen_t
                              count);
     for (size_t i = 0; !error && i < count; i++) {
         char path[4096];
-        error = sheen_frame_name(path, sizeof path, out, (int)i)
+        error = sheen_frame_name(path, sizeof path, out, (int)i, count)
                     ? sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", out, strerror(ENAMETOOLONG))
                     : write_one(path, &texels[i], problem);
     }
