@@ -17,7 +17,8 @@
 
 const struct sheen_option sheen_option_table[] = {
     {"output", "FILE", NULL, "the picture; of several frames %d or %0Nd is the number, or a .gif takes all",
-     SHEEN_OPTION_TEXT, SHEEN_RENDER | SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
+     SHEEN_OPTION_TEXT, SHEEN_RENDER, AT(out), 0, 0, 'o'},
+    {"output", "FILE.png", NULL, "the picture, a PNG", SHEEN_OPTION_TEXT, SHEEN_FIRST_LIGHT, AT(out), 0, 0, 'o'},
     {"output", "FILE.h", NULL, "the header", SHEEN_OPTION_TEXT, SHEEN_BAKE, AT(out), 0, 0, 'o'},
     {"output", "DIR", NULL, "the folder for the pictures, made where it is not there", SHEEN_OPTION_TEXT, SHEEN_LECTURE,
      AT(out), 0, 0, 'o'},
