@@ -62,7 +62,7 @@ static unsigned variants(const struct sheen_plan *plan, unsigned board, struct s
     const struct sheen_plan_board *b = sheen_plan_board_at(board);
     const struct sheen_options *now = plan->options;
     const double hz = sheen_plan_bus_hz(plan, b);
-    const int rows = plan->config.band_rows ? plan->config.band_rows : 16;
+    const int rows = (int)sheen_plan_band_rows(plan);
     unsigned n = 0;
 
     for (unsigned i = 0; i < SHEEN_PLAN_CHANGES; i++) {

@@ -7,6 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+unsigned sheen_plan_band_rows(const struct sheen_plan *plan)
+{
+    const unsigned align = plan->target.align_y ? plan->target.align_y : 1;
+    const unsigned asked = plan->config.band_rows ? plan->config.band_rows : 16;
+    const unsigned rows = (asked + align - 1) / align * align;
+
+    return rows < plan->target.height ? rows : plan->target.height;
+}
+
 double sheen_plan_bus_hz(const struct sheen_plan *plan, const struct sheen_plan_board *board)
 {
     const struct sheen_panel_record *record = plan->choice.record;

@@ -53,6 +53,9 @@ struct sheen_plan {
 int sheen_plan_make(struct sheen_plan *plan, const struct sheen_options *options, const struct sheen_sim_choice *choice,
                     int views, struct sheen_problem *problem);
 
+/* Rows of a band: what is asked for, or 16, in steps that the panel can address, and no more than it has. */
+unsigned sheen_plan_band_rows(const struct sheen_plan *plan);
+
 /* Hz: what the board has, the panel takes, or is asked for. */
 double sheen_plan_bus_hz(const struct sheen_plan *plan, const struct sheen_plan_board *board);
 

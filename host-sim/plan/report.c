@@ -33,20 +33,11 @@ const char *sheen_plan_limit(const struct sheen_plan *plan, unsigned board)
     return stages[most];
 }
 
-static unsigned rows_of(const struct sheen_plan *plan)
-{
-    const unsigned align = plan->target.align_y ? plan->target.align_y : 1;
-    const unsigned asked = plan->config.band_rows ? plan->config.band_rows : 16;
-    const unsigned rows = (asked + align - 1) / align * align;
-
-    return rows < plan->target.height ? rows : plan->target.height;
-}
-
 static void put_head(FILE *out, const struct sheen_plan *plan)
 {
     fprintf(out, "%s, %s%s, on %s (%ux%u), bands of %u rows, a turn of %d views\n", plan->options->mesh,
-            shadings[plan->shade], plan->look, plan->panel, plan->target.width, plan->target.height, rows_of(plan),
-            SHEEN_PLAN_VIEWS);
+            shadings[plan->shade], plan->look, plan->panel, plan->target.width, plan->target.height,
+            sheen_plan_band_rows(plan), SHEEN_PLAN_VIEWS);
     fprintf(out, "counted    mesh: %u triangles, %u vertices; a frame: at most %u triangles, %u vertices\n",
             plan->triangles, plan->vertices, plan->listed, plan->used);
 }
@@ -244,8 +235,8 @@ static void put_rates(FILE *out, const struct sheen_plan *plan, int measured)
 
 void sheen_plan_brief(FILE *out, const struct sheen_plan *plan)
 {
-    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, rows_of(plan), shadings[plan->shade],
-            plan->ram.all);
+    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, sheen_plan_band_rows(plan),
+            shadings[plan->shade], plan->ram.all);
     put_rates(out, plan, 1);
     put_rates(out, plan, 0);
     putc('\n', out);

@@ -71,7 +71,7 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
             ", \"shade\": \"%s\", \"look\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, "
             "\"views\": %d",
             shadings[plan->shade], plan->look + (*plan->look ? 2 : 0), plan->panel, plan->target.width,
-            plan->target.height, plan->config.band_rows ? plan->config.band_rows : 16, SHEEN_PLAN_VIEWS);
+            plan->target.height, sheen_plan_band_rows(plan), SHEEN_PLAN_VIEWS);
     fprintf(out, ", \"vertices\": %u, \"triangles\": %u, \"used\": %u, \"listed\": %u, \"costs\": ", plan->vertices,
             plan->triangles, plan->used, plan->listed);
     put_quoted(out, sheen_plan_found);
