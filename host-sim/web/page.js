@@ -59,6 +59,7 @@ function setLights(list) {
 }
 
 const LOOK = ['theme', 'gap', 'scale'];
+const NOT_PLANNED = [...LOOK, 'yaw-step']; // a plan is of a whole turn
 const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
 const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', ...READS];
 
@@ -391,13 +392,15 @@ function readAgain() {
 
 let planTimer = 0;
 
+const planWords = () => optionWords(name => !NOT_PLANNED.includes(name));
+
 /* What `sheen plan` says of what is shown: where it is open, once nothing has changed for a moment. */
 function plan() {
     clearTimeout(planTimer);
     if (!$('plan').open || !shown)
         return;
     planTimer = setTimeout(() => {
-        const words = ['plan', ...optionWords(name => !LOOK.includes(name)), '--', mesh];
+        const words = ['plan', ...planWords(), '--', mesh];
         const error = sheen.x.web_plan(sheen.words(words), +$('board').value);
         takeWarnings();
         $('plan-text').textContent = sheen.text(error ? sheen.x.web_problem() : sheen.x.web_text());

@@ -82,7 +82,7 @@ await page.select('#board', '0');
 const planned = () => page.$eval('#plan-text', element => element.textContent);
 await page.waitForFunction(() => document.querySelector('#plan-text').textContent.includes('Raspberry Pi Pico, '));
 const told = execFileSync(sheen, ['plan', '--board', 'pico', ...await page.evaluate(() =>
-    [...optionWords(name => !LOOK.includes(name)), '--', mesh])]).toString();
+    [...planWords(), '--', mesh])]).toString();
 const lasting = text => text.split('\n').filter(line => !/ try /.test(line)).join('\n'); // a page does not simplify
 check('the plan of what is shown', lasting(await planned()) === lasting(told) && / first try /.test(await planned()));
 await page.screenshot({ path: path.join(folder, 'plan.png') });
@@ -173,6 +173,19 @@ for (const [bad, line] of [['#panel=tv', /no panel|tv/], ['#nonsense=1', /unknow
 await page.click('#copy');
 await page.waitForFunction('/link/.test(document.querySelector("#messages").textContent)');
 check('the address is the link', await page.evaluate('location.hash === link()'));
+await page.close();
+
+// ---- the plan of a link ----
+async function planOf(page) {
+    await page.$eval('#plan', element => { element.open = true; });
+    await page.select('#board', '0');
+    await page.waitForFunction('document.querySelector("#plan-text").textContent.includes("Raspberry Pi Pico, ") ||' +
+        '/^[^\\n]+$/.test(document.querySelector("#plan-text").textContent)');
+    return page.$eval('#plan-text', element => element.textContent);
+}
+page = await browser.page({ hash: '#mesh=builtin:cube&yaw-step=10' });
+const plan = await planOf(page);
+check(`the plan of a link with a step: ${plan}`, plan.includes(' frames/s in the mean'));
 await page.close();
 
 // ---- bands ----
