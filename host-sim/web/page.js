@@ -61,7 +61,8 @@ function setLights(list) {
 const LOOK = ['theme', 'gap', 'scale'];
 const NOT_PLANNED = [...LOOK, 'yaw-step']; // a plan is of a whole turn
 const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
-const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', ...READS];
+const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', 'vertex-colors',
+    ...READS];
 
 function optionWords(keep) {
     const words = [];

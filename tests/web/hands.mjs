@@ -269,6 +269,12 @@ await page.click('#reset');
 await page.select('#normals', 'average');
 await settle(page);
 await bakeAndCompare('teapot', 'builtin:teapot', '--normals', 'average');
+await (await page.$('#file')).uploadFile(data('ring.ply'));
+await page.waitForFunction('mesh === "ring.ply" && !is_busy');
+await page.select('#normals', '');
+await page.select('#vertex-colors', 'off');
+await settle(page);
+await bakeAndCompare('ring', data('ring.ply'), '--vertex-colors', 'off');
 await page.close();
 
 // ---- another frame of a mesh: of a file, between them by a slider, of a glTF's own targets ----
