@@ -59,7 +59,7 @@ function setLights(list) {
 }
 
 const LOOK = ['theme', 'gap', 'scale'];
-const NOT_PLANNED = [...LOOK, 'yaw-step']; // a plan is of a whole turn
+const NOT_PLANNED = [...LOOK, 'yaw-step', 'edges']; // a plan is of a whole turn, and of no edges unless told
 const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
 const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', 'vertex-colors',
     ...READS];
@@ -393,7 +393,8 @@ function readAgain() {
 
 let planTimer = 0;
 
-const planWords = () => optionWords(name => !NOT_PLANNED.includes(name));
+const planWords = () => [...optionWords(name => !NOT_PLANNED.includes(name)),
+    '--edges', choices.edges.split('|')[sheen.x.web_edges()]];
 
 /* What `sheen plan` says of what is shown: where it is open, once nothing has changed for a moment. */
 function plan() {
@@ -401,6 +402,8 @@ function plan() {
     if (!$('plan').open || !shown)
         return;
     planTimer = setTimeout(() => {
+        if (!shown) // any more
+            return;
         const words = ['plan', ...planWords(), '--', mesh];
         const error = sheen.x.web_plan(sheen.words(words), +$('board').value);
         takeWarnings();

@@ -321,6 +321,12 @@ unsigned EXPORT(web_arena)(void)
     return (unsigned)sheen_arena_size(&viewer.table.scene.config);
 }
 
+/* What is drawn of edges, by the number of --edges' word. */
+unsigned EXPORT(web_edges)(void)
+{
+    return (unsigned)sheen_scene_edging(&viewer.table.scene);
+}
+
 /* B of flash that the meshes take, baked with their polygons' normals. */
 unsigned EXPORT(web_flash)(void)
 {

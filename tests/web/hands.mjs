@@ -187,6 +187,15 @@ page = await browser.page({ hash: '#mesh=builtin:cube&yaw-step=10' });
 const plan = await planOf(page);
 check(`the plan of a link with a step: ${plan}`, plan.includes(' frames/s in the mean'));
 await page.close();
+for (const [hash, look] of [['#mesh=builtin:cube', ', smooth, dithered,'], ['#mesh=builtin:cube&panel=ssd1306', ', with outlines,'],
+    ['#mesh=builtin:cube&edges=none', 'Phong, dithered,'], ['#mesh=builtin:cube&opacity=.5', 'Phong, by a pattern, dithered,']]) {
+    page = await browser.page({ hash });
+    const of = await planOf(page), parts = /vertices (\d+), lists (\d+), bands (\d+), the rest of the arena (\d+)/.exec(of).slice(1);
+    const arena = parts.reduce((sum, part) => sum + +part, 0);
+    const ram = await page.$eval('#n-ram', element => element.textContent.replace(/[, B]/g, ''));
+    check(`the plan of ${hash}: ${arena} B, on the page ${ram} B: ${of.split('\n')[0]}`, of.includes(look) && arena === +ram);
+    await page.close();
+}
 
 // ---- bands ----
 page = await browser.page({ hash: '#panel=ili9341&yaw=0' });
