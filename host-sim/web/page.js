@@ -97,6 +97,10 @@ function link() {
     return '#' + query.toString().replace(/%2C/g, ',').replace(/%3A/g, ':');
 }
 
+/* Three numbers: what the page can move. A light with a colour, or what is none, is a setting like others. */
+const isDirection = text => /^[^,]+,[^,]+,[^,]+$/.test(text) &&
+    text.split(',').every(part => part.trim() !== '' && Number.isFinite(Number(part)));
+
 function followLink() {
     const query = new URLSearchParams((location.hash.length > 1 ? location.hash : FIRST).slice(1));
     const given = [];
@@ -105,8 +109,8 @@ function followLink() {
     for (const [name, value] of query) {
         if (name === 'mesh')
             mesh = value;
-        else if (name === 'light' && value.split(',').filter(part => Number.isFinite(parseFloat(part))).length === 3)
-            given.push(value.split(',').map(parseFloat));
+        else if (name === 'light' && isDirection(value))
+            given.push(value.split(',').map(Number));
         else
             settings[name] = value;
     }

@@ -158,8 +158,15 @@ for (const state of ['anew', 'in place']) {
         await other.evaluate('link()') === hash && await other.evaluate('setting("theme")') === 'plain');
     await other.close();
 }
+for (const light of ['-0.4,0.6,0.8,red', '-0.4,0.6,0.8,00ff00', '0.25,-1,0.5']) {
+    const other = await browser.page({ hash: `#light=${light}` }), line = await checkLine(other, light);
+    check(`a link with light ${light}: ${line}`, line.includes(`--light ${light}`) && line.split('--light').length === 2 &&
+        await other.evaluate('link()') === `#light=${light}`);
+    await other.close();
+}
 for (const [bad, line] of [['#panel=tv', /no panel|tv/], ['#nonsense=1', /unknown or ambiguous option --nonsense/],
     ['#yaw=sideways', /--yaw 'sideways'/], ['#band=4000', /--band '4000'/], ['#light=1', /--light/],
+    ['#light=1,2,3x', /--light '1,2,3x'/], ['#light=1,,2', /--light '1,,2'/], ['#light=1,2,3,rde', /--light/],
     ['#mesh=absent.stl', /absent.stl: No such file/], ['#mesh=%3Cimg src=x onerror=alert(1)%3E', /: No such file/]]) {
     const other = await browser.page({ hash: bad });
     const lines = await said(other);
