@@ -98,6 +98,43 @@ static void a_link_stays_a_link(void **state)
     is_picture("far/real.png");
 }
 
+static void a_link_to_nothing_yet(void **state)
+{
+    static const char *const links[] = {"b.png", "new/c.png", "d.png"};
+    struct sheen_problem problem;
+    struct stat status;
+
+    (void)state;
+    assert_int_equal(mkdir("new", 0777), 0);
+    assert_int_equal(symlink("new/e.png", "b.png"), 0);
+    assert_int_equal(symlink("../b.png", "new/c.png"), 0);
+    assert_int_equal(symlink("new/c.png", "d.png"), 0);
+    for (size_t i = 0; i < 2; i++) { /* the second time something is there */
+        assert_int_equal(sheen_png_write("d.png", picture, WIDTH, HEIGHT, &problem), 0);
+        for (size_t k = 0; k < 3; k++) {
+            assert_int_equal(lstat(links[k], &status), 0);
+            assert_true(S_ISLNK(status.st_mode));
+        }
+        assert_int_equal(lstat("new/e.png", &status), 0);
+        assert_true(S_ISREG(status.st_mode));
+        is_picture("new/e.png");
+    }
+}
+
+static void a_name_as_long_as_names_are(void **state)
+{
+    struct sheen_problem problem;
+    char name[256];
+
+    (void)state;
+    memset(name, 'n', 255);
+    strcpy(name + 251, ".png");
+    int before = files();
+    assert_int_equal(sheen_png_write(name, picture, WIDTH, HEIGHT, &problem), 0);
+    is_picture(name);
+    assert_int_equal(files(), before + 1);
+}
+
 static void refused(const char *path, const char *why)
 {
     struct sheen_problem problem = {""};
@@ -116,6 +153,10 @@ static void what_cannot_be_written(void **state)
     refused("folder", "Is a directory");
     refused("nowhere/a.png", "No such file or directory");
     refused("/proc/a.png", "No such file or directory");
+    assert_int_equal(symlink("round.png", "round.png"), 0);
+    refused("round.png", "Too many levels of symbolic links");
+    assert_int_equal(symlink("nowhere/a.png", "astray.png"), 0);
+    refused("astray.png", "No such file or directory");
     refused("/dev/full", "No space left on device");
 }
 
@@ -178,6 +219,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(there_and_back),         cmocka_unit_test(a_link_stays_a_link),
+        cmocka_unit_test(a_link_to_nothing_yet),  cmocka_unit_test(a_name_as_long_as_names_are),
         cmocka_unit_test(what_cannot_be_written), cmocka_unit_test(a_read_only_file_stays),
         cmocka_unit_test(bytes_that_are_no_png),  cmocka_unit_test(names_of_frames),
     };

@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define MOST_LINKS 40 /* one after the other, as of Linux */
+
 /* All of it, going on after short and interrupted writes. 0, or -1 and errno. */
 static int write_all(int file, const char *bytes, size_t count)
 {
@@ -67,21 +69,61 @@ static int write_and_move(const char *path, char *beside, const void *bytes, siz
     return result;
 }
 
-/* A file that may not be written is not replaced either; a link stays one, its end is replaced. */
+/* The name in the folder of path; free() it. NULL without memory. */
+static char *in_folder_of(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
+    char *joined = malloc(folder + strlen(name) + 1);
+
+    if (joined) {
+        memcpy(joined, path, folder);
+        strcpy(joined + folder, name);
+    }
+    return joined;
+}
+
+/* What a link names; free() it. NULL and errno. */
+static char *named_by(const char *link)
+{
+    char name[4096];
+    ssize_t length = readlink(link, name, sizeof name);
+
+    if (length == (ssize_t)sizeof name)
+        errno = ENAMETOOLONG;
+    if (length < 0 || length == (ssize_t)sizeof name)
+        return NULL;
+    name[length] = '\0';
+    return *name == '/' ? strdup(name) : in_folder_of(link, name);
+}
+
+/* Where links lead, where nothing is there yet, which realpath() does not tell; free() it. NULL and errno. */
+static char *end_of_links(const char *path)
+{
+    char *end = strdup(path);
+    struct stat status;
+
+    for (int count = 0; end && lstat(end, &status) == 0 && S_ISLNK(status.st_mode); count++) {
+        char *next = count < MOST_LINKS ? named_by(end) : NULL;
+        int why = count < MOST_LINKS ? errno : ELOOP;
+        free(end);
+        errno = why;
+        end = next;
+    }
+    return end;
+}
+
+/*
+ * A file that may not be written is not replaced either; a link stays one, its end is replaced or made. The new file's
+ * name beside it is short, whatever the length of its own.
+ */
 static int write_regular(const char *path, int exists, const void *bytes, size_t count)
 {
-    static const char suffix[] = ".XXXXXX";
-
     if (exists && access(path, W_OK) != 0)
         return -1;
-    char *end = exists ? realpath(path, NULL) : strdup(path);
-    char *beside = end ? malloc(strlen(end) + sizeof suffix) : NULL;
-    int result = -1;
-    if (beside) {
-        strcpy(beside, end);
-        strcat(beside, suffix);
-        result = write_and_move(end, beside, bytes, count);
-    }
+    char *end = exists ? realpath(path, NULL) : end_of_links(path);
+    char *beside = end ? in_folder_of(end, ".sheen-XXXXXX") : NULL;
+    int result = beside ? write_and_move(end, beside, bytes, count) : -1;
     int why = errno;
     free(beside);
     free(end);

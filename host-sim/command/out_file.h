@@ -9,9 +9,9 @@
 #include "problem.h"
 
 /*
- * Write count bytes to path. A regular file (or a new one) is written beside its
- * name and moved there when complete; a device or pipe is written in place.
- * 0, or SHEEN_ERR_ARGUMENT and *problem: then the file is as it was.
+ * Write count bytes to path. A regular file (or a new one) is written in its
+ * folder under another name and moved there when complete; a device or pipe is
+ * written in place. 0, or SHEEN_ERR_ARGUMENT and *problem: then the file is as it was.
  */
 int sheen_out_file(const char *path, const void *bytes, size_t count, struct sheen_problem *problem);
 
