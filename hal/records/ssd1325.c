@@ -4,6 +4,10 @@
  * Values as in u8g2 and TFT_eSPI where the data sheet leaves them to the module's
  * maker. Multiplex ratio, offset and remap are set so that RAM column gap_x, row
  * gap_y is the upright glass's top left.
+ *
+ * u8g2 sends E3, no operation, after the last pixel and before chip select rises. A bus
+ * ends its calls there, so the next window's commands follow instead; on SPI it was not
+ * seen on glass whether the last pixels wait for those.
  */
 #include "record.h"
 
