@@ -13,6 +13,7 @@
 #include <cmocka.h>
 
 #include "host_mesh.h"
+#include "quantise.h"
 
 #define PI 3.14159265358979323846
 
@@ -166,6 +167,40 @@ static void groups_stay_joined(void **state)
     sheen_polygons_free(&sphere);
 }
 
+/* Sides of triangles that are sharp; an edge between two counts twice. */
+static unsigned count_sharp(const struct sheen_host_mesh *mesh)
+{
+    struct sheen_quantised quantised;
+    unsigned count = 0;
+
+    assert_int_equal(sheen_quantise(&quantised, mesh, SHEEN_ALL_PARTS), 0);
+    for (uint32_t t = 0; t < quantised.mesh.triangles; t++) {
+        for (int k = 0; k < 3; k++)
+            count += quantised.edges[t].sharp >> k & 1;
+    }
+    sheen_quantised_free(&quantised);
+    return count;
+}
+
+/* The crease goes with the mesh: along the prism run four sharp edges, each seen twice; its open ends are borders. */
+static void sharp_edges_stay_sharp(void **state)
+{
+    struct sheen_polygons prism;
+    struct sheen_host_mesh mesh;
+
+    (void)state;
+    make_grid(&prism, 8, 16, 1, on_prism);
+    reduce(&mesh, &prism, 256, 0);
+    assert_int_equal(mesh.triangle_count, 256);
+    assert_int_equal(count_sharp(&mesh), 2 * 4 * 8 + 2 * 16);
+    sheen_host_mesh_free(&mesh);
+    reduce(&mesh, &prism, 8, 0);
+    assert_int_equal(mesh.triangle_count, 8);
+    assert_int_equal(count_sharp(&mesh), 2 * 4 + 2 * 4);
+    sheen_host_mesh_free(&mesh);
+    sheen_polygons_free(&prism);
+}
+
 /*
  * Flat sides need few triangles, and their corners keep the normals of their sides. On them the simplifier folds a
  * few over, which culling takes away and whose sides have no other normals: fewer than 1 in 20.
@@ -256,11 +291,9 @@ static void small_ones_stay(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_sphere_stays_round),
-        cmocka_unit_test(groups_stay_joined),
-        cmocka_unit_test(edges_stay_edges),
-        cmocka_unit_test(too_many_are_refused),
-        cmocka_unit_test(too_many_vertices_are_refused),
+        cmocka_unit_test(a_sphere_stays_round),   cmocka_unit_test(groups_stay_joined),
+        cmocka_unit_test(sharp_edges_stay_sharp), cmocka_unit_test(edges_stay_edges),
+        cmocka_unit_test(too_many_are_refused),   cmocka_unit_test(too_many_vertices_are_refused),
         cmocka_unit_test(small_ones_stay),
     };
 

@@ -170,11 +170,13 @@ static int rebuild(const struct reducing *to, const struct sheen_host_options *o
         error = sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: --reduce %zu leaves no triangle of it", name, most);
     if (!error)
         error = sheen_host_mesh_build(out, &polygons, &how, name, problem);
-    if (!error)
+    if (!error) {
+        out->crease = to->from->crease; /* which tells sharp edges; the normals are chosen */
         sheen_note(&out->notes, out->triangle_count > most ? SHEEN_NOTE_WARNING : SHEEN_NOTE_DONE,
                    "%s: reduced from %zu triangles to %zu%s, off by at most %.2g %% of its size", name,
                    to->from->triangle_count, out->triangle_count, out->triangle_count > most ? ", not fewer" : "",
                    100 * to->error);
+    }
     polygons.picture = NULL;
     polygons.picture_count = 0;
     sheen_polygons_free(&polygons);
