@@ -260,24 +260,45 @@ static int pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
-/* One file's name with blanks in it, or several names; in quotes or not. */
-static void read_library(struct obj *obj, struct sheen_word *rest)
+/* 1, or 0 where there is no such file. */
+static int read_file(struct obj *obj, const struct sheen_word *name)
 {
     char path[4096];
 
+    return sheen_beside(path, sizeof path, obj->text.path, name->at, name->length) == 0 &&
+           sheen_mtl_read(obj->out, obj->names, path) == 0;
+}
+
+static void note_missing(struct obj *obj, const struct sheen_word *name)
+{
+    sheen_note(&obj->out->notes, 0, "%s: there is no %.*s, so its materials have no colour", obj->text.path,
+               (int)(name->length < 100 ? name->length : 100), name->at);
+}
+
+/* One file's name with blanks in it, in quotes or not, or several names. Where none is there it may be either. */
+static void read_library(struct obj *obj, struct sheen_word *rest)
+{
+    struct sheen_word word, missing[SHEEN_NOTES_MAX]; /* more are not noted */
+    size_t words = 0, lacks = 0;
+
     if (rest->length >= 2 && rest->at[0] == '"' && rest->at[rest->length - 1] == '"')
         *rest = (struct sheen_word){rest->at + 1, rest->length - 2};
-    if (sheen_beside(path, sizeof path, obj->text.path, rest->at, rest->length) == 0 &&
-        sheen_mtl_read(obj->out, obj->names, path) == 0)
+    if (read_file(obj, rest))
         return;
-    struct sheen_text words = {.at = rest->at, .end = rest->at + rest->length, .comments = 1};
-    struct sheen_word word;
-    while (sheen_text_word(&words, &word)) {
-        if (sheen_beside(path, sizeof path, obj->text.path, word.at, word.length) != 0 ||
-            sheen_mtl_read(obj->out, obj->names, path) != 0)
-            sheen_note(&obj->out->notes, 0, "%s: there is no %.*s, so its materials have no colour", obj->text.path,
-                       (int)(rest->length < 100 ? rest->length : 100), rest->at);
+    struct sheen_text text = {.at = rest->at, .end = rest->at + rest->length, .comments = 1};
+    for (; sheen_text_word(&text, &word); words++) {
+        if (read_file(obj, &word))
+            continue;
+        if (lacks < SHEEN_NOTES_MAX)
+            missing[lacks] = word;
+        lacks++;
     }
+    if (words > 1 && lacks == words) {
+        note_missing(obj, rest);
+        return;
+    }
+    for (size_t i = 0; i < lacks && i < SHEEN_NOTES_MAX; i++)
+        note_missing(obj, &missing[i]);
 }
 
 /* Once the groups are known: a .mtl may be named after they are used. */
