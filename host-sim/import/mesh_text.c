@@ -78,6 +78,19 @@ int sheen_text_begin(struct sheen_text *text, struct sheen_bytes *bytes)
     return SHEEN_OK;
 }
 
+/* Microsoft's 1.#IND, 1.#INF, 1.#QNAN and 1.#SNAN, from the # on. */
+static int is_no_number(const char *mark)
+{
+    return strncmp(mark, "#IN", 3) == 0 || strncmp(mark, "#QN", 3) == 0 || strncmp(mark, "#SN", 3) == 0;
+}
+
+/* A comment that follows a digit at once: names may have a # too. */
+static int is_comment_of_number(const struct sheen_text *text, const char *begin)
+{
+    return text->comments && *text->at == '#' && text->at > begin && text->at[-1] >= '0' && text->at[-1] <= '9' &&
+           !is_no_number(text->at);
+}
+
 int sheen_text_word(struct sheen_text *text, struct sheen_word *word)
 {
     skip_blanks(text);
@@ -86,7 +99,8 @@ int sheen_text_word(struct sheen_text *text, struct sheen_word *word)
             text->at++;
     }
     word->at = text->at;
-    while (text->at < text->end && (unsigned char)*text->at > ' ' && !is_joined(text))
+    while (text->at < text->end && (unsigned char)*text->at > ' ' && !is_joined(text) &&
+           !is_comment_of_number(text, word->at))
         text->at++;
     word->length = (size_t)(text->at - word->at);
     return word->length > 0;
@@ -136,7 +150,7 @@ int sheen_word_number(const struct sheen_word *word, double *value)
     *value = strtod(from, &end); /* ends at the blank or zero behind the word */
     if (word->length == 0 || end == from)
         return 0;
-    if (mark && end == mark && (strncmp(mark, "#IN", 3) == 0 || strncmp(mark, "#QN", 3) == 0 || mark[1] == 'S')) {
+    if (mark && end == mark && is_no_number(mark)) {
         *value = NAN;
         return 1;
     }

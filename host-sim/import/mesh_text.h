@@ -17,7 +17,7 @@ struct sheen_text {
     const char *path;
     const char *at, *end; /* *end is 0 */
     unsigned long line;   /* of `at`, from 1 */
-    int comments;         /* 1: a word that begins with # and what follows on its line are none */
+    int comments;         /* 1: # at a word's beginning or after a digit, and what follows on its line, is no word */
     int ended;            /* 1: sheen_text_any_word has found no more */
     int joins;            /* 1: a backslash at the end of a line joins the next to it */
     struct sheen_problem *problem;
