@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -69,6 +70,25 @@ static void points_and_lines_and_flat_faces_are_left_out(void **state)
     equal3(mesh.center, 1.5, 0.5, 0);
     assert_true(fabs(mesh.radius - sqrt(1.5 * 1.5 + 0.25)) < 1e-12);
     sheen_host_mesh_free(&mesh);
+}
+
+/* A triangle of no size beside one: it has its area and normal all the same, down to the least double above 0. */
+static void faces_of_hardly_any_extent(void **state)
+{
+    static const char *const sizes[] = {"1e-30", "1e-299", "1e-301", "2.3e-308", "1e-310", "4.95e-324"};
+    struct sheen_host_mesh mesh;
+    char text[200];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        snprintf(text, sizeof text, "v 0 0 0\nv 1 0 0\nv 0 0 1\nv %s 0 0\nv 0 %s 0\nf 1 2 3\nf 1 4 5\n", sizes[i],
+                 sizes[i]);
+        import_mesh(&mesh, "small.obj", text, &import_plain);
+        assert_int_equal(mesh.polygon_count, 2);
+        equal3(mesh.polygons[0].normal, 0, -1, 0);
+        equal3(mesh.polygons[1].normal, 0, 0, 1);
+        sheen_host_mesh_free(&mesh);
+    }
 }
 
 static const char roof[] = "v -1 0 0\nv 1 0 0\nv -1 1 -1\nv 1 1 -1\nv -1 1 1\nv 1 1 1\n";
@@ -228,6 +248,7 @@ int main(void)
         cmocka_unit_test(a_cube),
         cmocka_unit_test(bit_equal_positions_are_one_vertex),
         cmocka_unit_test(points_and_lines_and_flat_faces_are_left_out),
+        cmocka_unit_test(faces_of_hardly_any_extent),
         cmocka_unit_test(normals_of_the_file_and_without),
         cmocka_unit_test(a_corner_counts_for_each_listing),
         cmocka_unit_test(up_is_turned),

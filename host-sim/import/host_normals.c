@@ -54,11 +54,11 @@ void sheen_host_localise(struct sheen_host_build *build, const uint32_t *corners
             extent = fmax(extent, fabs(points[corners[i]][k] - origin[k]));
     }
     (void)frexp(extent, &exponent); /* extent < 2^exponent */
-    double scale = ldexp(1, 28 - exponent);
     for (uint32_t i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++)
+            /* Not times a power of two: of extents below 2^-996 that would be infinite. */
             build->local.points[3 * (size_t)i + (size_t)k] =
-                (int32_t)floor((points[corners[i]][k] - origin[k]) * scale + 0.5);
+                (int32_t)floor(ldexp(points[corners[i]][k] - origin[k], 28 - exponent) + 0.5);
     }
 }
 
