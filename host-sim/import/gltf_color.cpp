@@ -64,13 +64,20 @@ void read_transform(const item &from, double uv[6])
     std::memcpy(uv, all, sizeof all);
 }
 
-double cutoff_of(const item &from)
+/*
+ * Of a texel's alpha. A mask holds that times the factor's, `alpha`, against alphaCutoff. What blends is cut at half of
+ * the texel's own: a pane of glass is there, if not clear.
+ */
+double cutoff_of(const item &from, double alpha)
 {
     const std::string mode = from.get("alphaMode").text("OPAQUE");
 
-    if (mode == "MASK")
-        return std::fmin(std::fmax(from.get("alphaCutoff").real(0.5), 0), 1);
-    return mode == "BLEND" ? 0.5 : 0;
+    if (mode != "MASK")
+        return mode == "BLEND" ? 0.5 : 0;
+    const double least = from.get("alphaCutoff").real(0.5);
+    if (!(least > 0))
+        return 0;
+    return least <= std::fmin(alpha, 1) ? least / std::fmin(alpha, 1) : SHEEN_CUT_ALL;
 }
 
 template <class T> T *copy_of(const T *from, size_t count)
@@ -165,7 +172,7 @@ material read_material(document &file, const item &from, struct sheen_polygons &
     for (size_t k = 0; k < 3; k++)
         made.factor[k] = rgba[k];
     if (texture) {
-        made.picture = read_picture(file, texture.get("index"), cutoff_of(from), out);
+        made.picture = read_picture(file, texture.get("index"), cutoff_of(from, rgba[3]), out);
         read_transform(transform_of(texture), made.uv);
     }
     if (!texture && !factor)

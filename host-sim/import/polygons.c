@@ -166,7 +166,7 @@ static int check_pictures(const struct sheen_polygons *polygons, const char *nam
         const struct sheen_picture *picture = &polygons->picture[i];
         int is_right = is_side(picture->size[0]) && is_side(picture->size[1]) && picture->rgba &&
                        picture->wrap[0] <= SHEEN_WRAP_CLAMP && picture->wrap[1] <= SHEEN_WRAP_CLAMP &&
-                       picture->cutoff >= 0 && picture->cutoff <= 1;
+                       picture->cutoff >= 0 && picture->cutoff <= SHEEN_CUT_ALL;
         if (!is_right)
             return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: texture %zu is broken", name, i + 1);
     }

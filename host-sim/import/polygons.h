@@ -19,13 +19,15 @@ enum sheen_wrap {
     SHEEN_WRAP_MIRROR
 };
 
+#define SHEEN_CUT_ALL 2.0 /* a cut-off that no texel reaches */
+
 /* A texture: where its picture is, and, once it was read (textures.h), what is in it. */
 struct sheen_picture {
     char *name;           /* a file's path, or what to call the bytes; NULL once it was read */
     unsigned char *bytes; /* of a PNG or JPEG within the mesh's file; NULL: it is a file of its own */
     size_t count;
     uint8_t wrap[2];  /* in u and v: enum sheen_wrap; mirrors are unfolded as it is read, and repeat then */
-    double cutoff;    /* a texel is transparent where alpha / 255 is less; 0..1 */
+    double cutoff;    /* a texel is transparent where alpha / 255 is less; 0..1, or SHEEN_CUT_ALL */
     uint16_t size[2]; /* width and height: powers of two, 1..512; 0: not read */
     uint8_t *rgba;    /* 4 bytes a texel, rows from the top */
 };
