@@ -7,6 +7,7 @@
 #include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -23,8 +24,9 @@ struct walk {
     const struct aiScene *scene;
     struct sheen_polygons *out; /* NULL while counting */
     size_t points, polygons, corners;
-    int with_normals, with_colors;
-    int broken; /* an index out of range, or too many of something */
+    int with_normals, with_colors, with_uvs;
+    int has_pictures; /* 1: a mesh with uv has a material with a picture */
+    int broken;       /* an index out of range, or too many of something */
 };
 
 /* 4 x 4, row by row, in double precision. */
@@ -70,12 +72,21 @@ static void transform_normal(const double c[9], double sign, const struct aiVect
         out[k] = sign * (c[3 * k] * (double)v->x + c[3 * k + 1] * (double)v->y + c[3 * k + 2] * (double)v->z);
 }
 
+static int has_picture(const struct aiMaterial *material)
+{
+    return aiGetMaterialTextureCount(material, aiTextureType_DIFFUSE) > 0 ||
+           aiGetMaterialTextureCount(material, aiTextureType_BASE_COLOR) > 0;
+}
+
 static void count_mesh(struct walk *walk, const struct aiMesh *mesh)
 {
     walk->points += mesh->mNumVertices;
     walk->broken |= mesh->mMaterialIndex >= walk->scene->mNumMaterials || mesh->mMaterialIndex > UINT16_MAX;
     walk->with_normals |= mesh->mNormals != NULL;
     walk->with_colors |= mesh->mColors[0] != NULL;
+    walk->with_uvs |= mesh->mTextureCoords[0] != NULL;
+    walk->has_pictures |=
+        !walk->broken && mesh->mTextureCoords[0] && has_picture(walk->scene->mMaterials[mesh->mMaterialIndex]);
     for (unsigned f = 0; f < mesh->mNumFaces; f++) {
         const struct aiFace *face = &mesh->mFaces[f];
         for (unsigned c = 0; c < face->mNumIndices; c++)
@@ -95,6 +106,15 @@ static void get_color(const struct aiColor4D *from, uint8_t color[3])
         color[k] = sheen_color_byte((double)parts[k], 1);
 }
 
+/* v downwards. What is no number is told from what is not there (polygons.h). */
+static void get_uv(const struct aiVector3D *from, double uv[2])
+{
+    const double v = 1 - (double)from->y;
+
+    uv[0] = isnan(from->x) ? (double)INFINITY : (double)from->x;
+    uv[1] = isnan(v) ? (double)INFINITY : v;
+}
+
 /* A transform that mirrors turns faces inside out, so their corners are taken backwards. */
 static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct aiFace *face, const double c[9],
                       int mirrored)
@@ -109,6 +129,8 @@ static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct
             transform_normal(c, mirrored ? -1 : 1, &mesh->mNormals[index], out->normals[walk->corners]);
         if (out->colors)
             get_color(mesh->mColors[0] ? &mesh->mColors[0][index] : &white, out->colors[walk->corners]);
+        if (out->uvs && mesh->mTextureCoords[0])
+            get_uv(&mesh->mTextureCoords[0][index], out->uvs[walk->corners]);
         walk->corners++;
     }
     out->groups[walk->polygons] = (uint16_t)mesh->mMaterialIndex;
@@ -185,11 +207,15 @@ static int convert(struct sheen_polygons *polygons, const struct aiScene *scene,
                              path);
     if (walk.polygons == 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no faces", path);
+    int with = (walk.with_normals ? SHEEN_WITH_NORMALS : 0) | (walk.with_colors ? SHEEN_WITH_COLORS : 0) |
+               (walk.with_uvs ? SHEEN_WITH_UVS : 0);
     int error =
-        sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u,
-                             (walk.with_normals ? SHEEN_WITH_NORMALS : 0) | (walk.with_colors ? SHEEN_WITH_COLORS : 0));
+        sheen_polygons_alloc(polygons, walk.points, walk.polygons, walk.corners, scene->mNumMaterials + 1u, with);
     if (error)
         return sheen_problem(problem, error, "%s: not enough memory", path);
+    if (walk.has_pictures)
+        sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
+                   "%s: its own textures are not read, as Assimp reads it; --texture FILE shows one", path);
     walk_scene(&walk, scene, polygons);
     for (unsigned i = 0; i < scene->mNumMaterials; i++)
         read_material(scene->mMaterials[i], &polygons->group[i]);

@@ -75,6 +75,8 @@ static int read_vertex(struct off *off, struct sheen_sink *sink)
     sheen_sink_point(sink, point, off->colors ? to_color(off, sink, extra + before_color, color) : NULL);
     if (off->normals)
         sheen_sink_normal(sink, extra);
+    if (off->textures)
+        sheen_sink_uv(sink, extra + want - 2);
     return SHEEN_OK;
 }
 
@@ -101,7 +103,8 @@ static int read_corners(struct off *off, struct sheen_sink *sink)
             error = sheen_text_problem(&off->text, "a face names vertex %lld of %lld, which count from 0",
                                        (long long)index, (long long)off->vertices);
         if (!error)
-            sheen_sink_corner(sink, (size_t)index, off->normals ? (size_t)index : SHEEN_NONE, SHEEN_NONE);
+            sheen_sink_corner(sink, (size_t)index, off->normals ? (size_t)index : SHEEN_NONE,
+                              off->textures ? (size_t)index : SHEEN_NONE);
     }
     return error;
 }

@@ -24,7 +24,9 @@ enum role {
     BLUE,
     U,
     V,
-    INDICES,
+    PICTURE,
+    INDICES, /* from here on lists */
+    UVS,
     ROLES
 };
 
@@ -40,7 +42,9 @@ static const char *const role_names[ROLES] = {
     " blue b diffuse_blue ",
     " u s texture_u ",
     " v t texture_v ",
+    " texnumber ",
     " vertex_indices vertex_index ",
+    " texcoord ",
 };
 
 enum element_kind {
@@ -55,7 +59,8 @@ static const char *const kind_words[] = {"elements that are no faces", "vertices
 struct reading {
     struct sheen_ply ply;
     struct sheen_polygons *out;
-    int has_uvs; /* of vertices */
+    int has_uvs;        /* of vertices */
+    int has_corner_uvs; /* of faces, a list of u and v for each corner; then those of vertices are not read */
 };
 
 /* An element as it is read: which property has which role, and what it was for this one. */
@@ -130,8 +135,23 @@ static int skip_list(struct reading *reading, double count, enum sheen_ply_type 
     return error;
 }
 
+/* u and v of each corner, in turn; one that is left over is none. */
+static int read_corner_uvs(struct reading *reading, struct sheen_sink *sink, double count, enum sheen_ply_type type)
+{
+    double uv[2] = {0, 0};
+    int error = SHEEN_OK;
+
+    for (double i = 0, k = 0; !error && i < count; i++, k = 1 - k) {
+        error = sheen_ply_number(&reading->ply, type, &uv[(int)k]);
+        if (!error && k > 0)
+            sheen_sink_uv(sink, uv);
+    }
+    return error;
+}
+
+/* role: the list's, or ROLES. */
 static int read_list(struct reading *reading, struct sheen_sink *sink, const struct sheen_ply_property *property,
-                     enum element_kind kind)
+                     enum element_kind kind, int role)
 {
     double count;
     int error = sheen_ply_whole(&reading->ply, property->count_type, "a list's count", &count);
@@ -140,10 +160,12 @@ static int read_list(struct reading *reading, struct sheen_sink *sink, const str
         return error;
     if (count < 0)
         return sheen_ply_problem(&reading->ply, "a list of %.0f", count);
-    if (kind == FACE)
+    if (kind == FACE && role == INDICES)
         return read_corners(reading, sink, count, property->type);
-    if (kind == STRIPS)
+    if (kind == STRIPS && role == INDICES)
         return read_strips(reading, sink, count, property->type);
+    if (kind == FACE && role == UVS)
+        return read_corner_uvs(reading, sink, count, property->type);
     return skip_list(reading, count, property->type);
 }
 
@@ -163,7 +185,7 @@ static void find_roles(const struct sheen_ply_element *element, struct roles *ro
             continue;
         snprintf(padded, sizeof padded, " %.*s ", (int)property->name.length, property->name.at);
         for (int r = 0; r < ROLES; r++) {
-            if ((property->count_type != PLY_NONE) == (r == INDICES) && strstr(role_names[r], padded))
+            if ((property->count_type != PLY_NONE) == (r >= INDICES) && strstr(role_names[r], padded))
                 roles->property[r] = i;
         }
     }
@@ -200,9 +222,27 @@ static int put_vertex(struct reading *reading, struct sheen_sink *sink, const st
     sheen_sink_point(sink, roles->value + X, color);
     if (has(roles, NX))
         sheen_sink_normal(sink, roles->value + NX);
-    if (has(roles, U))
+    if (has(roles, U) && !reading->has_corner_uvs)
         sheen_sink_uv(sink, roles->value + U);
     return SHEEN_OK;
+}
+
+/*
+ * The uv that its list had, from `first` on: for every corner one, or none at all. MeshLab's texnumber says of which
+ * picture; -1 is none, and only the first one is read.
+ */
+static void put_corner_uvs(struct reading *reading, struct sheen_sink *sink, const struct roles *roles, size_t first)
+{
+    const char *path = reading->ply.text.path;
+    size_t corners = sink->corners - sink->begun, uvs = sink->uvs - first;
+
+    if (uvs == corners && roles->value[PICTURE] == 0)
+        sheen_sink_corner_uvs(sink, first);
+    else if (uvs == corners && roles->value[PICTURE] > 0)
+        sheen_note(&reading->out->notes, 0, "%s: of its pictures only the first is read", path);
+    else if (uvs > 0 && uvs != corners)
+        sheen_note(&reading->out->notes, 0, "%s: the texcoord of a face of %zu corners are %zu pairs, and left out",
+                   path, corners, uvs);
 }
 
 static void put_face(struct reading *reading, struct sheen_sink *sink, const uint8_t *color)
@@ -219,13 +259,17 @@ static int read_element(struct reading *reading, struct sheen_sink *sink, const 
 {
     struct sheen_word word;
     uint8_t bytes[3];
+    size_t uvs = sink->uvs;
     int error = SHEEN_OK;
 
     for (int i = 0; !error && i < element->properties; i++) {
         const struct sheen_ply_property *property = &element->property[i];
         double value = 0;
         if (property->count_type != PLY_NONE)
-            error = read_list(reading, sink, property, roles->property[INDICES] == i ? kind : OTHER);
+            error = read_list(reading, sink, property, kind,
+                              roles->property[INDICES] == i ? INDICES
+                              : roles->property[UVS] == i   ? UVS
+                                                            : ROLES);
         else
             error = sheen_ply_number(&reading->ply, property->type, &value);
         for (int r = 0; !error && r < INDICES; r++) {
@@ -238,8 +282,10 @@ static int read_element(struct reading *reading, struct sheen_sink *sink, const 
     if (error)
         return error;
     const uint8_t *color = get_color(element, roles, bytes);
-    if (kind == FACE)
+    if (kind == FACE) {
+        put_corner_uvs(reading, sink, roles, uvs);
         put_face(reading, sink, color);
+    }
     return kind == VERTEX ? put_vertex(reading, sink, roles, color) : SHEEN_OK;
 }
 
@@ -263,7 +309,7 @@ static int read_elements(struct reading *reading, struct sheen_sink *sink, const
         return sheen_ply_problem(&reading->ply, "vertices without x, y and z");
     if ((kind == FACE || kind == STRIPS) && element->count > 0 && roles.property[INDICES] < 0)
         return sheen_ply_problem(&reading->ply, "faces without a list vertex_indices");
-    reading->has_uvs |= kind == VERTEX && has(&roles, U);
+    reading->has_uvs |= kind == VERTEX && has(&roles, U) && !reading->has_corner_uvs;
     for (int64_t i = 0; i < element->count; i++) {
         int error = read_element(reading, sink, element, kind, &roles);
         if (error && reading->ply.ended)
@@ -273,6 +319,17 @@ static int read_elements(struct reading *reading, struct sheen_sink *sink, const
             return error;
     }
     return SHEEN_OK;
+}
+
+/* Before anything is read: vertices may come before the faces. */
+static void find_corner_uvs(struct reading *reading)
+{
+    struct roles roles;
+
+    for (int e = 0; e < reading->ply.elements; e++) {
+        find_roles(&reading->ply.element[e], &roles);
+        reading->has_corner_uvs |= kind_of(&reading->ply.element[e]) == FACE && roles.property[UVS] >= 0;
+    }
 }
 
 /* A line's end after the last element is not worth a word. */
@@ -324,8 +381,10 @@ int sheen_mesh_ply_read(struct sheen_polygons *polygons, const char *path, struc
         reading.ply.text.end = reading.ply.text.at + reading.ply.bytes.count;
         error = sheen_ply_header(&reading.ply);
     }
-    if (!error)
+    if (!error) {
+        find_corner_uvs(&reading);
         error = sheen_sink_run(polygons, pass, &reading, path, problem);
+    }
     if (!error && reading.ply.picture.length)
         add_picture(polygons, path, &reading.ply.picture);
     sheen_bytes_free(&reading.ply.bytes);

@@ -13,7 +13,7 @@
 /* Wavefront OBJ: v, vt, vn, f, usemtl, mtllib. An index of a vt that is not there is none. */
 int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
-/* Stanford PLY, text and binary of both byte orders: vertices, faces, tristrips, in any order. */
+/* Stanford PLY, text and binary of both byte orders: vertices, faces, their texcoord, tristrips, in any order. */
 int sheen_mesh_ply_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /* STL, text and binary. */

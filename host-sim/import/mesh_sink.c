@@ -50,6 +50,14 @@ void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal, siz
     sink->corners++;
 }
 
+void sheen_sink_corner_uvs(struct sheen_sink *sink, size_t first)
+{
+    if (!sink->keeping || !sink->out->uvs)
+        return;
+    for (size_t c = sink->begun; c < sink->corners && c < sink->out->corner_count; c++)
+        sink->out->uvs[c][0] = (double)(first + (c - sink->begun)) + 1;
+}
+
 void sheen_sink_polygon(struct sheen_sink *sink, uint16_t group, const uint8_t color[3])
 {
     sink->has_colors |= color != NULL;

@@ -31,6 +31,8 @@ void sheen_sink_normal(struct sheen_sink *sink, const double normal[3]);
 void sheen_sink_uv(struct sheen_sink *sink, const double uv[2]);
 /* All count from 0 and may be yet to come; normal and uv: or SHEEN_NONE. */
 void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal, size_t uv);
+/* The corners since the last polygon get these uv in place of what they have, one each, in order. */
+void sheen_sink_corner_uvs(struct sheen_sink *sink, size_t first);
 /* Ends the polygon of the corners since the last one. color: its own, for files without colours of points; or NULL. */
 void sheen_sink_polygon(struct sheen_sink *sink, uint16_t group, const uint8_t color[3]);
 /* Takes these corners back: they make no polygon. Returns how many there were. */

@@ -38,6 +38,53 @@ def ply(names=("s", "t"), form="ascii", kind="float", picture="t.png"):
     return head + b"".join(struct.pack(code + "3f2" + kind[0], *row) for row in rows) + struct.pack(code + "B4i", 4, 0, 1, 2, 3)
 
 
+def wedges(form="ascii", first=False, vertices=None, number=None, uvs=UP):
+    """A PLY whose face has its own uv, as MeshLab writes them: before its corners or behind them."""
+    code = {"ascii": None, "binary_little_endian": "<", "binary_big_endian": ">"}[form]
+    lists = ["property list uchar int vertex_indices\n", "property list uchar float texcoord\n"][::-1 if first else 1]
+    head = (f"ply\nformat {form} 1.0\ncomment TextureFile t.png\nelement vertex 4\n" +
+            "".join(f"property float {name}\n" for name in ("x", "y", "z", *(("s", "t") if vertices else ()))) +
+            "element face 1\n" + "".join(lists) + ("property int texnumber\n" if number is not None else "") +
+            "end_header\n").encode()
+    rows = [(*p, *(vertices or ())) for p in POINTS]
+    flat = [x for uv in uvs for x in uv]
+    if code is None:
+        parts = [" 4 0 1 2 3", f" {len(flat)} " + " ".join("%g" % x for x in flat)][::-1 if first else 1]
+        return head + ("".join(" ".join("%g" % x for x in row) + "\n" for row in rows) + "".join(parts) +
+                       (f" {number}" if number is not None else "") + "\n").encode()
+    parts = [struct.pack(code + "B4i", 4, 0, 1, 2, 3), struct.pack(f"{code}B{len(flat)}f", len(flat), *flat)]
+    return (head + b"".join(struct.pack(f"{code}{len(row)}f", *row) for row in rows) + b"".join(parts[::-1 if first else 1]) +
+            (struct.pack(code + "i", number) if number is not None else b""))
+
+
+def off(kind="STOFF", between=""):
+    return (f"{kind}\n4 1 0\n" + "".join("%g %g %g " % p + between + "%g %g\n" % uv for p, uv in zip(POINTS, UP)) +
+            "4 0 1 2 3\n")
+
+
+def dae(image=False):
+    """COLLADA; image: its material names a picture."""
+    def source(name, rows, names):
+        return (f'<source id="{name}"><float_array id="{name}a" count="{len(rows) * len(names)}">' +
+                " ".join("%g" % x for row in rows for x in row) + f'</float_array><technique_common><accessor source="#{name}a" '
+                f'count="{len(rows)}" stride="{len(names)}">' +
+                "".join(f'<param name="{n}" type="float"/>' for n in names) + "</accessor></technique_common></source>\n")
+    material = ('<library_images><image id="i"><init_from>t.png</init_from></image></library_images><library_materials>'
+                '<material id="m"><instance_effect url="#e"/></material></library_materials><library_effects><effect id="e">'
+                '<profile_COMMON><newparam sid="s"><surface type="2D"><init_from>i</init_from></surface></newparam><newparam '
+                'sid="t"><sampler2D><source>s</source></sampler2D></newparam><technique sid="c"><lambert><diffuse><texture '
+                'texture="t" texcoord="u"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>')
+    bind = ('<bind_material><technique_common><instance_material symbol="m" target="#m"/></technique_common></bind_material>')
+    return ('<?xml version="1.0"?>\n<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>'
+            '<up_axis>Y_UP</up_axis></asset>' + material * image + '<library_geometries><geometry id="g"><mesh>\n' +
+            source("p", POINTS, "XYZ") + source("t", UP, "ST") + '<vertices id="v"><input semantic="POSITION" source="#p"/>'
+            '</vertices><polylist count="1"' + ' material="m"' * image + '><input semantic="VERTEX" source="#v" offset="0"/>'
+            '<input semantic="TEXCOORD" source="#t" offset="1" set="0"/><vcount>4</vcount><p>0 0 1 1 2 2 3 3</p></polylist>'
+            '</mesh></geometry></library_geometries>\n<library_visual_scenes><visual_scene id="s"><node>'
+            '<instance_geometry url="#g">' + bind * image + '</instance_geometry></node></visual_scene></library_visual_scenes>'
+            '<scene><instance_visual_scene url="#s"/></scene></COLLADA>\n')
+
+
 def gltf(image, texture=None, material=None, sampler=None, uvs=None, component=FLOAT, glossy=False, color=None):
     """image: the JSON of it, or bytes to be put into a view. uvs: of TEXCOORD_0, _1 ..."""
     box = Gltf()
