@@ -48,6 +48,18 @@ static void read_color(struct sheen_text *text, struct sheen_group *group, struc
     group->has_color = 1;
 }
 
+/* After d, of which 1 is opaque, also with -halo before it. Tr says the same, but some write 1 for opaque, some 0. */
+static void note_opacity(struct sheen_text *text, struct sheen_notes *notes)
+{
+    struct sheen_word word;
+    double opacity;
+
+    if (!sheen_text_word(text, &word) || (sheen_word_is(&word, "-halo") && !sheen_text_word(text, &word)))
+        return;
+    if (sheen_word_number(&word, &opacity) && opacity < 1)
+        sheen_note(notes, SHEEN_NOTE_WARNING, "%s: the transparency (d) of its materials is not read", text->path);
+}
+
 /* ---- map_Kd ---- */
 
 /* How many words follow an option: at least, at most. What is beyond the least are numbers. */
@@ -162,6 +174,11 @@ static void read_lines(struct sheen_polygons *polygons, const struct sheen_word 
             read_color(text, group, &polygons->notes);
         else if (group && sheen_word_is(&word, "map_Kd"))
             read_map(text, polygons, group);
+        else if (group && sheen_word_is(&word, "d"))
+            note_opacity(text, &polygons->notes);
+        else if (group && sheen_word_is(&word, "map_d"))
+            sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
+                       "%s: map_d is not read: where a texture is transparent is of map_Kd's picture", text->path);
     }
 }
 

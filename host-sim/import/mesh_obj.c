@@ -11,13 +11,15 @@
 #include "mesh_readers.h"
 #include "mesh_sink.h"
 
-/* What may stand in an OBJ and says nothing about faces. */
-static const char other_words[] = " vp g s o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
+/* What may stand in an OBJ and says nothing about how faces look. */
+static const char other_words[] = " vp g o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
                                   "cstype deg bmat step parm trim hole sp end con ctech stech bzp cdp res bsp ";
 /* Surfaces, curves and files that are not read. */
 static const char left_out_words[] = " surf curv curv2 scrv call csh cdc ";
 
 #define BYTES 16 /* colours up to this are 0..255: by the format they are 0..1, and none are all that dark */
+
+#define NOT_SAID (-1)
 
 struct obj {
     struct sheen_bytes bytes;
@@ -27,6 +29,9 @@ struct obj {
     size_t total[3];                /* of each, after the first pass */
     struct sheen_color_range range; /* of vertices' colours, known after the first pass */
     uint16_t group;                 /* of faces */
+    int64_t smoothing;              /* of faces, by s; 0: off; NOT_SAID */
+    int64_t first_smoothing;        /* the first face's */
+    int has_smoothing;              /* 1: faces are of several, or off */
     struct sheen_word *names;
     size_t names_count, names_room;
     struct sheen_word left_out;
@@ -156,6 +161,9 @@ static int read_face(struct obj *obj, struct sheen_sink *sink)
             return error;
     }
     if (sink->corners - sink->begun >= 3) {
+        if (sink->polygons == 0)
+            obj->first_smoothing = obj->smoothing;
+        obj->has_smoothing |= obj->smoothing != obj->first_smoothing || obj->smoothing == 0;
         sheen_sink_polygon(sink, obj->group, NULL);
         return SHEEN_OK;
     }
@@ -203,6 +211,15 @@ static int is_one_of(const struct sheen_word *word, const char *words)
     return strcasestr(words, padded) != NULL;
 }
 
+/* s N, s off, or a word that is neither, which is taken for on. */
+static void read_smoothing(struct obj *obj)
+{
+    struct sheen_word word;
+
+    if (sheen_text_word(&obj->text, &word) && !sheen_word_whole(&word, &obj->smoothing))
+        obj->smoothing = !sheen_word_is(&word, "off");
+}
+
 /* A line that is no vertex, normal, uv, face or material. */
 static void read_other(struct obj *obj, const struct sheen_word *word)
 {
@@ -227,6 +244,10 @@ static int read_line(struct obj *obj, struct sheen_sink *sink, const struct shee
         return read_uv(obj, sink);
     if (sheen_word_is(word, "f") || sheen_word_is(word, "fo"))
         return read_face(obj, sink);
+    if (sheen_word_is(word, "s")) {
+        read_smoothing(obj);
+        return SHEEN_OK;
+    }
     if (sheen_word_is(word, "usemtl")) {
         obj->group = 0; /* without a name: of none */
         return sheen_text_line_rest(&obj->text, &name) ? use_material(obj, &name) : SHEEN_OK;
@@ -245,6 +266,7 @@ static int pass(void *context, struct sheen_sink *sink)
     obj->text.at = (const char *)obj->bytes.bytes;
     obj->text.line = 1;
     obj->group = 0;
+    obj->smoothing = NOT_SAID;
     obj->points = obj->normals = obj->uvs = 0;
     while (!error && sheen_text_any_word(&obj->text, &word)) {
         error = read_line(obj, sink, &word);
@@ -337,6 +359,9 @@ int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struc
         sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
                    "%s: its vertices' colours, up to %g, are taken as 0..255, though those of an OBJ are 0..1", path,
                    obj.range.largest);
+    if (!error && obj.has_smoothing && obj.total[1] == 0)
+        sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
+                   "%s: its smoothing groups (s) are not read: --crease says which faces are smooth", path);
     if (!error)
         read_materials(&obj);
     free(obj.names);

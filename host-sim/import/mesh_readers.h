@@ -10,7 +10,10 @@
 #include "mesh_text.h"
 #include "polygons.h"
 
-/* Wavefront OBJ: v, vt, vn, f, usemtl, mtllib. An index of a vt that is not there is none. */
+/*
+ * Wavefront OBJ: v, vt, vn, f, usemtl, mtllib. An index of a vt that is not there is none. Smoothing groups are a note
+ * where there are no normals.
+ */
 int sheen_mesh_obj_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 /* Stanford PLY, text and binary of both byte orders: vertices, faces, their texcoord, tristrips, in any order. */
@@ -24,7 +27,8 @@ int sheen_mesh_off_read(struct sheen_polygons *polygons, const char *path, struc
 
 /*
  * The colours (Kd) and textures (map_Kd) of an OBJ's materials from its .mtl. names: of each group, from the OBJ.
- * Whatever else the .mtl holds is let pass; what cannot be read is a note. 0, or -1 where there is no such file.
+ * Whatever else the .mtl holds is let pass; what cannot be read is a note, and so is transparency (d, map_d). 0, or -1
+ * where there is no such file.
  */
 int sheen_mtl_read(struct sheen_polygons *polygons, const struct sheen_word *names, const char *path);
 
