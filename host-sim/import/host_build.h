@@ -58,7 +58,7 @@ int sheen_host_frames_fit(const struct sheen_polygons *first, const struct sheen
 /* host_morph.c: mesh->second of the finished first frame. 0, or SHEEN_ERR_MEMORY. */
 int sheen_host_second(const struct sheen_host_build *build);
 
-/* Fills in build->normals. 0, or SHEEN_ERR_MEMORY. */
-int sheen_host_normals(struct sheen_host_build *build);
+/* Fills in build->normals. 0, SHEEN_ERR_MEMORY, or SHEEN_ERR_CAPACITY and *problem: too many faces around vertices. */
+int sheen_host_normals(struct sheen_host_build *build, const char *name, struct sheen_problem *problem);
 
 #endif

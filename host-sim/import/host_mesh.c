@@ -58,6 +58,30 @@ static int check_triangles(const struct sheen_host_mesh *mesh, const struct shee
                          mesh->triangle_count, SHEEN_HOST_MESH_MAX);
 }
 
+/*
+ * Splitting a face takes time by the square of its corners, 4 s on a desktop for SQUARE. Faces of up to FEW_CORNERS do
+ * not count, as no file has enough of them.
+ */
+#define FACE_CORNERS 10000u
+#define SQUARE ((uint64_t)FACE_CORNERS * FACE_CORNERS) /* of all faces together */
+#define FEW_CORNERS 64u
+
+static int check_faces(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
+{
+    uint64_t sum = 0;
+
+    for (size_t p = 0; p < polygons->polygon_count; p++) {
+        uint64_t count = polygons->first[p + 1] - polygons->first[p];
+        sum += count > FEW_CORNERS ? count * count : 0;
+        if (sum > SQUARE)
+            return sheen_problem(problem, SHEEN_ERR_CAPACITY,
+                                 "%s: face %zu has %llu corners: %s takes too long to split; at most %u in one face",
+                                 name, p + 1, (unsigned long long)count,
+                                 count > FACE_CORNERS ? "it" : "with those before it", FACE_CORNERS);
+    }
+    return SHEEN_OK;
+}
+
 /* How many vertices there would be with one normal at each place; 0 without memory. */
 static size_t count_places(const struct sheen_host_mesh *mesh)
 {
@@ -371,7 +395,7 @@ static int make_frame(struct sheen_host_build *build, const char *name, struct s
         error = keep_polygons(build, name, problem);
     if (!error)
         error = weld_points(build);
-    return error ? error : sheen_host_normals(build);
+    return error ? error : sheen_host_normals(build, name, problem);
 }
 
 /* Of another frame, once the first has its own. */
@@ -408,6 +432,8 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     memset(mesh, 0, sizeof *mesh);
     mesh->crease = options->use_crease ? options->crease : 180;
     int error = sheen_polygons_check(polygons, name, problem);
+    if (!error)
+        error = check_faces(polygons, name, problem);
     if (!error && second)
         error = sheen_host_frames_fit(polygons, second, name, options->morph, problem);
     if (error)

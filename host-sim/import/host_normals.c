@@ -92,6 +92,38 @@ static int find_places(const struct sheen_host_build *build, struct places *plac
     return sheen_polygons_around(&places->list, places->around);
 }
 
+/*
+ * What is done by pairs of the faces around a vertex takes time by the square of their number, summed over all
+ * vertices: on a desktop 4 s for a vertex of MOST_FACES with a crease and 3 s more where a reduced mesh chooses among a
+ * file's normals; for one of three times as many 5 s by edges or simplifying. Vertices of up to FEW_FACES do not count,
+ * as no file has enough of them.
+ */
+#define MOST_FACES 15000u
+#define TIMES_WITHOUT 3u /* as many without either */
+#define FEW_FACES 64u
+
+static int check_around(const struct sheen_host_build *build, const struct places *places, const char *name,
+                        struct sheen_problem *problem)
+{
+    const struct sheen_host_options *options = build->options;
+    int chooses = options->reduce && build->from->normals && !options->average;
+    int takes_long = options->use_crease || chooses;
+    uint64_t sum = 0, most_without = (uint64_t)TIMES_WITHOUT * MOST_FACES;
+    uint64_t limit = takes_long ? (uint64_t)MOST_FACES * MOST_FACES : most_without * most_without;
+    uint32_t most = 0;
+
+    for (uint32_t v = 0; v < places->list.point_count; v++) {
+        uint32_t faces = places->around[v + 1] - places->around[v];
+        sum += faces > FEW_FACES ? (uint64_t)faces * faces : 0;
+        most = faces > most ? faces : most;
+    }
+    if (sum <= limit)
+        return SHEEN_OK;
+    int helps = takes_long && sum <= most_without * most_without;
+    return sheen_problem(problem, SHEEN_ERR_CAPACITY, "%s: %lu faces around one vertex take too long%s", name,
+                         (unsigned long)most, helps ? "; --normals average --crease 180 takes them" : "");
+}
+
 /* A corner's own normal where the file has one, else the average, else its polygon's. */
 static void choose(struct sheen_host_build *build, const struct places *places)
 {
@@ -113,11 +145,13 @@ static void choose(struct sheen_host_build *build, const struct places *places)
     }
 }
 
-int sheen_host_normals(struct sheen_host_build *build)
+int sheen_host_normals(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     struct places places = {0};
     int error = find_places(build, &places);
 
+    if (!error)
+        error = check_around(build, &places, name, problem);
     build->normals = calloc(build->mesh->corner_count, sizeof *build->normals);
     if (!error && !build->normals)
         error = SHEEN_ERR_MEMORY;
