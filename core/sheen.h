@@ -378,8 +378,8 @@ struct sheen_object {
  * A rectangle of the target before it is sent. [0] is its top left; a row is pitch entries. Pixels: uint16_t in the
  * target's order, or for grey targets one byte a pixel, its level (packed afterwards). Depth: what the triangles left,
  * 257 + 65020 (1/m - 1/z_far) / (1/z_near - 1/z_far) rounded (orthographic: 257 + 65020 (z_far - m) / (z_far -
- * z_near)), 257 where there is none, so a user can pick, fog and test depth; before them the triangles are tested
- * against what an underlay leaves.
+ * z_near); where the two are as near to each other as they may be, up to 16 steps off), 257 where there is none, so a
+ * user can pick, fog and test depth; before them the triangles are tested against what an underlay leaves.
  */
 struct sheen_canvas {
     struct sheen_rect rect; /* px on the target */
@@ -470,7 +470,7 @@ struct sheen_config {
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped;              /* listed pieces of triangles that the clipper cuts [0] */
-    uint8_t max_shades;                /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each [1] */
+    uint8_t max_shades;   /* on 565: colours of a frame with finished pixels at hand, 2.1 KB each, within a step [1] */
     uint8_t smooth;       /* 1: room for sheen_edges_smooth, a byte a pixel of a band and of 8 rows more [0] */
     uint16_t max_carried; /* set-ups kept across a band's edge, 1..254 [80]; full costs time only */
     /*

@@ -88,7 +88,7 @@ static inline int quad_areas(const struct vertex *const v[4], int32_t area[3], i
     area[0] = base;
     area[1] = first;
     area[2] = second;
-    return base > 0 && first > 0 && second > 0 && first + second > base && asr32(max32(first, second), 1) <= base &&
+    return base > 0 && first > 0 && second > 0 && first + second > base && max32(first, second) <= 2 * base &&
            depth_stays(v, area, bias);
 }
 

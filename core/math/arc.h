@@ -32,7 +32,8 @@ static inline int32_t round15(int32_t x)
 }
 
 /*
- * share(t), t and it UQ0.15; exact at 0 and 1.0. Range: t (1 - q) is at most .385, c0 .571: 2^13.7 * 2^15.2.
+ * share(t), t and it UQ0.15, t up to two steps beyond; exact at 0 and 1.0. Range: t (1 - q) is at most .385, c0 .571:
+ * 2^13.7 * 2^15.2.
  */
 static inline int32_t arc_share(const struct arc_series *s, int32_t t)
 {

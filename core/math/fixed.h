@@ -53,7 +53,7 @@ static inline int64_t asr64(int64_t x, unsigned n)
 #endif
 }
 
-/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold |x| < 2^63 - 2^(n - 1). */
+/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold x < 2^63 - 2^(n - 1). */
 static inline int64_t round_shift64(int64_t x, unsigned n)
 {
     return asr64(x + ((int64_t)1 << (n - 1)), n);

@@ -32,7 +32,7 @@ static inline uint32_t reciprocal_seed(uint32_t x)
 
 /*
  * Seed of 1/sqrt(d) for d: UQ1.31 in [1/4, 1 + 1/512). UQ1.15, within 1.5 raw steps (measured over all d).
- * Range: drop <= 128 (at d = 1/4), so the product stays below 2^23.
+ * Range: drop <= 254 (at d = 1/4), so the product stays below 2^24.
  */
 static inline uint32_t root_seed(uint32_t d)
 {
@@ -40,14 +40,6 @@ static inline uint32_t root_seed(uint32_t d)
     uint32_t drop = (uint32_t)(entry[0] - entry[1]);
 
     return entry[0] - ((drop * ((d >> 6) & 0xffffu) + 0x8000u) >> 16);
-}
-
-/* a / b for 0 <= a <= b < 2^31, b > 0: UQ0.15, within 2 raw steps. */
-static inline int32_t ratio15(uint32_t a, uint32_t b)
-{
-    unsigned zeros = clz32(b);
-
-    return (int32_t)(((a << zeros) >> 16) * reciprocal_seed(b << zeros) >> 16);
 }
 
 /* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */

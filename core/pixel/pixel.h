@@ -38,7 +38,7 @@
 
 /* Intensities relative to the most that the draw's lights can give. */
 struct lit {
-    uint32_t diffuse, specular; /* UQ1.15, 0..32768 */
+    uint32_t diffuse, specular; /* UQ1.15, 0..32768; where rows look ahead beyond a triangle to 65535 */
 };
 
 /*

@@ -45,7 +45,7 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
 
     if (ln <= 0 || (d - ROOT_LOWEST >= ROOT_RANGE && !rescale(&d, &ln, &nv)))
         return lit;
-    /* Range: L.N <= sqrt(D), so the product is below 2^31 and its quotient at most 1.0 but for rounding. */
+    /* Range: L.N <= sqrt(D) but where N nearly vanishes, between opposite normals: the product stays below 2^31. */
     uint32_t root = root_seed(d);                                           /* UQ1.15 */
     uint32_t diffuse = ((((uint32_t)ln + HALF) >> 15) * root + HALF) >> 15; /* Q0.15 */
     lit.diffuse = diffuse < 32768 ? diffuse : 32768;

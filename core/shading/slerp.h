@@ -61,7 +61,7 @@ struct place {
 /* Columns x to before x1 of a part: how much of the row lies before it and how much it is, UQ0.15. */
 struct part {
     int32_t at, length; /* length 0: one pixel */
-    int32_t x, x1, n;   /* n: from the first column after the part's left end to x */
+    int32_t x, x1, n;   /* n: from the first column after the part's left end to x; -1 where a span begins before it */
     int32_t t;          /* that column's centre in it, UQ0.15 */
     unsigned up;        /* a pixel is the row's inverse 2^(up - 31) of it; at most 15 */
     int fresh;          /* the part before it was not drawn */

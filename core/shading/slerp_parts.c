@@ -17,13 +17,13 @@
 #define WIDEST_DULL 802 /* 18 degrees outside highlights, where the row has less than 40 */
 #define DULL_ROW 3833
 
-/* v t / 2^15, |v| < 2^22, t < 2^17 */
+/* v t / 2^15, |v| < 2^22 and t < 2^17, or |v| < 2^23 and t <= 2^15 */
 static inline int32_t times15(int32_t v, int32_t t)
 {
     return asr32(asr32(v, 8) * t, 7) + asr32((v & 255) * t, 15);
 }
 
-/* v r / 2^8, |v| < 2^22, r at most 2^16 */
+/* v r / 2^8, |v| < 2^23, r at most 2^16 */
 static inline int32_t times8(int32_t v, int32_t r)
 {
     return asr32(v, 8) * r + asr32((v & 255) * r, 8);

@@ -13,7 +13,8 @@ SETUP_FITS(struct shades_setup);
 /*
  * Linear on the screen in place of in space is off by at most dI (sqrt q - 1) / (sqrt q + 1) <= dI (q - 1) / 4, q the
  * ratio of the weights at an edge's ends. Of weights, z16 differs by what they do, >> weight_shift.
- * Range: |d| <= 2^15, |z| < 2^16, unit < 2^11; a weight >> weight_shift is below 2^25.
+ * Range: |d| <= 64000 (of greys the sum of three channels), |z| <= 65020, so products fit 32 bits; unit < 2^13; a
+ * weight >> weight_shift is below 2^25.
  */
 int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit)
 {
@@ -64,7 +65,8 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
 
 /*
  * c: channels with `fraction` bits modulo 2^32, of which red and blue are given at the origin pixel besides their
- * steps. They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31.
+ * steps. They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31
+ * but for needles so thin that they hold no pixel's centre.
  */
 #define MIDDLE 16u /* level */
 

@@ -3,7 +3,8 @@
  * through the corners and the middles of the edges): two adds a pixel each, no root, no quotient.
  *
  * Where a highlight may fall, 1 - R.V is the second quadric and the power table follows a pixel. Gouraud's intensities
- * in perspective come the same way. Every loop gives the same pixels; which is taken is a matter of speed.
+ * in perspective come the same way. With and without shades each, every loop gives the same pixels; which is taken is a
+ * matter of speed.
  */
 #include "quadric_rows.h"
 

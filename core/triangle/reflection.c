@@ -49,7 +49,7 @@ void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t 
     kept[1] = (uint16_t)cosine_of(normal, d->light.view);
 }
 
-/* |a - b|^2, UQ2.30; of unit vectors it stays below 2^32. */
+/* |a - b|^2, UQ2.30; of unit vectors, each part rounded, it stays below 2^32: 4,294,929,004 at the most. */
 static uint32_t square_apart(const int16_t *a, const int16_t *b)
 {
     uint32_t x = (uint32_t)(a[0] - b[0]), y = (uint32_t)(a[1] - b[1]), z = (uint32_t)(a[2] - b[2]);

@@ -5,7 +5,8 @@
  * Which side a corner lies on is what its flags say, and a corner inside is never
  * moved: a neighbour that was not cut has the same corner. An edge is always cut
  * from its inner end, so two triangles that share it get the same point. The
- * sides cut at 510.5 px, so that the point lies inside the guard band of 511.
+ * sides cut at 510.5 px, so that the point lies inside the guard band of 511, where it is held if raw steps are
+ * coarser than half a px.
  *
  * Attributes are linear in space, so that a cut changes none of them. Under affine
  * they are linear on the screen: there a point counts by where it lies on the
@@ -69,8 +70,8 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
 {
     const struct projection *p = job->projection;
     int64_t da = inside(job, a, plane), db = inside(job, b, plane);
-    int32_t t =
-        da > 0 ? fraction_of(da, da - db) : 0; /* inside by its flags it may lie beyond the cut: then it is it */
+    /* inside or outside by its flags a point may lie on the other side of the cut: then it is the cut */
+    int32_t t = da > 0 ? fraction_of(da, db < 0 ? da - db : da) : 0;
     int32_t share = job->on_screen ? on_screen(t, a->point.m, b->point.m) : t;
 
     for (int k = 0; k < 3; k++)

@@ -60,7 +60,7 @@ struct projection {
     int16_t view_x, view_y;   /* 1/64 px: half the viewport's width and height, INNER_VIEW at the most */
     sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
     unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
-    uint32_t weight_offset;   /* which lies in (0, 2^32) for every z16 from near to far */
+    uint32_t weight_offset;   /* which lies in [0, 2^32) for every z16 from near to far, 0 beyond a ratio of 2^24 */
 };
 
 /*
