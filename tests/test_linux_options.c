@@ -74,7 +74,7 @@ static void wrong_files(void **state)
     free(options.file);
 }
 
-/* What nohup or a shell has had ignored stays ignored. */
+/* A hang-up that nohup has had ignored stays ignored. */
 static void signals(void **state)
 {
     (void)state;

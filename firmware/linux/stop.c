@@ -18,12 +18,12 @@ void stop_watch(void)
 {
     /* SA_RESETHAND: the second signal has its default effect, for a bus that hangs. No SA_RESTART: sleeps end. */
     struct sigaction action = {.sa_handler = ask, .sa_flags = SA_RESETHAND}, before;
-    static const int watched[] = {SIGINT, SIGTERM, SIGHUP};
 
     sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < sizeof watched / sizeof watched[0]; i++) /* what nohup or a shell's & ignores stays so */
-        if (sigaction(watched[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-            sigaction(watched[i], &action, NULL);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* nohup's stays ignored */
+        sigaction(SIGHUP, &action, NULL);
 }
 
 int stop_asked(void)
