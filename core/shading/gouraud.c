@@ -32,16 +32,6 @@ static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
     return difference * (most * most >> 16) >> 20 == 0;
 }
 
-/* An intensity's quadric, Q1.30 and half a step of UQ1.15. Range: lean <= 2^16, so its half times 2^15. */
-static void intensity_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
-                              const int32_t f[3])
-{
-    const int32_t k[3] = {asr32((lean[0] >> 1) * (f[0] - f[1]), 16), asr32((lean[1] >> 1) * (f[0] - f[2]), 16),
-                          asr32((lean[2] >> 1) * (f[1] - f[2]), 16)};
-
-    sheen_corner_quadric(q, steps, ((uint32_t)f[0] << 15) + (1u << 14), 2 * (f[1] - f[0]), 2 * (f[2] - f[0]), k);
-}
-
 /*
  * Returns 0 where the triangle is too small or a needle, or 1/m too uneven. difference: between corners, 1/1024 of
  * 1.0.
@@ -59,9 +49,9 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
         !sheen_quadric_steps(&steps, g))
         return 0;
     sheen_take_quadric_rows(s, g, (specular[0] | specular[1] | specular[2]) != 0 ? SECOND_SPECULAR : SECOND_NONE);
-    intensity_quadric(&q->diffuse, &steps, lean, diffuse);
+    sheen_space_quadric(&q->diffuse, &steps, lean, diffuse);
     if (s->detail != SECOND_NONE)
-        intensity_quadric(&q->second, &steps, lean, specular);
+        sheen_space_quadric(&q->second, &steps, lean, specular);
     return 1;
 }
 

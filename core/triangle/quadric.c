@@ -96,6 +96,15 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     q->dyy = (uint32_t)yy << (room + 1);
 }
 
+void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
+                         const int32_t f[3])
+{
+    const int32_t k[3] = {asr32((lean[0] >> 1) * (f[0] - f[1]), 16), asr32((lean[1] >> 1) * (f[0] - f[2]), 16),
+                          asr32((lean[2] >> 1) * (f[1] - f[2]), 16)};
+
+    sheen_corner_quadric(q, steps, ((uint32_t)f[0] << 15) + (1u << 14), 2 * (f[1] - f[0]), 2 * (f[2] - f[0]), k);
+}
+
 COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                              const int32_t k[3])
 {

@@ -46,7 +46,14 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
  */
 int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
 
-/* Likewise to all bits of k, for about twice the time: where nearly all of f is in it. */
+/*
+ * Of what is linear in space, f at the corners, UQ1.15: Q1.30 and half a step of UQ1.15. Range: |lean| <= 2^16, so its
+ * half times 2^15.
+ */
+void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
+                         const int32_t f[3]);
+
+/* As sheen_corner_quadric, to all bits of k, for about twice the time: where nearly all of f is in it. */
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3]);
 

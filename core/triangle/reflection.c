@@ -7,8 +7,8 @@
  *   of 1 - R.V:  2 (l1 - l2) (v1 - v2) - 2 (h + h^2) (l1 + l2) (v1 + v2) + 2 d (u1 - u2)
  * in 32 bits, its factors 15 to 18 bits.
  */
-#include "reflection.h"
 #include "../math/bend.h"
+#include "excess.h"
 #include "normal.h"
 
 SETUP_FITS(struct quadric_setup);
@@ -21,25 +21,24 @@ SETUP_FITS(struct quadric_setup);
 #define MOST_DIFFUSE 135828125u
 #define WIDEST_DIFFUSE 175
 #define MOST_LEVELS 125
-/* `apart` with one: 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2: what it is off by grows with both. */
-static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {55039867u, 26439087u}};
-#define REFLECTION_LEAN 32768 /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
-#define MAGNIFIED 12          /* gradients' bits: 16 bits of L.N and N.V at corners 64 px apart show in highlights */
-#define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
+
+COLD uint8_t sheen_widest_diffuse(const struct colour_terms *t)
+{
+    const uint32_t sum = ((uint32_t)t->b[0] + t->b[1] + t->b[2]) >> (t->fraction - 15),
+                   levels = sum < MOST_LEVELS ? sum : MOST_LEVELS;
+    uint32_t widest = WIDEST_DIFFUSE;
+
+    while ((widest * widest * widest >> 7) * levels * levels > MOST_DIFFUSE)
+        widest--;
+    return (uint8_t)widest;
+}
 
 COLD void sheen_reflection_begin(struct draw *d, const struct sheen_material *material,
                                  const struct pixel_format *format, const struct sheen_object *object,
                                  const struct sheen_pose *view)
 {
-    const struct colour_terms *t = &d->colour;
-    const uint32_t sum = ((uint32_t)t->b[0] + t->b[1] + t->b[2]) >> (t->fraction - 15),
-                   levels = sum < MOST_LEVELS ? sum : MOST_LEVELS;
-    uint32_t widest = WIDEST_DIFFUSE;
-
     sheen_loop_begin(d, material, format, object, view);
-    while ((widest * widest * widest >> 7) * levels * levels > MOST_DIFFUSE)
-        widest--;
-    d->widest = (uint8_t)widest;
+    d->widest = sheen_widest_diffuse(&d->colour);
 }
 
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
@@ -83,10 +82,12 @@ void sheen_face(struct facing *f, const struct surface_corners *c)
     }
 }
 
-/* How far apart normals may be where the draw has highlights: see too_sharp. */
-static uint32_t widest_with_highlight(const struct draw *d)
+void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back, const int32_t to[3])
 {
-    return widest_highlight[d->strong][d->power.shininess > 32];
+    for (int k = 0; k < 3; k++) {
+        const int32_t ln = cosine_of(normal[k], to);
+        f->ln[k] = back ? -ln : ln;
+    }
 }
 
 /*
@@ -128,96 +129,11 @@ int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
            (screen->flat_weight || 9 * (uint32_t)(most - least) <= weight);
 }
 
-static int32_t least3(const int32_t x[3])
-{
-    return min32(x[0], min32(x[1], x[2]));
-}
-
-static int32_t most3(const int32_t x[3])
-{
-    return max32(x[0], max32(x[1], x[2]));
-}
-
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean)
 {
     int32_t e = h + asr32(3 * h * h, 20);
 
     return asr32(e * (first + second) + lean * (first - second), 17);
-}
-
-/* Likewise of 1 - R.V, Q.15; u: at the corners, Q2.29. */
-static int32_t reflected_excess(const struct facing *f, const int32_t u[3], int i, int j, int32_t h, int32_t lean)
-{
-    int32_t e = h + asr32(h * h, 18);
-    int32_t difference = asr32((f->ln[i] - f->ln[j]) * (f->nv[i] - f->nv[j]), 14);
-    int32_t sum = asr32(asr32(f->ln[i] + f->ln[j], 1) * asr32(f->nv[i] + f->nv[j], 1), 15); /* a quarter of it */
-
-    return difference - asr32(sum * e, 15) + asr32(asr32(u[i] - u[j], 14) * lean, 18);
-}
-
-/* A triangle's quadrics before they are brought to pixels. */
-struct excesses {
-    int32_t h[3], lean[3];   /* Q0.18 */
-    int32_t light[3];        /* Q.16 */
-    int32_t u[3], second[3]; /* 1 - R.V at the corners, Q2.29; its excess, Q.15 */
-    int32_t most;            /* the largest of all corners' */
-};
-
-static void light_excesses(struct excesses *e, const struct facing *f)
-{
-    for (int k = 0; k < 3; k++)
-        e->h[k] = (int32_t)(f->h[k] >> 14);
-    e->light[0] = sheen_cosine_excess(f->ln[0], f->ln[1], e->h[0], e->lean[0]);
-    e->light[1] = sheen_cosine_excess(f->ln[0], f->ln[2], e->h[1], e->lean[1]);
-    e->light[2] = sheen_cosine_excess(f->ln[1], f->ln[2], e->h[2], e->lean[2]);
-}
-
-/*
- * 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4.
- * Dithered, one is left out as well that is faint throughout and beyond power.limit at two corners: over the triangle
- * it is about as little as what is left out everywhere.
- */
-static int has_highlight(struct excesses *e, const struct facing *f, const struct draw *d)
-{
-    const int32_t lv1 = d->light.lv1[0], limit = (int32_t)d->power.limit;
-
-    UNROLLED
-    for (int k = 0; k < 3; k++)
-        e->u[k] = lv1 - f->ln[k] * f->nv[k];
-    if (limit == 0)
-        return 0;
-    int32_t least = least3(e->u);
-    e->most = most3(e->u);
-    if (f->kept != NULL) {
-        const int32_t across = lv1 - (int16_t)f->kept[0] * (int16_t)f->kept[1];
-        least = min32(least, across);
-        e->most = max32(e->most, across);
-    }
-    const int32_t spread = e->most - least;
-    if (least - (int32_t)(f->apart + (f->apart >> 1) + (f->apart >> 4)) - asr32(spread, 3) >= limit)
-        return 0;
-    e->second[0] = reflected_excess(f, e->u, 0, 1, e->h[0], e->lean[0]);
-    e->second[1] = reflected_excess(f, e->u, 0, 2, e->h[1], e->lean[1]);
-    e->second[2] = reflected_excess(f, e->u, 1, 2, e->h[2], e->lean[2]);
-    least += (min32(e->second[0], 0) + min32(e->second[1], 0) + min32(e->second[2], 0)) * (1 << 12);
-    if (least >= limit)
-        return 0;
-    return least < d->power.faint << 16 || (e->u[0] < limit) + (e->u[1] < limit) + (e->u[2] < limit) > 1;
-}
-
-/* 1 where a highlight is too sharp for the angle, or its argument may wrap. */
-static int too_sharp(const struct excesses *e, const struct facing *f, const struct draw *d)
-{
-    return f->apart > widest_with_highlight(d) || e->most >= (int32_t)(MOST_ARGUMENT >> d->power.up);
-}
-
-static void second_quadric(struct quadric *q, const struct quadric_steps *steps, const struct excesses *e, unsigned up)
-{
-    const int32_t to = 1 << up;
-    const int32_t k[3] = {e->second[0] * to, e->second[1] * to, e->second[2] * to};
-
-    sheen_corner_quadric(q, steps, ((uint32_t)e->u[0] << up) + POWER_GUARD, asr32(e->u[1] - e->u[0], 14 - up),
-                         asr32(e->u[2] - e->u[0], 14 - up), k);
 }
 
 int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, const struct gradients *g,
@@ -236,14 +152,14 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
     if (f->apart > (uint32_t)s->draw->widest << 21 >> (s->draw->by_ramp >> 1) ||
         !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
         return 0;
+    angle_excesses(&e, f);
     light_excesses(&e, f);
-    int highlight = has_highlight(&e, f, s->draw);
+    int highlight = has_highlight(&e, f, s->draw, 0);
     if ((highlight && (g->bits > MAGNIFIED || too_sharp(&e, f, s->draw))) || !sheen_quadric_steps(&steps, g))
         return 0;
     s->way = SHEEN_WAY_PHONG_QUADRATIC;
     sheen_take_quadric_rows(s, g, highlight ? SECOND_POWER : SECOND_NONE);
-    sheen_corner_quadric(&q->diffuse, &steps, ((uint32_t)f->ln[0] << 15) + (1u << 14), (f->ln[1] - f->ln[0]) * 2,
-                         (f->ln[2] - f->ln[0]) * 2, e.light);
+    light_quadric(&q->diffuse, &steps, f, &e);
     if (highlight)
         second_quadric(&q->second, &steps, &e, s->draw->power.up);
     return 1;

@@ -19,6 +19,9 @@ struct facing {
 
 #define CLOSE_ARCS 105105331u /* of `apart`: 18 degrees */
 
+/* |Ni - Nj|^2, UQ.9, up to which diffuse light is a quadric, by the levels that it spans. */
+uint8_t sheen_widest_diffuse(const struct colour_terms *t);
+
 /* sheen_loop_begin, and how far normals may be apart, by the levels that diffuse light spans. */
 void sheen_reflection_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                             const struct sheen_object *object, const struct sheen_pose *view);
@@ -35,8 +38,9 @@ uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3]);
  */
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean);
 
-/* Of vertices that keep cosines, so not of pieces. */
+/* Of vertices that keep cosines, so not of pieces: the first light; ln of another, which is at `to`. */
 void sheen_face(struct facing *f, const struct surface_corners *c);
+void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back, const int32_t to[3]);
 
 /*
  * The highest warp of quads that sheen_setup_reflection may take, by their normals: no farther apart than `most` and
