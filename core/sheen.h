@@ -271,7 +271,8 @@ extern const struct sheen_shader sheen_flat_colored, sheen_gouraud_colored;
 
 /*
  * The same with light at the pixel, as phong's and slerp's: the vertices' colours, linear in space between (affine: on
- * the screen), multiply what is not the highlight there. No point lights.
+ * the screen), multiply what is not the highlight there. No point lights. By several lights, white ones too, they are
+ * quicker than phong and slerp, whose loops are for one.
  */
 extern const struct sheen_shader sheen_phong_colored, sheen_slerp_colored;
 

@@ -46,21 +46,25 @@ static const char *const variant_name[VARIANTS] = {"",     "lights", "ortho", "b
                                                    "half", "gamma",  "toon",  "colors", "tints",  "points"};
 
 /* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
-#define FORCED 9
+#define FORCED 12
 static const struct forced {
     enum ref_shading shading;
     enum sheen_way way, exact;
     const char *name;
+    bool colors; /* by the shader that has them */
 } forced[FORCED] = {
-    {REF_GOURAUD, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud linear"},
-    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUADRATIC, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quadratic"},
-    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUOTIENT, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quotient"},
-    {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic"},
-    {REF_PHONG, SHEEN_WAY_PHONG_CELLS, SHEEN_WAY_PHONG_ROOT, "phong cells"},
-    {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root"},
-    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP_NORMALS, "slerp quadratic"},
-    {REF_SLERP, SHEEN_WAY_SLERP, SHEEN_WAY_SLERP_NORMALS, "slerp arcs"},
-    {REF_SLERP, SHEEN_WAY_SLERP_NORMALS, SHEEN_WAY_SLERP_NORMALS, "slerp normals"},
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_LINEAR, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud linear", false},
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUADRATIC, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quadratic", false},
+    {REF_GOURAUD, SHEEN_WAY_GOURAUD_QUOTIENT, SHEEN_WAY_GOURAUD_QUOTIENT, "gouraud quotient", false},
+    {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_ROOT, "phong quadratic", false},
+    {REF_PHONG, SHEEN_WAY_PHONG_CELLS, SHEEN_WAY_PHONG_ROOT, "phong cells", false},
+    {REF_PHONG, SHEEN_WAY_PHONG_ROOT, SHEEN_WAY_PHONG_ROOT, "phong root", false},
+    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP_NORMALS, "slerp quadratic", false},
+    {REF_SLERP, SHEEN_WAY_SLERP, SHEEN_WAY_SLERP_NORMALS, "slerp arcs", false},
+    {REF_SLERP, SHEEN_WAY_SLERP_NORMALS, SHEEN_WAY_SLERP_NORMALS, "slerp normals", false},
+    {REF_PHONG, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_PHONG_LIGHTS, "phong colours", true},
+    {REF_PHONG, SHEEN_WAY_PHONG_LIGHTS, SHEEN_WAY_PHONG_LIGHTS, "phong colours, root", true},
+    {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP_NORMALS, "slerp colours", true},
 };
 
 /* Of one mesh and shading: what was chosen, and what was forced. */
@@ -72,9 +76,13 @@ static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
 static struct accuracy_line lowest[4];         /* by shading: the line that holds the lowest equal share, as chosen */
 static char lowest_mesh[4][24];
 
-/* Without perspective linear is exact and the only way; with several lights Phong and slerp have one way. */
+/* Without perspective linear is exact and the only way; without colours several lights leave Phong and slerp one. */
 static bool has_ways(const struct ref_scene *scene, const struct forced *f)
 {
+    if (scene->shading > REF_GOURAUD && f->colors != scene->colored)
+        return false;
+    if (f->colors)
+        return true;
     if (f->shading == REF_PHONG || f->shading == REF_SLERP)
         return scene->light_count == 1;
     return f->way == SHEEN_WAY_GOURAUD_LINEAR || !(scene->affine || scene->ortho);
@@ -88,7 +96,8 @@ static bool obeyed(const struct core_stats *stats, const struct forced *f, const
     for (int way = 0; way < SHEEN_WAYS; way++) {
         bool flat_weight =
             way == SHEEN_WAY_GOURAUD_LINEAR; /* a triangle at right angles to the view: linear is exact */
-        bool needle = f->shading == REF_PHONG && way == SHEEN_WAY_PHONG_LIGHTS; /* what N.N would be off for */
+        bool needle = (f->shading == REF_PHONG || f->colors) &&
+                      way == SHEEN_WAY_PHONG_LIGHTS; /* what N.N, or a quadric, would be off for */
         if (way != SHEEN_WAY_FLAT && way != (int)f->way && way != (int)f->exact && !flat_weight && !needle)
             right = right && stats->by_way[way] == 0;
     }
@@ -264,8 +273,7 @@ static int judge_line(struct mesh_lines *lines, const struct accuracy_mesh *mesh
         scene.affine = i / 3 % 2;
         scene.width = i / 6 ? 240 : 320;
         vary(&scene, variant, i);
-        failed += judge(&line, lines, &scene, mesh->mesh, view,
-                        variant <= ORTHO || (variant == COLORS && shading <= REF_GOURAUD));
+        failed += judge(&line, lines, &scene, mesh->mesh, view, variant <= ORTHO || variant == COLORS);
     }
     snprintf(what, sizeof what, "%d %s", view, variant_name[variant]);
     accuracy_line_print(&line, mesh->name, what, shading_name[shading]);
@@ -281,7 +289,7 @@ static void print_ways(const struct mesh_lines *lines, const struct accuracy_mes
     for (int i = 0; i < FORCED; i++) {
         const struct accuracy_line *line = &lines->by_force[i];
         char what[32];
-        if (forced[i].shading != shading)
+        if (forced[i].shading != shading || line->setups == 0)
             continue;
         snprintf(what, sizeof what, "%5.1f %%", 100 * accuracy_line_share(line, forced[i].way));
         accuracy_line_print(line, mesh->name, what, forced[i].name);

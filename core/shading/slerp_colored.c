@@ -74,6 +74,8 @@ static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, 
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* what these have as normals are shares */
     uint32_t h[3];
 
+    if (g != NULL && !piece && sheen_setup_tinted_quadrics(setup, c, g, CLOSE_ARCS))
+        return;
     sheen_setup_tinted(setup, c, g);
     if (g == NULL || setup->draw->light.count == 0 || (!piece && sheen_normals_apart(c->at.normal, h) <= CLOSE_ARCS))
         return;
@@ -86,7 +88,8 @@ static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, 
     setup->rows = tinted_slerp_rows;
 }
 
-const struct sheen_shader sheen_slerp_colored = {.begin = sheen_glow_begin,
+const struct sheen_shader sheen_slerp_colored = {.begin = sheen_tinted_quadrics_begin,
+                                                 .light = sheen_keep_cosines,
                                                  .carry = sheen_carry_shares,
                                                  .setup = slerp_colored_setup,
                                                  .needs_normals = 1,

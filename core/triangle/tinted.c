@@ -3,15 +3,37 @@
  */
 #include "tinted.h"
 
-static void begin_lights(struct tinted_lights *lights, const struct draw *d)
+#if !FAST_LOOPS
+void put_tinted(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
+                uint32_t z, struct channels c)
+{
+    put_tinted_here(t, d, rounding, at, x, z, c);
+}
+#endif
+
+/* Of a channel's step what a light of that weight, UQ1.15, and colour has. */
+static uint16_t step_of(uint32_t step, uint32_t weight, uint8_t colour)
+{
+    return (uint16_t)((step * by_colour(weight, colour) + HALF) >> 15);
+}
+
+void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light)
+{
+    const uint8_t *colour = d->tint.color[light];
+
+    for (int k = 0; k < 3; k++) {
+        beam->base[k] = step_of(d->colour.b[k], d->light.diffuse_weight[light], colour[k]);
+        beam->gloss[k] = step_of(d->colour.c[k], d->light.specular_weight[light], colour[k]);
+    }
+}
+
+void sheen_tinted_ambient(uint32_t ambient[3], const struct draw *d)
 {
     for (int k = 0; k < 3; k++) {
-        uint32_t all = 0; /* UQ2.30 */
-        for (unsigned i = 0; i < d->light.count; i++) {
-            lights->color[i][k] = (uint16_t)by_colour(32768, d->tint.color[i][k]);
-            all += (uint32_t)d->light.diffuse_weight[i] * lights->color[i][k];
-        }
-        lights->ambient[k] = d->colour.a[k] + mul_high(d->tint.low[k], all << 1) * 2;
+        uint32_t all = 0; /* UQ1.15: weights sum to 1.0 */
+        for (unsigned i = 0; i < d->light.count; i++)
+            all += by_colour(d->light.diffuse_weight[i], d->tint.color[i][k]);
+        ambient[k] = d->colour.a[k] + mul_high(d->tint.low[k], all << 16) * 2;
     }
 }
 
@@ -20,7 +42,9 @@ void sheen_tinted_begin(struct tinted_run *run, const struct setup *s, union sha
 {
     int32_t step[3];
 
-    begin_lights(&run->lights, s->draw);
+    sheen_tinted_ambient(run->ambient, s->draw);
+    for (unsigned i = 0; i < s->draw->light.count; i++)
+        sheen_tinted_beam(&run->beam[i], s->draw, i);
     sheen_shared_colors(s, of, run->color);
     run->planes = planes;
     shares_step(planes, step);

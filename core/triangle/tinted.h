@@ -5,20 +5,67 @@
 #define SHEEN_TINTED_H
 
 #include "glow.h"
+#include "normal.h"
 #include "shares.h"
 
-/* A draw's lights, with their colours. */
-struct tinted_lights {
-    uint32_t ambient[3]; /* of channels, with the draw's fraction: what is there without diffuse light */
-    uint16_t color[SHEEN_MAX_LIGHTS][3]; /* UQ1.15 */
+/* What one of a draw's lights adds to channels, with the draw's fraction, a step of UQ1.15. */
+struct tinted_beam {
+    uint16_t base[3], gloss[3];
 };
+
+void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light);
+/* What channels have without diffuse light. */
+void sheen_tinted_ambient(uint32_t ambient[3], const struct draw *d);
+
+/* Channels with the draw's fraction. */
+struct channels {
+    uint32_t r, g, b;
+};
+
+SPECIALISED void add_light(struct channels *c, const uint16_t beam[3], uint32_t light)
+{
+    c->r += beam[0] * light;
+    c->g += beam[1] * light;
+    c->b += beam[2] * light;
+}
+
+/* A channel times a vertex's colour, UQ1.15. Range: 2^16 * 2^15. */
+SPECIALISED uint32_t times_colour(uint32_t channel, uint32_t colour)
+{
+    return ((channel + HALF) >> 15) * colour;
+}
+
+/* Of any target, in fog too; builds for size have it once. */
+#if FAST_LOOPS
+SPECIALISED void put_tinted(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at,
+                            int32_t x, uint32_t z, struct channels c)
+#else
+#define put_tinted sheen_put_tinted
+void sheen_put_tinted(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
+                      uint32_t z, struct channels c);
+static inline void put_tinted_here(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at,
+                                   int32_t x, uint32_t z, struct channels c)
+#endif
+{
+    const uint32_t threshold = rounding.threshold[(uint32_t)x & 7u], by = threshold << rounding.shift;
+
+    if (d->fog != NULL) {
+        put_fogged_terms(t, d, at, z, c.r, c.g, c.b, threshold, t->format->grey);
+    } else if (FAST_LOOPS && d->is_565 && d->colour.fraction == LOOP_FRACTION) {
+        SHEEN_TEST_TAP(t, at, c.r, c.g, c.b, LOOP_FRACTION);
+        ((uint16_t *)t->pixels)[at] = pixel_order(clamped_565(c.r + by, c.g + by, c.b + by, 0), d->swap);
+    } else {
+        put_clamped(t, &d->colour, by, at, c.r, c.g, c.b, t->format->grey, d->colour.fraction, t->format->swap);
+    }
+}
 
 /*
  * Pixels along which normals, times any factor, and colours times weight are linear: at the first, and what the next
  * one has more, modulo 2^32.
  */
 struct tinted_run {
-    struct tinted_lights lights;
+    struct tinted_beam beam[SHEEN_MAX_LIGHTS];
+    uint32_t ambient[3];
     const struct shares *planes;
     int16_t color[3][3]; /* by corner */
     uint32_t z, dz;
@@ -27,7 +74,7 @@ struct tinted_run {
     uint32_t weight, dweight; /* UQ2.30 */
 };
 
-/* What does not change over a triangle: lights, corners' colours, steps of depth, weight and colours. */
+/* What does not change over a triangle: beams, corners' colours, steps of depth, weight and colours. */
 void sheen_tinted_begin(struct tinted_run *run, const struct setup *s, union shared_triangle of,
                         const struct shares *planes);
 /* From a pixel of the triangle on, but for normals; share: out, of its corners. */
@@ -39,5 +86,17 @@ void sheen_tinted_run(const struct tile *t, const struct draw *d, int32_t x, int
 /* Of a struct shares_setup, and how one becomes so: normals are linear in space. */
 void sheen_tinted_rows(const struct tile *t, const struct setup *s);
 void sheen_setup_tinted(struct setup *s, struct surface_corners *c, const struct gradients *g);
+
+/*
+ * tinted_quadrics.c: a `begin` for it, and where normals are no farther apart than `widest` (UQ2.30, |Ni - Nj|^2), by
+ * quadrics; 0 where it can't be, *s is as it was. Not for pieces: vertices keep cosines (sheen_keep_cosines), and
+ * c->at.normal are the mesh's.
+ */
+void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_material *material,
+                                 const struct pixel_format *format, const struct sheen_object *object,
+                                 const struct sheen_pose *view);
+int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                                uint32_t widest);
+void sheen_tinted_quadric_rows(const struct tile *t, const struct setup *s);
 
 #endif

@@ -137,6 +137,7 @@ static const struct rows_kind {
     {sheen_phong_rows, NULL, SHEEN_PLAN_ROOT_SETUP},
     {sheen_phong_lights_rows, lights_kind, 0},
     {sheen_tinted_rows, NULL, SHEEN_PLAN_TINTED_SETUP},
+    {sheen_tinted_quadric_rows, NULL, SHEEN_PLAN_TINTED_CURVED_SETUP},
     {sheen_slerp_rows, slerp_kind, 0},
 };
 

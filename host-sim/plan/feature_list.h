@@ -60,6 +60,7 @@ enum sheen_plan_stage {
     F(TEXELS_SHARED, TRIANGLES)       /* with colours */                                                               \
     F(TEXELS_LIGHT, TRIANGLES)        /* with light, linear, */                                                        \
     F(TEXELS_SKEWED_LIGHT, TRIANGLES) /* or in perspective */                                                          \
+    F(TINTED_QUADRIC, TRIANGLES)      /* made of lights and colours, times bands */                                    \
     F(LINE_LOOKED_AT, TRIANGLES)      /* lines, times bands */                                                         \
     F(LINE_BAND, TRIANGLES)           /* lines drawn, times bands */                                                   \
     F(EMPTY_ROW, ROWS)                /* without a pixel */                                                            \
@@ -91,6 +92,7 @@ enum sheen_plan_stage {
     F(SQUARE_ROW, PIXELS)        /* rows of cells by squares */                                                        \
     F(SQUARE_PART, PIXELS)       /* their squares that are cut or taken one by one */                                  \
     F(PIXEL_LIGHT, PIXELS)       /* px shaded by several lights, times these */                                        \
+    F(TINTED_STEP, PIXELS)       /* px covered by TINTED_CURVED, times their quadrics */                               \
     F(ARC_PART, PIXELS)          /* of slerp's rows, quadratic */                                                      \
     F(ARC_ALONE, PIXELS)         /* those of one place on the arc */                                                   \
     F(SKEWED_PART, PIXELS)       /* parts of slerp's rows in perspective, of both kinds */                             \
@@ -148,6 +150,7 @@ enum sheen_plan_stage {
     K(LIGHTS)        /* several */                                                                                     \
     K(NEEDLE)        /* one light and the way of several: what the others do not take */                               \
     K(TINTED)        /* normals and colours of the pixels: Phong, and slerp by NORMAL_PART too */                      \
+    K(TINTED_CURVED) /* the same by quadrics */                                                                        \
     K(SLERP)         /* great arcs; and what is not in count.c's table */                                              \
     K(SLERP_DITHERED)                                                                                                  \
     K(SLERP_GENERAL) /* greys, and what is clamped */                                                                  \

@@ -1,0 +1,310 @@
+/*
+ * tinted_quadrics.c - pixels that have a colour, lit by lights that may have colours, where a triangle's corner normals
+ * nearly agree: of each light L.N and 1 - R.V are quadratic, and so are the channels of vertices' colours; no root, no
+ * reciprocal a pixel.
+ *
+ * A set-up has no room for as many quadrics. It keeps what they are made from, and rows make them, once a band.
+ */
+#include "excess.h"
+#include "tinted.h"
+
+#define MOST_QUADRICS 6 /* of two lights one has a highlight then, over coloured vertices */
+
+/* Of struct gradients, what quadrics are made from. */
+struct kept_gradients {
+    int16_t b1[2], b2[2], centre[2], origin[2];
+    uint8_t exponent; /* LOWEST_SCALE..24 */
+    int8_t stretch;   /* -32..QUADRIC_STRETCH */
+};
+
+struct tinted_quadrics_setup {
+    struct setup s; /* detail: SHARES_BACK */
+    union shared_triangle of;
+    int32_t lean[3]; /* as in struct excesses */
+    uint16_t h[3];
+    int16_t ln[3], nv[3]; /* as in struct facing, of the first light */
+    struct kept_gradients g;
+    uint8_t lit, shines; /* a bit a light: some of the triangle is lit; and may have a highlight */
+};
+SETUP_FITS(struct tinted_quadrics_setup);
+
+static void keep_gradients(struct kept_gradients *kept, const struct gradients *g)
+{
+    for (int i = 0; i < 2; i++) {
+        kept->b1[i] = (int16_t)g->b1[i];
+        kept->b2[i] = (int16_t)g->b2[i];
+        kept->centre[i] = g->centre[i];
+        kept->origin[i] = (int16_t)g->origin[i];
+    }
+    kept->exponent = (uint8_t)g->exponent;
+    kept->stretch = (int8_t)g->stretch;
+}
+
+static void gradients_of(struct gradients *g, const struct kept_gradients *kept)
+{
+    for (int i = 0; i < 2; i++) {
+        g->b1[i] = kept->b1[i];
+        g->b2[i] = kept->b2[i];
+        g->centre[i] = kept->centre[i];
+        g->origin[i] = kept->origin[i];
+    }
+    g->exponent = kept->exponent;
+    g->stretch = kept->stretch;
+}
+
+static inline unsigned bits_of(unsigned lights)
+{
+    unsigned bits = 0;
+
+    for (; lights != 0; lights &= lights - 1)
+        bits++;
+    return bits;
+}
+
+/* ---- set-up ---- */
+
+COLD void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_material *material,
+                                      const struct pixel_format *format, const struct sheen_object *object,
+                                      const struct sheen_pose *view)
+{
+    sheen_glow_begin(d, material, format, object, view);
+    d->widest = sheen_widest_diffuse(&d->colour);
+}
+
+/* Which lights count; 0 where a highlight is too much for quadrics, or there are too many of them. */
+static int choose_lights(struct tinted_quadrics_setup *q, const struct surface_corners *c, const struct gradients *g,
+                         struct facing *f, struct excesses *e)
+{
+    const struct draw *d = q->s.draw;
+    unsigned lit = 0, shines = 0;
+
+    for (unsigned i = 0; i < d->light.count; i++) {
+        if (i > 0)
+            sheen_face_light(f, c->at.normal, c->back, d->light.to[i]);
+        const int dark = most3(f->ln) <= 0;
+        lit |= (unsigned)(!dark || d->by_ramp) << i;
+        if (dark || !has_highlight(e, f, d, i))
+            continue;
+        shines |= 1u << i;
+        if (g->bits > MAGNIFIED || too_sharp(e, f, d))
+            return 0;
+    }
+    q->lit = (uint8_t)lit;
+    q->shines = (uint8_t)shines;
+    return bits_of(lit) + bits_of(shines) + (d->mesh->colors != NULL ? 3 : 0) <= MOST_QUADRICS;
+}
+
+int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                                uint32_t widest)
+{
+    struct tinted_quadrics_setup *q = (struct tinted_quadrics_setup *)s;
+    const struct draw *d = s->draw;
+    struct facing f;
+    struct excesses e;
+
+    if (!way_wanted(d, SHEEN_WAY_PHONG_QUADRATIC) || !quadric_fits(g->exponent, g->stretch))
+        return 0;
+    sheen_face(&f, c);
+    if (f.apart > widest >> (d->by_ramp >> 1) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
+        return 0;
+    angle_excesses(&e, &f);
+    for (int k = 0; k < 3; k++) {
+        q->lean[k] = e.lean[k];
+        q->h[k] = (uint16_t)e.h[k];
+        q->ln[k] = (int16_t)f.ln[k];
+        q->nv[k] = (int16_t)f.nv[k];
+    }
+    if (!choose_lights(q, c, g, &f, &e))
+        return 0;
+    keep_gradients(&q->g, g);
+    q->of.own = c->at.triangle;
+    s->detail = (uint8_t)(c->back ? SHARES_BACK : 0);
+    s->way = SHEEN_WAY_PHONG_QUADRATIC;
+    s->rows = sheen_tinted_quadric_rows;
+    return 1;
+}
+
+/* ---- rows ---- */
+
+/* A pixel's value of a quadric, what the next one has more, and what that has more each time. */
+struct walk {
+    uint32_t at, step, bend;
+};
+
+/* A triangle's, in the order in which a pixel reads them: L.N of lit lights, colours, 1 - R.V of those that shine. */
+struct tinted_quadrics {
+    uint32_t ambient[3];
+    struct tinted_beam beam[SHEEN_MAX_LIGHTS]; /* of those that are lit; */
+    uint8_t shine[SHEEN_MAX_LIGHTS];           /* of them */
+    uint8_t lights, shines, colored, count;
+    uint32_t power_end; /* as in struct loop_terms */
+    struct quadric of[MOST_QUADRICS];
+};
+
+/* What lights there are, and so how many quadrics. */
+static void begin_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q)
+{
+    const struct draw *d = q->s.draw;
+
+    sheen_tinted_ambient(to->ambient, d);
+    to->lights = to->shines = 0;
+    for (unsigned i = 0; q->lit >> i != 0; i++) {
+        if ((q->shines >> i & 1) != 0)
+            to->shine[to->shines++] = to->lights;
+        if ((q->lit >> i & 1) != 0)
+            sheen_tinted_beam(&to->beam[to->lights++], d, i);
+    }
+    to->colored = d->mesh->colors != NULL;
+    to->count = (uint8_t)(to->lights + (to->colored ? 3 : 0) + to->shines);
+    SHEEN_TAP(TINTED_QUADRIC, to->count);
+    to->power_end = d->power.limit > 0 ? (d->power.limit << d->power.up) + POWER_GUARD : 0;
+}
+
+/* normal: as seen, in the order of the gradients' corners. */
+static void make_lights(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q,
+                        const struct quadric_steps *steps, const int16_t *const normal[3])
+{
+    const struct draw *d = q->s.draw;
+    struct quadric *light = to->of, *shine = light + to->count - to->shines;
+    struct facing f;
+    struct excesses e;
+
+    for (int k = 0; k < 3; k++) {
+        e.lean[k] = q->lean[k];
+        e.h[k] = q->h[k];
+        f.ln[k] = q->ln[k];
+        f.nv[k] = q->nv[k];
+    }
+    for (unsigned i = 0; q->lit >> i != 0; i++) {
+        if ((q->lit >> i & 1) == 0)
+            continue;
+        if (i > 0)
+            sheen_face_light(&f, normal, 0, d->light.to[i]);
+        light_excesses(&e, &f);
+        light_quadric(light++, steps, &f, &e);
+        if ((q->shines >> i & 1) == 0)
+            continue;
+        reflected_corners(&e, &f, d->light.lv1[i]);
+        reflected_excesses(&e, &f);
+        second_quadric(shine++, steps, &e, d->power.up);
+    }
+}
+
+static void make_colors(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q,
+                        const struct quadric_steps *steps, const unsigned order[3])
+{
+    int16_t color[3][3];
+
+    sheen_shared_colors(&q->s, q->of, color);
+    for (int k = 0; k < 3; k++) {
+        const int32_t f[3] = {color[order[0]][k], color[order[1]][k], color[order[2]][k]};
+        sheen_space_quadric(&to->of[to->lights + k], steps, q->lean, f);
+    }
+}
+
+/* At column 0 of row y; normal: of the mesh's order. */
+static APART void make_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q, int16_t normal[3][3],
+                                int32_t y)
+{
+    const int back = (q->s.detail & SHARES_BACK) != 0;
+    const unsigned order[3] = {0, back ? 1 : 2, back ? 2 : 1}; /* the mesh's corners as gradients have them */
+    struct gradients g;
+    struct quadric_steps steps;
+
+    gradients_of(&g, &q->g);
+    (void)sheen_quadric_steps(&steps, &g); /* they do, or else there were no such set-up */
+    make_lights(to, q, &steps, (const int16_t *const[3]){normal[order[0]], normal[order[1]], normal[order[2]]});
+    if (to->colored)
+        make_colors(to, q, &steps, order);
+    for (struct quadric *own = to->of, *end = own + to->count; own < end; own++) {
+        const struct quadric from = *own;
+        sheen_quadric_from(own, &from, -q->g.origin[0], y - q->g.origin[1]);
+    }
+}
+
+SPECIALISED uint32_t walk_on(struct walk *w)
+{
+    const uint32_t at = w->at, step = w->step;
+
+    w->at = at + step;
+    w->step = step + w->bend;
+    return at;
+}
+
+/* Q1.30 and half a step to UQ1.15: rounding may take it off 0. */
+SPECIALISED uint32_t walk_colour(struct walk *w)
+{
+    return not_negative(walk_on(w)) >> 15;
+}
+
+/* All of them go on to the next pixel. */
+SPECIALISED struct channels pixel_channels(const struct draw *d, const struct tinted_quadrics *q, struct walk *w)
+{
+    struct channels c = {q->ambient[0], q->ambient[1], q->ambient[2]};
+    uint32_t front[SHEEN_MAX_LIGHTS], *to = front;
+
+    for (const struct tinted_beam *beam = q->beam, *end = beam + q->lights; beam < end; beam++) {
+        const int32_t ln = asr32((int32_t)walk_on(w++), 15);
+        *to = (uint32_t)max32(ln, 0);
+        add_light(&c, beam->base, d->by_ramp ? response_at(d->light.ramp, ln) : *to);
+        to++;
+    }
+    if (q->colored) {
+        c.r = times_colour(c.r, walk_colour(w++));
+        c.g = times_colour(c.g, walk_colour(w++));
+        c.b = times_colour(c.b, walk_colour(w++));
+    }
+    for (const uint8_t *n = q->shine, *end = n + q->shines; n < end; n++) {
+        const uint32_t u = walk_on(w++);
+        SHEEN_TAP(HIGHLIGHT, u < q->power_end);
+        if (u < q->power_end)
+            add_light(&c, q->beam[*n].gloss, faded(power_entry(d->power.table, u), front[*n]));
+    }
+    return c;
+}
+
+static void quadric_pixels(const struct tile *t, const struct setup *s, const struct tinted_quadrics *q, int32_t x,
+                           int32_t x1, int32_t y)
+{
+    const struct draw *d = s->draw;
+    const struct rounding rounding = rounding_of(t, &d->colour, y);
+    struct walk walk[MOST_QUADRICS];
+    uint32_t at = tile_offset(t, x, y), z = plane_at(&s->depth, x, y);
+
+    SHEEN_TAP(TINTED_STEP, (x1 - x) * q->count);
+    for (unsigned i = 0; i < q->count; i++)
+        quadric_run(&q->of[i], x, &walk[i].at, &walk[i].step, &walk[i].bend);
+    for (; x < x1; x++, at++, z += s->depth.dx) {
+        if (nearer(t, t->depth + at, z)) {
+            put_tinted(t, d, rounding, at, x, z, pixel_channels(d, q, walk));
+            continue;
+        }
+        for (struct walk *w = walk, *end = w + q->count; w < end; w++)
+            (void)walk_on(w);
+    }
+}
+
+/* Apart from where they are made, so that the stack holds what either takes. */
+static APART void draw_quadrics(const struct tile *t, const struct setup *s, struct tinted_quadrics *q)
+{
+    for (unsigned row = 0; row < t->rows; row++) {
+        const int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
+        if (x < x1)
+            quadric_pixels(t, s, q, x, x1, y);
+        for (struct quadric *of = q->of, *end = of + q->count; of < end; of++)
+            quadric_down(of);
+    }
+}
+
+void sheen_tinted_quadric_rows(const struct tile *t, const struct setup *s)
+{
+    const struct tinted_quadrics_setup *own = (const struct tinted_quadrics_setup *)s;
+    struct tinted_quadrics q;
+    int16_t normal[3][3];
+
+    if (own->lit > 1) /* of others than the first light */
+        sheen_shared_normals(s, own->of, normal);
+    begin_quadrics(&q, own);
+    make_quadrics(&q, own, normal, t->first_row);
+    draw_quadrics(t, s, &q);
+}
