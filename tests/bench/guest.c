@@ -111,6 +111,15 @@ static void measure_triangles(const struct bench_scene *scene)
     }
 }
 
+/* By two lights that may have colours. */
+static void measure_lights(const struct bench_scene *scene)
+{
+    const struct frame frame = {scene, "phong_lights", SHEEN_PHONG, BENCH_LIGHTS};
+
+    if (measure(&frame, 16, PLAIN) < 0)
+        guest_leave(1);
+}
+
 /* And what as many free channels take without colours. */
 static void measure_colored(const struct bench_scene *scene)
 {
@@ -163,6 +172,7 @@ void guest_main(void)
             measure_colored(frame.scene);
     }
     measure_triangles(&bench_scenes[0]);
+    measure_lights(&bench_scenes[0]);
     measure_edges();
     guest_leave(0);
 }

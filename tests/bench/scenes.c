@@ -5,8 +5,10 @@
 
 #define MAX_EDGES 1000 /* of the teapot, and a bit a triangle */
 
-static const struct sheen_light light = {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)},
-                                         .intensity = 65536};
+static const struct sheen_light lights[2] = {
+    {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)}, .intensity = 65536},
+    {.to = {SHEEN_Q30(-0.9), SHEEN_Q30(0.1), SHEEN_Q30(0.3)}, .intensity = 32768}, /* from the side */
+};
 
 static int throw_away(void *ctx, struct sheen_rect rect, const void *pixels)
 {
@@ -86,16 +88,16 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
         bench->material.specular = SHEEN_Q16(0.1); /* up to .95, no pixel is clamped */
     } else if (bench->texture == BENCH_TRIANGLES) {
         bench->config.quads = NULL;
-    } else if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED)
+    } else if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED && bench->texture != BENCH_LIGHTS)
         show_texture(&bench->material, (enum bench_texture)bench->texture);
     return sheen_init(&bench->frame, arena, &size, &bench->config);
 }
 
 static const struct sheen_shader *shader_of(const struct bench *bench)
 {
-    if (bench->texture == BENCH_PLAIN || bench->texture >= BENCH_HIGHLIGHTED)
+    if (bench->texture == BENCH_PLAIN || bench->texture == BENCH_HIGHLIGHTED || bench->texture == BENCH_TRIANGLES)
         return sheen_shader_of(bench->shading);
-    if (bench->texture == BENCH_COLORED)
+    if (bench->texture == BENCH_COLORED || bench->texture == BENCH_LIGHTS)
         return sheen_colored_shader_of(bench->shading);
     if (bench->texture >= BENCH_TEXTURED_COLORED)
         return bench->texture == BENCH_MATCAP_COLORED ? &sheen_matcap_colored : &sheen_textured_colored;
@@ -109,18 +111,22 @@ static int run(struct bench *bench, int frame)
 {
     const struct sheen_fog fog = {bench->scene->near, bench->scene->far, {160, 170, 180}, &sheen_fog_mixer};
     const struct sheen_morph morph = {&bench->scene->mesh, &sheen_morpher, 16384};
+    const int two = bench->texture == BENCH_LIGHTS;
+    struct sheen_mesh mesh = bench->scene->mesh;
     struct sheen_view view = {
         .fov = SHEEN_DEGREES(60), .z_near = bench->scene->near, .z_far = bench->scene->far, .dither = bench->dither};
-    struct sheen_object draw = {.mesh = &bench->scene->mesh,
+    struct sheen_object draw = {.mesh = &mesh,
                                 .material = &bench->material,
-                                .lights = &light,
-                                .light_count = 1,
+                                .lights = lights,
+                                .light_count = two ? 2 : 1,
                                 .shader = shader_of(bench),
                                 .pose = bench->scene->pose[frame],
                                 .edges = bench->edges,
                                 .stipple = &sheen_stipple,
                                 .transparency = bench->transparency,
                                 .morph = bench->morphed ? &morph : NULL};
+    if (two)
+        mesh.colors = NULL;
     view.fog = bench->fogged ? &fog : NULL;
     int status = sheen_begin(bench->frame, &view);
 

@@ -52,7 +52,8 @@ enum bench_texture {
     BENCH_MATCAP_COLORED,   /* as BENCH_MATCAP */
     BENCH_COLORED,          /* no texture, but vertices' colours: flat or by Gouraud */
     BENCH_HIGHLIGHTED,      /* no texture, but a highlight everywhere: colours as free as vertices', by Gouraud */
-    BENCH_TRIANGLES         /* as BENCH_PLAIN, without quads */
+    BENCH_TRIANGLES,        /* as BENCH_PLAIN, without quads */
+    BENCH_LIGHTS            /* by two lights, where vertices have no colours */
 };
 
 /* A frame on its way: set up by bench_begin, then bench_first and bench_measured once each. */
