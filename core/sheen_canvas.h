@@ -44,6 +44,8 @@ struct sheen_image {
     uint16_t width;     /* px */
     uint16_t height;    /* px */
     int16_t x, y;       /* px on the target, of its top left pixel */
+    uint8_t keyed;      /* 1: pixels that are `key` are transparent */
+    uint16_t key;       /* as pixels has it: of a colour sheen_canvas_colour */
 };
 
 /* The part of the image inside the canvas. */

@@ -168,11 +168,40 @@ static void test_places(void **state)
     memory_target_free(&t);
 }
 
+/* Pixels of the key's value leave what is there; the others, and all where nothing is keyed, are put. */
+static void test_keyed_image(void **state)
+{
+    static const uint8_t levels[2 * 3] = {1, 2, 3, 3, 2, 1};
+    static const uint16_t key[] = {3, 3};
+
+    (void)state;
+    for (int wide = 0; wide < 2; wide++)
+        for (int keyed = 0; keyed < 2; keyed++) {
+            const void *pixels = wide ? (const void *)dots : (const void *)levels;
+            struct scene scene = {
+                .pixel = wide ? SHEEN_RGB565_LE : SHEEN_GREY256,
+                .text = {.line = ""},
+                .image = {.pixels = pixels, .width = 3, .height = 2, .x = -1, .y = 5, .key = key[wide]}};
+            struct sheen_view view = {.ctx = &scene, .overlay = draw_all, .background = {255, 255, 255}};
+            struct memory_target t;
+
+            scene.image.keyed = (uint8_t)keyed;
+            assert_int_equal(memory_target_init(&t, WIDTH, HEIGHT, scene.pixel), 0);
+            show(&t, &view, 6); /* a row of it in either band */
+            for (int y = 0; y < 2; y++)
+                for (int x = 0; x < 2; x++) {
+                    unsigned is = wide ? dots[3 * y + x + 1] : levels[3 * y + x + 1], white = wide ? 0xFFFF : 255;
+                    assert_int_equal(memory_target_pixel(&t, x, 5 + y), keyed && is == key[wide] ? white : is);
+                }
+            memory_target_free(&t);
+        }
+}
+
 int main(void)
 {
     static const struct CMUnitTest tests[] = {cmocka_unit_test(test_fill_is_background),
                                               cmocka_unit_test(test_any_band), cmocka_unit_test(test_glyphs),
-                                              cmocka_unit_test(test_places)};
+                                              cmocka_unit_test(test_places), cmocka_unit_test(test_keyed_image)};
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,9 +1,17 @@
 /*
- * image.c - images into a canvas, a copy a row.
+ * image.c - images into a canvas, a copy a row, or by pixels where one of their colours is transparent.
  */
 #include <string.h>
 
 #include "canvas.h"
+
+/* Pixels other than the key. */
+static void put_keyed(uint8_t *to, const uint8_t *from, size_t bytes, int32_t count, uint16_t key)
+{
+    for (; count > 0; count--, to += bytes, from += bytes)
+        if ((bytes == 1 ? *from : *(const uint16_t *)(const void *)from) != key)
+            memcpy(to, from, bytes);
+}
 
 void sheen_canvas_image(const struct sheen_canvas *canvas, enum sheen_pixel pixel, const struct sheen_image *image)
 {
@@ -13,10 +21,14 @@ void sheen_canvas_image(const struct sheen_canvas *canvas, enum sheen_pixel pixe
     struct sheen_rect r = canvas_clip(all, canvas->rect);
 
     for (int32_t y = r.y0; y < r.y1 && r.x0 < r.x1; y++) {
-        size_t to = (size_t)(y - canvas->rect.y0) * canvas->pitch + (size_t)(r.x0 - canvas->rect.x0);
-        size_t from = (size_t)(y - image->y) * pitch + (size_t)(r.x0 - image->x);
+        size_t at = (size_t)(y - canvas->rect.y0) * canvas->pitch + (size_t)(r.x0 - canvas->rect.x0);
+        size_t of = (size_t)(y - image->y) * pitch + (size_t)(r.x0 - image->x);
+        uint8_t *to = (uint8_t *)canvas->pixels + at * bytes;
+        const uint8_t *from = (const uint8_t *)image->pixels + of * bytes;
 
-        memcpy((uint8_t *)canvas->pixels + to * bytes, (const uint8_t *)image->pixels + from * bytes,
-               (size_t)(r.x1 - r.x0) * bytes);
+        if (image->keyed)
+            put_keyed(to, from, bytes, r.x1 - r.x0, image->key);
+        else
+            memcpy(to, from, (size_t)(r.x1 - r.x0) * bytes);
     }
 }
