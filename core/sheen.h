@@ -523,6 +523,23 @@ int sheen_draw(struct sheen_frame *frame, const struct sheen_object *object);
 /* Add a rectangle (px on the target) to what this frame clears, draws and sends; while the frame is open. */
 int sheen_mark(struct sheen_frame *frame, struct sheen_rect rect);
 
+/* Where a point comes to be on the target. */
+struct sheen_spot {
+    int32_t x, y;   /* 1/64 px on the target; held at 511 px from the viewport's middle */
+    uint16_t depth; /* as struct sheen_canvas has it; 0, and so x and y: before z_near or beyond z_far */
+    uint8_t inside; /* 1: between z_near and z_far and within the viewport, in pixel (x / 64, y / 64) */
+};
+
+/*
+ * For labels, cursors, and finding what a finger touches, from sheen_begin() on to the frame's end. point: units, in
+ * the model that `model` poses; NULL: in the world. It is where a vertex there is, within 1/64 px and a step of depth.
+ * What is drawn there hides it where the depth at that pixel is larger, which the rectangle with that pixel alone
+ * knows. SHEEN_ERR_STATE, or SHEEN_ERR_ARGUMENT where a pose is none or the point is more than 128 units away along an
+ * axis of the eye; *spot is untouched then.
+ */
+int sheen_locate(const struct sheen_frame *frame, const struct sheen_pose *model, const sheen_q24_t point[3],
+                 struct sheen_spot *spot);
+
 /* Draw and send every band that is not done yet: sheen_band by worker 0 until an error, then sheen_finish. */
 int sheen_end(struct sheen_frame *frame);
 
