@@ -3,11 +3,11 @@
  *
  *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
  *
- * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, rounded up to align_y, at most
- * height; buffers 1; used as vertices; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys. Further workers take
- * SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES), and max_edges
- * SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES, and smooth SHEEN_SMOOTH_BYTES in each.
- * The result is a multiple of 8.
+ * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, at most height, that rounded up
+ * to align_y; buffers 1; used as vertices, and at most these; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys.
+ * Further workers take SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES),
+ * of which 8 may be spare, and max_edges SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES, and smooth
+ * SHEEN_SMOOTH_BYTES in each. The result is a multiple of 8.
  */
 #ifndef SHEEN_ARENA_H
 #define SHEEN_ARENA_H

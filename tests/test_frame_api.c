@@ -145,12 +145,14 @@ static void arena_at_compile_time(void **state)
     for (int i = 0; i < 3000; i++) {
         int grey = i % 2, width = 8 + (int)(stage_random(&seed) % 600), height = 8 + (int)(stage_random(&seed) % 400);
         struct sheen_memory memory = {.pixels = &seed, .stride = 2000};
+        unsigned align = 1u << stage_random(&seed) % 5;
         struct sheen_target where;
         assert_int_equal(sheen_memory_target(&where, &memory, (uint16_t)width, (uint16_t)height,
                                              grey ? SHEEN_GREY256 : SHEEN_RGB565_BE),
                          SHEEN_OK);
+        where.align_y = (uint8_t)align;
         struct sheen_config c = {.target = &where,
-                                 .band_rows = (uint16_t)(1 + stage_random(&seed) % (unsigned)height),
+                                 .band_rows = (uint16_t)(1 + stage_random(&seed) % (unsigned)(height + 9)),
                                  .buffers = (uint8_t)(1 + stage_random(&seed) % 2),
                                  .workers = (uint8_t)(1 + stage_random(&seed) % 4),
                                  .max_vertices = (uint16_t)(1 + stage_random(&seed) % 65535),
@@ -159,12 +161,31 @@ static void arena_at_compile_time(void **state)
                                  .max_draws = (uint16_t)(1 + stage_random(&seed) % 100),
                                  .max_clipped = (uint16_t)(stage_random(&seed) % 3 * 77),
                                  .clipper = &sheen_clipper,
+                                 .max_shades = (uint8_t)(1 + stage_random(&seed) % 4),
+                                 .max_edges = (uint16_t)(stage_random(&seed) % 3 * 111),
+                                 .smooth = (uint8_t)(stage_random(&seed) % 2),
                                  .max_carried = (uint16_t)(1 + stage_random(&seed) % 254)};
+        const unsigned pixel = grey ? 1 : 2, high = c.band_rows < height ? c.band_rows : (unsigned)height,
+                       rows = (high + align - 1) / align * align;
         uint16_t used = c.max_used == 0 || c.max_used > c.max_vertices ? c.max_vertices : c.max_used;
-        size_t bytes = SHEEN_ARENA_BYTES(width, height, grey ? 1 : 2, c.band_rows, c.buffers, c.max_vertices, used,
-                                         c.max_triangles, c.max_draws, c.max_clipped, c.max_carried);
-        size_t worker = SHEEN_WORKER_BYTES(width, grey ? 1 : 2, c.band_rows, c.buffers, c.max_triangles, c.max_carried);
-        assert_int_equal(sheen_arena_size(&c), bytes + (c.workers - 1u) * worker);
+        size_t bytes = SHEEN_ARENA_BYTES(width, height, pixel, rows, c.buffers, c.max_vertices, used, c.max_triangles,
+                                         c.max_draws, c.max_clipped, c.max_carried);
+        size_t worker = SHEEN_WORKER_BYTES(width, pixel, rows, c.buffers, c.max_triangles, c.max_carried);
+        size_t spare = 0;
+        if (!grey) {
+            bytes += SHEEN_STORE(c.max_shades - 1u, SHEEN_BYTES_SHADES);
+            spare = c.max_shades > 1 ? 8 : 0;
+        }
+        if (c.max_edges > 0) {
+            bytes += SHEEN_EDGE_BYTES(width, pixel, rows, c.buffers, c.max_edges);
+            worker += SHEEN_EDGE_WORKER_BYTES(width, pixel, rows, c.buffers);
+        }
+        if (c.smooth) {
+            bytes += SHEEN_SMOOTH_BYTES(width, rows);
+            worker += SHEEN_SMOOTH_BYTES(width, rows);
+        }
+        bytes += (c.workers - 1u) * worker;
+        assert_in_range(sheen_arena_size(&c), bytes - spare, bytes);
     }
     assert_int_equal(memory_target_init(&target, 240, 240, SHEEN_RGB565_BE), 0);
     struct sheen_config c = {.target = &target.target, .max_vertices = 530, .max_triangles = 512};
