@@ -33,6 +33,10 @@
  * negative code that a push or a wait returns is the frame's error: nothing more of
  * it is sent, and whatever went wrong, the next frame sends everything.
  *
+ * What is sent. Of each band one rectangle, outwards to the target's alignment: around what triangles and edges touch,
+ * those of this frame and of the last one, and this frame's marks; no rectangle where there is none of these. It is
+ * places that are compared, not pixels: what stands still is drawn and sent again.
+ *
  * Threads. Two frames share nothing. Calls on one frame MUST NOT overlap, but for
  * those of sheen_band() and sheen_bands() by different workers where the configuration has a lock.
  *
@@ -247,7 +251,8 @@ struct sheen_light {
 
 /* p -> scale * rotation * p + translation. All zero, and sheen_pose_identity's: nothing moves. */
 struct sheen_pose {
-    sheen_q30_t rotation[9];    /* row by row; unit rows at right angles, within 1/1024; all 0: none */
+    sheen_q30_t rotation[9];    /* row by row; unit rows at right angles, within 1/1024; all 0: none. One that mirrors
+                                   makes front faces back ones: a mirrored twin needs its triangles turned around */
     sheen_q16_t scale;          /* > 0; 0: 1.0 */
     sheen_q24_t translation[3]; /* units */
 };
@@ -338,8 +343,9 @@ extern const struct sheen_morpher sheen_morpher;
 /*
  * Between two frames of a mesh that moves. With k = weight / 32768 a position is (1 - k) p0 + k p1 of the object's mesh
  * and this one, rounded to its grid; normals, of corners and polygons, are the two frames' own, mixed alike and of unit
- * length again (where they cancel, the first frame's). Indices, polygons and uvs are the object's mesh's. No polygon is
- * passed over by its warp, so that max_used has to be up to all vertices. Weight 0 gives the mesh's own bits.
+ * length again (where they cancel, the first frame's). Indices, polygons, uvs, colors and edges are the object's
+ * mesh's. No polygon is passed over by its warp, so that max_used has to be up to all vertices. Weight 0 gives the
+ * mesh's own bits.
  */
 struct sheen_morph {
     /*
@@ -414,7 +420,12 @@ struct sheen_fog {
 
 /* What the eye sees, a frame long. */
 struct sheen_view {
-    struct sheen_rect viewport;  /* px on the target, edges on its alignment; empty: all of it */
+    /*
+     * px on the target, edges on its alignment; empty: all of it. Nothing outside is drawn or sent, marks neither. For
+     * several views in a picture begin and end one after the other: each is sent whole then, or by a frame of its own,
+     * with sheen_wait() before the next, what it touches.
+     */
+    struct sheen_rect viewport;
     struct sheen_pose pose;      /* world to eye (sheen_pose_look_at, sheen_pose_orbit) */
     sheen_angle_t fov;           /* vertical, 1..150 degrees (0.99..150.01 are taken); 0: 40 */
     sheen_q24_t z_near, z_far;   /* units, 0 < z_near < z_far, z_far - z_near >= z_far / 2^15: m outside is not drawn;
