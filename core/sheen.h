@@ -368,7 +368,7 @@ struct sheen_object {
     uint8_t two_sided;                     /* 1: back faces are drawn too, with their normals negated */
     struct sheen_pose pose;                /* model to world */
     const struct sheen_stipple *stipple;   /* &sheen_stipple: MUST be there where transparency is not 0 */
-    uint8_t transparency;                  /* 1/64 of the pixels left out, 0..64 (64: nothing is drawn) */
+    uint8_t transparency;                  /* 1/64 of triangles' pixels left out, 0..64 (64: all); lines are whole */
     uint8_t phase;                         /* of the pattern, 0..7 */
     /*
      * Steps of 16-bit depth added to what is tested and left, -4096..4095, larger is nearer: what lies in another's
