@@ -5,6 +5,10 @@
 
 #include "sheen.h"
 
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC system_header /* fields by name */
+#endif
+
 static const int16_t cube_positions[72] = {
     -18918, -18918, 18918, 18918, -18918, 18918, 18918, 18918, 18918, -18918, 18918, 18918, 18918, -18918, -18918,
     -18918, -18918, -18918, -18918, 18918, -18918, 18918, 18918, -18918, 18918, -18918, 18918, 18918, -18918,

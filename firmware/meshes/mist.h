@@ -5,6 +5,10 @@
 
 #include "sheen.h"
 
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC system_header /* fields by name */
+#endif
+
 static const int16_t mist_0_positions[240] = {
     -4407, -5813, 12513, -3437, -5813, 14692, -3437, -3428, 14692, -4407, -3428, 12513, -1258, -5813, 13722, -2228,
     -5813, 11543, -2228, -3428, 11543, -1258, -3428, 13722, -3437, -5813, 14692, -1258, -5813, 13722, -1258, -3428,

@@ -5,6 +5,10 @@
 
 #include "sheen.h"
 
+#if defined(__cplusplus) && defined(__GNUC__)
+#pragma GCC system_header /* fields by name */
+#endif
+
 static const int16_t teapot_positions[1587] = {
     -2101, 8098, 13742, -2101, 8822, 13550, 3217, 8822, 12500, 3292, 8098, 12677, 7519, 8822, 9620, 7655, 8098,
     9757, 10399, 8822, 5318, 10575, 8098, 5394, 11449, 8822, 0, 11640, 8098, 0, -2101, 9064, 13772, 3304, 9064,
