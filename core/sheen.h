@@ -393,6 +393,7 @@ struct sheen_canvas {
     unsigned pitch;         /* entries from a row to the next */
     void *pixels;           /* uint16_t, or uint8_t on greys */
     uint16_t *depth;        /* as many entries as pixels */
+    enum sheen_pixel pixel; /* the target's */
 };
 
 struct sheen_fog_mixer;

@@ -3,11 +3,11 @@
  *
  * A callback gets a struct sheen_canvas for each rectangle that is sent; what is drawn here is clipped to it, so draw
  * everything each time. What changes from frame to frame has to be sent: sheen_mark() its rectangle, where it was and
- * where it is. Coordinates are pixels on the target. Nothing is dithered.
+ * where it is. Coordinates are pixels on the target. Nothing is dithered. pixel: the canvas's.
  *
  *     static void over(void *ctx, const struct sheen_canvas *canvas)
  *     {
- *         sheen_canvas_text(canvas, SHEEN_RGB565_BE, ctx);
+ *         sheen_canvas_text(canvas, canvas->pixel, ctx);
  *     }
  */
 #ifndef SHEEN_CANVAS_H

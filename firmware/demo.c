@@ -69,7 +69,7 @@ static void put_text(void *ctx, const struct sheen_canvas *canvas)
 {
     const struct demo *demo = ctx;
 
-    sheen_canvas_text(canvas, (enum sheen_pixel)demo->target->pixel, &demo->text);
+    sheen_canvas_text(canvas, canvas->pixel, &demo->text);
 }
 
 static void set_line(struct demo *demo, unsigned tenths)

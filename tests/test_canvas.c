@@ -27,7 +27,8 @@ static void draw_area(void *ctx, const struct sheen_canvas *canvas)
 {
     const struct scene *s = ctx;
 
-    sheen_canvas_fill(canvas, s->pixel, s->area, s->rgb);
+    assert_int_equal(canvas->pixel, s->pixel);
+    sheen_canvas_fill(canvas, canvas->pixel, s->area, s->rgb);
 }
 
 static void draw_all(void *ctx, const struct sheen_canvas *canvas)

@@ -68,7 +68,7 @@ static void fill(uint64_t *at, size_t count, uint16_t pixel)
 static APART void paint(const struct sheen_frame *f, const struct tile *t,
                         void (*painter)(void *ctx, const struct sheen_canvas *canvas))
 {
-    const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth};
+    const struct sheen_canvas canvas = {t->rect, t->pitch, t->pixels, t->depth, (enum sheen_pixel)f->target->pixel};
 
     painter(f->view.ctx, &canvas);
 }

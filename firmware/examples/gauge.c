@@ -18,7 +18,6 @@ static const struct sheen_material red = {.base = {220, 40, 30},
 static const struct sheen_light lamp = {.to = {-3, 5, 6}};
 
 struct figures {
-    enum sheen_pixel pixel;
     struct sheen_text text;
     char line[4];
 };
@@ -27,7 +26,7 @@ static void over(void *ctx, const struct sheen_canvas *canvas)
 {
     const struct figures *figures = ctx;
 
-    sheen_canvas_text(canvas, figures->pixel, &figures->text);
+    sheen_canvas_text(canvas, canvas->pixel, &figures->text);
 }
 
 /* A small cube at `distance` from the middle, in the direction of that many degrees, clockwise from the top. */
@@ -62,7 +61,7 @@ int example(const struct sheen_target *target, unsigned frames)
 {
     static uint64_t arena[64000 / 8];
     size_t size = sizeof arena;
-    struct figures figures = {.pixel = (enum sheen_pixel)target->pixel};
+    struct figures figures = {.line = {0}};
     struct sheen_view view = {.z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .background = {14, 16, 20}};
     struct sheen_config config = {.target = target,
                                   .max_vertices = (uint16_t)((MARKS + NEEDLE) * cube.vertices),

@@ -8,7 +8,6 @@
 #include "sheen_canvas.h"
 
 struct hud {
-    enum sheen_pixel pixel;
     struct sheen_gradient sky;
     struct sheen_text text;
     struct sheen_rect bar;
@@ -19,7 +18,7 @@ static void under(void *ctx, const struct sheen_canvas *canvas)
 {
     const struct hud *hud = ctx;
 
-    sheen_canvas_gradient(canvas, hud->pixel, &hud->sky);
+    sheen_canvas_gradient(canvas, canvas->pixel, &hud->sky);
 }
 
 static void over(void *ctx, const struct sheen_canvas *canvas)
@@ -27,8 +26,8 @@ static void over(void *ctx, const struct sheen_canvas *canvas)
     static const uint8_t green[3] = {80, 220, 120};
     const struct hud *hud = ctx;
 
-    sheen_canvas_text(canvas, hud->pixel, &hud->text);
-    sheen_canvas_fill(canvas, hud->pixel, hud->bar, green);
+    sheen_canvas_text(canvas, canvas->pixel, &hud->text);
+    sheen_canvas_fill(canvas, canvas->pixel, hud->bar, green);
 }
 
 /* "CHARGE 42%" */
@@ -60,7 +59,7 @@ int example(const struct sheen_target *target, unsigned frames)
     static uint64_t arena[40000 / 8];
     size_t size = sizeof arena;
     int16_t w = (int16_t)target->width, h = (int16_t)target->height;
-    struct hud hud = {.pixel = (enum sheen_pixel)target->pixel, .sky = {{0, 0, w, h}, {20, 40, 110}, {150, 100, 120}}};
+    struct hud hud = {.sky = {{0, 0, w, h}, {20, 40, 110}, {150, 100, 120}}};
     struct sheen_view view = {
         .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .ctx = &hud, .underlay = under, .overlay = over};
     struct sheen_config config = {.target = target, .max_vertices = cube.vertices, .max_triangles = cube.triangles};
