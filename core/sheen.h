@@ -479,7 +479,7 @@ struct sheen_config {
     uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
     uint8_t workers;                   /* 1..4 with buffers of their own, to call sheen_band at once [1] */
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
-    uint16_t max_used;                 /* of them, those of polygons that may face the eye [max_vertices] */
+    uint16_t max_used;                 /* of them, those of polygons that may face the eye [max_vertices, the most] */
     uint16_t max_triangles;            /* listed: in front, not clipped away; no default */
     uint16_t max_draws;                /* [4] */
     uint16_t max_clipped;              /* listed pieces of triangles that the clipper cuts [0] */

@@ -580,6 +580,65 @@ static void test_arena(void **state)
     }
 }
 
+/* A teapot through the near plane, another beside it, with their lines, in what a configuration has room for. */
+static int draw_cut(const struct sheen_config *config, enum sheen_subject *about, uint32_t *needed)
+{
+    static const struct sheen_material material = {.ambient = 65536};
+    const struct sheen_view view = {.z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(8)};
+    struct core_frame f;
+    int error;
+
+    assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
+    error = sheen_begin(f.frame, &view);
+    for (int i = 0; i < 2 && error == SHEEN_OK; i++) {
+        struct sheen_object object = {.mesh = &meshes[EDGE_TEAPOT].mesh,
+                                      .material = &material,
+                                      .shader = &sheen_flat,
+                                      .edges = &sheen_edges_wire,
+                                      .two_sided = 1};
+        sheen_pose_orbit(&object.pose, SHEEN_DEGREES(40), SHEEN_DEGREES(20), 0, SHEEN_Q24(1.4));
+        error = sheen_draw(f.frame, &object);
+    }
+    *about = sheen_frame_about(f.frame, needed);
+    core_frame_free(&f);
+    return error;
+}
+
+/* Capacities that are taken as they are told lead to a frame; the lines' ends that were cut are more than vertices. */
+static void test_capacities(void **state)
+{
+    const struct sheen_target target = {.push = no_push, .width = 160, .height = 120};
+    const uint16_t vertices = 2 * meshes[EDGE_TEAPOT].mesh.vertices;
+
+    (void)state;
+    for (int given = 0; given < 2; given++) {
+        struct sheen_config config = {.target = &target,
+                                      .max_vertices = vertices,
+                                      .max_used = given ? 1 : 0,
+                                      .max_triangles = 1,
+                                      .clipper = &sheen_clipper};
+        enum sheen_subject about;
+        uint32_t needed;
+        int error, asked = 0;
+
+        while ((error = draw_cut(&config, &about, &needed)) == SHEEN_ERR_CAPACITY) {
+            uint16_t *field = about == SHEEN_ABOUT_MAX_VERTICES    ? &config.max_vertices
+                              : about == SHEEN_ABOUT_MAX_USED      ? &config.max_used
+                              : about == SHEEN_ABOUT_MAX_TRIANGLES ? &config.max_triangles
+                              : about == SHEEN_ABOUT_MAX_CLIPPED   ? &config.max_clipped
+                                                                   : &config.max_edges;
+            assert_true(about == SHEEN_ABOUT_MAX_EDGES || field != &config.max_edges);
+            assert_true(needed > *field);
+            *field = (uint16_t)needed;
+            assert_true(++asked < 20);
+        }
+        assert_int_equal(error, SHEEN_OK);
+        assert_true(config.max_vertices > vertices);
+        print_message("%d vertices and %d ends of lines after %d askings\n", vertices, config.max_vertices - vertices,
+                      asked);
+    }
+}
+
 static int make_meshes(void **state)
 {
     (void)state;
@@ -605,7 +664,8 @@ int main(void)
                                        cmocka_unit_test(test_contours_alone_are_smoothed),
                                        cmocka_unit_test(test_lines_are_fogged),
                                        cmocka_unit_test(test_two_levels_are_not_smoothed),
-                                       cmocka_unit_test(test_arena)};
+                                       cmocka_unit_test(test_arena),
+                                       cmocka_unit_test(test_capacities)};
 
     return cmocka_run_group_tests(tests, make_meshes, free_meshes);
 }

@@ -86,7 +86,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
     memset(list.front, 0, noted * sizeof(struct line));
     sheen_list_edges(&list, d->edges->kind);
     if (list.used > list.max_used)
-        return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_USED, list.used);
+        return refuse_used(f, list.used);
     if (list.lines > list.max_lines)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, list.lines + noted);
     f->edges = d->edges;

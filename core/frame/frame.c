@@ -272,7 +272,7 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
             draw_triangle(f, d, t, place, i);
     }
     if (f->used_short > 0)
-        return room_for(f, f->config.max_used + f->used_short, f->config.max_used, SHEEN_ABOUT_MAX_USED);
+        return refuse_used(f, f->config.max_used + f->used_short);
     int error = room_for(f, f->pieces + f->pieces_short, f->config.max_clipped, SHEEN_ABOUT_MAX_CLIPPED);
     if (error == SHEEN_OK)
         error = room_for(f, f->entries + f->entries_short, f->config.max_triangles, SHEEN_ABOUT_MAX_TRIANGLES);

@@ -225,6 +225,13 @@ static inline int refuse(struct sheen_frame *f, int error, enum sheen_subject su
     return error;
 }
 
+/* So many places were needed. max_used is held at max_vertices, which ends of lines that are cut may exceed. */
+static inline int refuse_used(struct sheen_frame *f, uint32_t needed)
+{
+    return refuse(f, SHEEN_ERR_CAPACITY,
+                  needed > f->config.max_vertices ? SHEEN_ABOUT_MAX_VERTICES : SHEEN_ABOUT_MAX_USED, needed);
+}
+
 /*
  * edges.c: what a frame does for the edges of its draws, linked where a caller names them.
  *
