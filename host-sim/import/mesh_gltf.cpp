@@ -10,6 +10,7 @@
 #include <new>
 
 #include "gltf.h"
+#include "utf8.h"
 
 using namespace gltf;
 
@@ -228,7 +229,7 @@ void set_groups(making &to)
     out.group_count = to.materials.size();
     for (size_t g = 0; g < out.group_count; g++) {
         struct sheen_group &group = out.group[g];
-        snprintf(group.name, sizeof group.name, "%s", to.materials[g].name.c_str());
+        sheen_utf8_copy(group.name, sizeof group.name, to.materials[g].name.c_str());
         group.has_color = g + 1 < out.group_count;
         group.picture = to.materials[g].picture;
         for (size_t k = 0; k < 3 && group.has_color; k++)

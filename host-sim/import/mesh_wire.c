@@ -8,6 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "utf8.h"
+
 /* Of everything that is received; no mesh that can be drawn comes near it. */
 #define MAX_BYTES ((uint64_t)512 << 20)
 
@@ -128,7 +130,6 @@ static int is_reasonable(const struct header *h)
 /* Lines and no more of them than there may be, whatever was sent. */
 static void receive_notes(struct sheen_polygons *polygons, struct header *header)
 {
-    polygons->z_up = header->z_up != 0;
     for (uint32_t i = 0; i < header->notes.count && i < SHEEN_NOTES_MAX; i++) {
         struct sheen_note *note = &header->notes.note[i];
         note->line.text[sizeof note->line.text - 1] = '\0';
@@ -183,7 +184,11 @@ int sheen_mesh_receive(int pipe, int *error, struct sheen_polygons *polygons, st
     if (!receive_pictures(pipe, polygons, header.pictures))
         return 0;
     receive_notes(polygons, &header);
-    for (size_t g = 0; g < polygons->group_count; g++)
-        polygons->group[g].name[sizeof polygons->group[g].name - 1] = '\0';
+    polygons->z_up = header.z_up != 0;
+    for (size_t g = 0; g < polygons->group_count; g++) {
+        char *name = polygons->group[g].name;
+        name[sizeof polygons->group[g].name - 1] = '\0';
+        sheen_utf8_clean(name);
+    }
     return 1;
 }

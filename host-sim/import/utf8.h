@@ -6,6 +6,10 @@
 
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /*
  * Bytes of the character that text begins with, 1..4; 0 where it begins with none: at
  * its end, and at bytes that are not valid UTF-8.
@@ -20,5 +24,9 @@ void sheen_utf8_copy(char *to, size_t size, const char *from);
 
 /* Shortens clean text in place to at most `most` characters: "..." for the middle of its longest words. */
 void sheen_utf8_shorten(char *text, size_t most);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
