@@ -5,7 +5,6 @@
 #define SHEEN_MESH_DAE_H
 
 #include <expat.h>
-#include <stdio.h>
 
 #include "mesh_text.h"
 
@@ -61,14 +60,8 @@ static inline unsigned long line_of(const struct dae *dae)
 }
 
 /* The first fault ends the parsing. */
-#define REFUSE(dae, line, ...)                                                                                         \
-    do {                                                                                                               \
-        char what_[200];                                                                                               \
-        snprintf(what_, sizeof what_, __VA_ARGS__);                                                                    \
-        sheen_dae_refuse(dae, line, what_);                                                                            \
-    } while (0)
-
-void sheen_dae_refuse(struct dae *dae, unsigned long line, const char *what);
+__attribute__((format(printf, 3, 4))) void sheen_dae_refuse(struct dae *dae, unsigned long line, const char *format,
+                                                            ...);
 void sheen_dae_no_memory(struct dae *dae);
 
 /* Text of an element that holds numbers, as it comes; and what is to be done at that element's end. */

@@ -3,6 +3,7 @@
  */
 #include "mesh_dae_check.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -32,18 +33,23 @@ static const char *attribute(const char **attributes, const char *name)
     return "";
 }
 
-static long long number(const char **attributes, const char *name, long long otherwise)
+/* Of 32 bits, so that products of them are of 64. */
+static long long number(struct dae *dae, const char **attributes, const char *name, long long otherwise)
 {
     const char *text = attribute(attributes, name);
+    long long value = *text ? strtoll(text, NULL, 10) : otherwise;
 
-    return *text ? strtoll(text, NULL, 10) : otherwise;
+    if (value == (int32_t)value)
+        return value;
+    sheen_dae_refuse(dae, line_of(dae), "%s=\"%.60s\" is too large a number", name, text);
+    return otherwise;
 }
 
 static void copy_id(struct dae *dae, char to[NAME], const char *id)
 {
     id += *id == '#';
     if (snprintf(to, NAME, "%s", id) >= NAME)
-        REFUSE(dae, line_of(dae), "an id of more than %d bytes", NAME - 1);
+        sheen_dae_refuse(dae, line_of(dae), "an id of more than %d bytes", NAME - 1);
 }
 
 /* ---- elements that begin ---- */
@@ -63,7 +69,7 @@ static void begin_source(struct dae *dae, const char **attributes)
 static void begin_input(struct dae *dae, const char **attributes)
 {
     const char *semantic = attribute(attributes, "semantic");
-    long long offset = number(attributes, "offset", 0);
+    long long offset = number(dae, attributes, "offset", 0);
 
     if (!dae->primitive[0]) {
         if (dae->source && strcmp(semantic, "POSITION") == 0)
@@ -71,7 +77,7 @@ static void begin_input(struct dae *dae, const char **attributes)
         return;
     }
     if (offset < 0 || offset >= OFFSETS) {
-        REFUSE(dae, line_of(dae), "an input with offset %lld, not 0 to %d", offset, OFFSETS - 1);
+        sheen_dae_refuse(dae, line_of(dae), "an input with offset %lld, not 0 to %d", offset, OFFSETS - 1);
         return;
     }
     dae->stride = offset + 1 > dae->stride ? offset + 1 : dae->stride;
@@ -100,7 +106,7 @@ static void begin_primitive(struct dae *dae, const char *name, const char **attr
 {
     snprintf(dae->primitive, sizeof dae->primitive, "%s", name);
     memset(dae->use_at, 0, sizeof dae->use_at);
-    dae->count = number(attributes, "count", -1);
+    dae->count = number(dae, attributes, "count", -1);
     dae->lists = dae->corners = dae->stride = 0;
     dae->faces = -1;
 }
@@ -115,14 +121,14 @@ static void look_for_left_out(struct dae *dae, const char *name, const char **at
     else if (strcmp(name, "trifans") == 0)
         sheen_dae_refuse(dae, line, "trifans are not read; triangulate it");
     else if (strcmp(name, "spline") == 0 || strcmp(name, "brep") == 0)
-        REFUSE(dae, line, "a shape of sort %s is not read, only meshes are", name);
+        sheen_dae_refuse(dae, line, "a shape of sort %s is not read, only meshes are", name);
     else if (strcmp(name, "convex_mesh") == 0 && *attribute(attributes, "convex_hull_of"))
         sheen_dae_refuse(dae, line, "a convex_mesh that is the hull of another is not read");
     else if (strcmp(name, "skew") == 0 && dae->in_node)
         sheen_dae_refuse(dae, line, "a node that is skewed is not read");
     else if (strncmp(name, "instance_", 9) == 0 && dae->in_node &&
              strstr(attribute(attributes, "url"), "#") > attribute(attributes, "url"))
-        REFUSE(dae, line, "it wants a shape from another file, %.60s", attribute(attributes, "url"));
+        sheen_dae_refuse(dae, line, "it wants a shape from another file, %.60s", attribute(attributes, "url"));
 }
 
 static void keep_text(struct dae *dae)
@@ -150,12 +156,12 @@ static void XMLCALL begin(void *user, const char *name, const char **attributes)
     if (!dae->source)
         return;
     if (strcmp(name, "float_array") == 0) {
-        dae->source->promised = number(attributes, "count", 0);
+        dae->source->promised = number(dae, attributes, "count", 0);
         keep_text(dae);
     } else if (strcmp(name, "accessor") == 0) {
-        dae->source->accessor = number(attributes, "count", 0);
-        dae->source->stride = number(attributes, "stride", 1);
-        dae->source->offset = number(attributes, "offset", 0);
+        dae->source->accessor = number(dae, attributes, "count", 0);
+        dae->source->stride = number(dae, attributes, "stride", 1);
+        dae->source->offset = number(dae, attributes, "offset", 0);
     }
 }
 
@@ -165,9 +171,9 @@ static void end_primitive(struct dae *dae)
     long long came = dae->faces >= 0 ? dae->faces : is_list ? dae->count : dae->lists;
 
     if (dae->count >= 0 && came != dae->count)
-        REFUSE(dae, line_of(dae), "%lld %s, but there are %lld", dae->count, dae->primitive, came);
+        sheen_dae_refuse(dae, line_of(dae), "%lld %s, but there are %lld", dae->count, dae->primitive, came);
     else if (is_list && dae->count > 0 && dae->lists == 0)
-        REFUSE(dae, line_of(dae), "%lld %s without indices (p)", dae->count, dae->primitive);
+        sheen_dae_refuse(dae, line_of(dae), "%lld %s without indices (p)", dae->count, dae->primitive);
     else if (dae->count < 0 && strcmp(dae->primitive, "triangles") == 0)
         sheen_dae_refuse(dae, line_of(dae), "triangles without a count");
     dae->primitive[0] = '\0';
@@ -207,9 +213,10 @@ static void parse(struct dae *dae, const struct sheen_bytes *bytes)
         if (code == XML_ERROR_NO_MEMORY)
             dae->error = SHEEN_ERR_MEMORY;
         else
-            REFUSE(dae, line_of(dae), "its XML %s: %s",
-                   code == XML_ERROR_NO_ELEMENTS || code == XML_ERROR_UNCLOSED_TOKEN ? "is cut short" : "is broken",
-                   XML_ErrorString(code));
+            sheen_dae_refuse(dae, line_of(dae), "its XML %s: %s",
+                             code == XML_ERROR_NO_ELEMENTS || code == XML_ERROR_UNCLOSED_TOKEN ? "is cut short"
+                                                                                               : "is broken",
+                             XML_ErrorString(code));
     }
     if (!dae->error)
         sheen_dae_check_uses(dae);

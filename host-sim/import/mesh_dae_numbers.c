@@ -1,13 +1,21 @@
 /*
  * mesh_dae_numbers.c - the numbers of a COLLADA file's geometries against what it promises.
  */
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "mesh_dae.h"
 
-void sheen_dae_refuse(struct dae *dae, unsigned long line, const char *what)
+void sheen_dae_refuse(struct dae *dae, unsigned long line, const char *format, ...)
 {
+    char what[200];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(what, sizeof what, format, arguments);
+    va_end(arguments);
     if (!dae->error)
         dae->error = sheen_problem(dae->problem, SHEEN_ERR_ARGUMENT, "%s:%lu: %s", dae->path, line, what);
     XML_StopParser(dae->parser, XML_FALSE);
@@ -67,7 +75,7 @@ void sheen_dae_vcount(struct dae *dae)
 
     for (dae->faces = 0; sheen_text_any_word(&text, &word); dae->faces++) {
         if (!sheen_word_whole(&word, &corners) || corners < 0 || corners > INT32_MAX) {
-            REFUSE(dae, text.line, "'%.*s' is no count of corners", SHEEN_WORD(word));
+            sheen_dae_refuse(dae, text.line, "'%.*s' is no count of corners", SHEEN_WORD(word));
             return;
         }
         dae->corners += corners;
@@ -85,8 +93,8 @@ static long long read_indices(struct dae *dae)
     for (; sheen_text_any_word(&text, &word); words++) {
         size_t at = dae->stride ? dae->use_at[words % dae->stride] : 0;
         if (!sheen_word_whole(&word, &index) || (at && index < 0)) {
-            REFUSE(dae, text.line, "a face names %s '%.*s'",
-                   at ? ((struct use *)dae->uses.items)[at - 1].what : "an index", SHEEN_WORD(word));
+            sheen_dae_refuse(dae, text.line, "a face names %s '%.*s'",
+                             at ? ((struct use *)dae->uses.items)[at - 1].what : "an index", SHEEN_WORD(word));
             return -1;
         }
         struct use *use = at ? (struct use *)dae->uses.items + at - 1 : NULL;
@@ -108,10 +116,11 @@ void sheen_dae_indices(struct dae *dae)
     if (words < 0)
         return;
     if (is_list && dae->lists == 1 && words != corners * stride)
-        REFUSE(dae, dae->text_line, "%s of %lld corners have %lld indices, not %lld", dae->primitive, corners, words,
-               corners * stride);
+        sheen_dae_refuse(dae, dae->text_line, "%s of %lld corners have %lld indices, not %lld", dae->primitive, corners,
+                         words, corners * stride);
     else if (words % stride != 0)
-        REFUSE(dae, dae->text_line, "%lld indices are no whole number of corners of %lld each", words, stride);
+        sheen_dae_refuse(dae, dae->text_line, "%lld indices are no whole number of corners of %lld each", words,
+                         stride);
 }
 
 static int by_id(const void *a, const void *b)
@@ -136,17 +145,17 @@ static void check_use(struct dae *dae, const struct use *use)
     if (use->highest < 0)
         return; /* no faces */
     if (!source)
-        REFUSE(dae, use->line, "there is no source '%.60s'", use->source);
+        sheen_dae_refuse(dae, use->line, "there is no source '%.60s'", use->source);
     else if (source->numbers != source->promised)
-        REFUSE(dae, use->line, "source '%.60s' has %lld of %lld numbers", source->id, source->numbers,
-               source->promised);
+        sheen_dae_refuse(dae, use->line, "source '%.60s' has %lld of %lld numbers", source->id, source->numbers,
+                         source->promised);
     else if (source->accessor < 0 || source->stride < 1 || source->offset < 0 ||
              source->accessor > (source->numbers - source->offset) / source->stride)
-        REFUSE(dae, use->line, "source '%.60s' has %lld numbers, too few for %lld of %lld", source->id, source->numbers,
-               source->accessor, source->stride);
+        sheen_dae_refuse(dae, use->line, "source '%.60s' has %lld numbers, too few for %lld of %lld", source->id,
+                         source->numbers, source->accessor, source->stride);
     else if (use->highest >= source->accessor)
-        REFUSE(dae, use->line, "a face names %s %lld of %lld, which count from 0", use->what, use->highest,
-               source->accessor);
+        sheen_dae_refuse(dae, use->line, "a face names %s %lld of %lld, which count from 0", use->what, use->highest,
+                         source->accessor);
 }
 
 void sheen_dae_check_uses(struct dae *dae)
