@@ -126,3 +126,16 @@ int sheen_beside(char *out, size_t room, const char *path, const char *name, siz
         *c = *c == '\\' ? '/' : *c; /* written on Windows */
     return 0;
 }
+
+char *sheen_picture_beside(const char *path, const char *name, size_t length)
+{
+    char found[4096], beside[4096];
+
+    if (sheen_beside(found, sizeof found, path, name, length) != 0)
+        return strndup(name, length);
+    const char *bare = strrchr(found, '/');
+    if (access(found, F_OK) != 0 && bare &&
+        sheen_beside(beside, sizeof beside, path, bare + 1, strlen(bare + 1)) == 0 && access(beside, F_OK) == 0)
+        return strdup(beside);
+    return strdup(found);
+}

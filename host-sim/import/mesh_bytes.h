@@ -27,6 +27,12 @@ int sheen_bytes_to_utf8(struct sheen_bytes *bytes);
 /* A file that another names, beside it: "folder of path/name". -1 where that is too long for `out`. */
 int sheen_beside(char *out, size_t room, const char *path, const char *name, size_t length);
 
+/*
+ * The path of a picture that the file names: there, or under its bare name beside the file, as when it came from
+ * another machine. NULL without memory; to be freed.
+ */
+char *sheen_picture_beside(const char *path, const char *name, size_t length);
+
 #ifdef __cplusplus
 }
 #endif

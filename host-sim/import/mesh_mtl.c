@@ -3,7 +3,6 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "mesh_readers.h"
 #include "mesh_sink.h"
@@ -117,21 +116,6 @@ static void read_map_options(struct sheen_text *text, struct map *map)
     }
 }
 
-/* Where it is named to be, or under its bare name beside the .mtl, as when it came from another machine. */
-static char *find_picture(const char *path, const struct sheen_word *name)
-{
-    char found[4096], beside[4096];
-    const char *bare;
-
-    if (sheen_beside(found, sizeof found, path, name->at, name->length) != 0)
-        return strndup(name->at, name->length);
-    bare = strrchr(found, '/');
-    if (access(found, F_OK) != 0 && bare &&
-        sheen_beside(beside, sizeof beside, path, bare + 1, strlen(bare + 1)) == 0 && access(beside, F_OK) == 0)
-        return strdup(beside);
-    return strdup(found);
-}
-
 /* -s and -o: of u and of v, which counts upwards here and downwards in *polygons. */
 static void transform(struct sheen_polygons *polygons, size_t group, const struct map *map)
 {
@@ -157,7 +141,8 @@ static void read_map(struct sheen_text *text, struct sheen_polygons *polygons, s
     if (name.length >= 2 && name.at[0] == '"' && name.at[name.length - 1] == '"')
         name = (struct sheen_word){name.at + 1, name.length - 2};
     uint8_t wrap = map.clamps ? SHEEN_WRAP_CLAMP : SHEEN_WRAP_REPEAT;
-    struct sheen_picture picture = {.name = find_picture(text->path, &name), .wrap = {wrap, wrap}, .cutoff = .5};
+    struct sheen_picture picture = {
+        .name = sheen_picture_beside(text->path, name.at, name.length), .wrap = {wrap, wrap}, .cutoff = .5};
     group->picture = sheen_polygons_picture(polygons, &picture);
     transform(polygons, (size_t)(group - polygons->group), &map);
 }

@@ -359,9 +359,7 @@ static int pass(void *context, struct sheen_sink *sink)
 /* `comment TextureFile NAME`, which no standard has and every program writes. */
 static void add_picture(struct sheen_polygons *polygons, const char *path, const struct sheen_word *name)
 {
-    char beside[4096];
-    int is_long = sheen_beside(beside, sizeof beside, path, name->at, name->length);
-    struct sheen_picture picture = {.name = is_long ? strndup(name->at, name->length) : strdup(beside), .cutoff = .5};
+    struct sheen_picture picture = {.name = sheen_picture_beside(path, name->at, name->length), .cutoff = .5};
 
     polygons->group[0].picture = sheen_polygons_picture(polygons, &picture);
 }
