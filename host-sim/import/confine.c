@@ -74,12 +74,10 @@ static rlim_t memory_now(void)
 
 static int set_limits(unsigned seconds, unsigned long bytes)
 {
-    int failed = setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1}) || limit(RLIMIT_CORE, 0) ||
-                 limit(RLIMIT_FSIZE, 0) || limit(RLIMIT_NOFILE, 64);
-
     memory.most = memory_now() + bytes;
-    if (!SANITIZED && setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST}))
-        failed = 1;
+    int failed = setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1}) || limit(RLIMIT_CORE, 0) ||
+                 limit(RLIMIT_FSIZE, 0) || limit(RLIMIT_NOFILE, 64) ||
+                 (!SANITIZED && setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST}));
     return failed ? -errno : 0;
 }
 
