@@ -109,13 +109,8 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
         struct sheen_options with;
         return read_ramp(&with, options, problem);
     }
-    error = sheen_turntable_choose(choice, options, problem);
-    if (error)
-        return error;
-    if (options->band > choice->height)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
-                             choice->height);
-    return sheen_builtin_check(options->mesh, problem);
+    error = sheen_turntable_check(choice, options, problem);
+    return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
 /* One more word of the source, or with a value two; what is too much is cut. */

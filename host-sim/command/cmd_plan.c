@@ -12,17 +12,10 @@
 static int check(const struct sheen_options *options, int *board, struct sheen_sim_choice *choice,
                  struct sheen_problem *problem)
 {
-    const struct sheen_plan_board *found = options->board ? sheen_plan_board_find(options->board, problem) : NULL;
-    int error = options->board && !found ? SHEEN_ERR_ARGUMENT : sheen_turntable_choose(choice, options, problem);
+    *board = options->board ? sheen_plan_board_find(options->board, problem) : -1;
+    int error = options->board && *board < 0 ? *board : sheen_turntable_check(choice, options, problem);
 
-    if (error)
-        return error;
-    if (options->band > choice->height)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
-                             choice->height);
-    for (*board = found ? 0 : -1; found && sheen_plan_board_at((unsigned)*board) != found;)
-        ++*board;
-    return sheen_builtin_check(options->mesh, problem);
+    return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
 /* The board that was asked for has to do. */
@@ -44,7 +37,7 @@ enum sheen_exit sheen_cmd_plan(struct sheen_options *options)
 {
     struct sheen_sim_choice choice;
     struct sheen_problem problem;
-    int board = -1;
+    int board;
 
     if (check(options, &board, &choice, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);

@@ -25,13 +25,10 @@ static int is_gif(const char *path)
 /* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
-    int error = sheen_turntable_choose(choice, options, problem);
+    int error = sheen_turntable_check(choice, options, problem);
 
     if (error)
         return error;
-    if (options->band > choice->height)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
-                             choice->height);
     if (!options->out)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no output given (-o OUT.png)");
     const char *ending = sheen_ending(options->out);

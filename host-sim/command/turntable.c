@@ -25,6 +25,17 @@ int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_o
     return error ? sheen_problem(problem, error, "%s", why) : SHEEN_OK;
 }
 
+int sheen_turntable_check(struct sheen_sim_choice *choice, const struct sheen_options *options,
+                          struct sheen_problem *problem)
+{
+    int error = sheen_turntable_choose(choice, options, problem);
+
+    if (!error && options->band > choice->height)
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
+                             choice->height);
+    return error;
+}
+
 static void close_panel(struct sheen_turntable *table)
 {
     free(table->values);
@@ -129,8 +140,7 @@ static void warn_if_empty(struct sheen_turntable *table)
     fprintf(stderr, "sheen: warning: %s\n", line.text);
 }
 
-/* Of a capacity its name too: the frame already had all the room that it can be given. */
-static int draw_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem)
+int sheen_turntable_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem)
 {
     const char *mesh = table->options->mesh, *text = sheen_strerror(error);
 
@@ -147,7 +157,7 @@ int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen
     if (!error)
         error = sheen_wait(table->scene.frame);
     if (error)
-        return draw_problem(table, error, problem);
+        return sheen_turntable_problem(table, error, problem);
     warn_if_empty(table);
     return sheen_turntable_read(table, problem);
 }

@@ -23,6 +23,10 @@ struct sheen_turntable {
 int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_options *options,
                            struct sheen_problem *problem);
 
+/* And that --band is within its rows. Likewise. */
+int sheen_turntable_check(struct sheen_sim_choice *choice, const struct sheen_options *options,
+                          struct sheen_problem *problem);
+
 /*
  * Loads, allocates, initialises the panel. choice: as resolved from the options.
  * options is borrowed. 0, or a negative code and *problem; close in either case.
@@ -36,6 +40,9 @@ void sheen_turntable_close(struct sheen_turntable *table);
  * time that nothing is to be seen a warning on standard error says why.
  */
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem);
+
+/* What the core said of a frame; of a capacity its name too: the frame had all the room that it can be given. */
+int sheen_turntable_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem);
 
 /* The same meshes on another panel, which is just switched on. As open; on error only close may follow. */
 int sheen_turntable_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,

@@ -50,20 +50,19 @@ const struct sheen_plan_board *sheen_plan_board_at(unsigned index)
     return index < sizeof boards / sizeof boards[0] ? &boards[index] : NULL;
 }
 
-const struct sheen_plan_board *sheen_plan_board_find(const char *name, struct sheen_problem *problem)
+int sheen_plan_board_find(const char *name, struct sheen_problem *problem)
 {
     struct sheen_nearest nearest = {.word = name};
     const struct sheen_plan_board *board;
 
     for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
         if (strcasecmp(board->name, name) == 0)
-            return board;
+            return (int)i;
         sheen_nearest_try(&nearest, board->name, strlen(board->name));
         sheen_nearest_try(&nearest, board->title, strlen(board->title));
     }
     for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
         if (strcmp(board->title, nearest.name) == 0)
             nearest.name = board->name;
-    sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no board '%s'; the nearest is %s", name, nearest.name);
-    return NULL;
+    return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "no board '%s'; the nearest is %s", name, nearest.name);
 }

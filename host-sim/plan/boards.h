@@ -24,7 +24,7 @@ struct sheen_plan_board {
 /* The boards in order; NULL past the last. */
 const struct sheen_plan_board *sheen_plan_board_at(unsigned index);
 
-/* By name, without regard to capitals; NULL and *problem, which names the nearest, where there is none. */
-const struct sheen_plan_board *sheen_plan_board_find(const char *name, struct sheen_problem *problem);
+/* Its index, by name without regard to capitals; else negative, and *problem names the nearest. */
+int sheen_plan_board_find(const char *name, struct sheen_problem *problem);
 
 #endif

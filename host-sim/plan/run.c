@@ -52,7 +52,7 @@ int sheen_plan_open(struct sheen_plan_run *run, const struct sheen_options *opti
     run->target.push = watched_push;
     run->target.wait = watched_wait;
     error = sheen_scene_retarget(&run->table.scene, &run->target);
-    return error ? sheen_problem(problem, error, "%s: %s", options->mesh, sheen_strerror(error)) : SHEEN_OK;
+    return error ? sheen_turntable_problem(&run->table, error, problem) : SHEEN_OK;
 }
 
 void sheen_plan_close(struct sheen_plan_run *run)
@@ -104,7 +104,7 @@ int sheen_plan_draw(struct sheen_plan_run *run, int number, int whole, struct sh
     if (!error)
         error = sheen_wait(scene->frame);
     if (error)
-        return sheen_problem(problem, error, "%s: %s", run->table.options->mesh, sheen_strerror(error));
+        return sheen_turntable_problem(&run->table, error, problem);
     note_bus(run);
     count_rest(run);
     return SHEEN_OK;

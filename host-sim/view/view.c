@@ -13,11 +13,6 @@ static void note_sent(void *ctx, const struct sheen_canvas *canvas)
     viewer->sent = canvas->rect;
 }
 
-static int core_problem(const struct sheen_viewer *viewer, int error, struct sheen_problem *problem)
-{
-    return sheen_problem(problem, error, "%s: %s", viewer->options.mesh, sheen_strerror(error));
-}
-
 /* The kind of glass that the panel is sold with. */
 static enum sheen_theme own_theme(const struct sheen_sim_choice *choice)
 {
@@ -86,7 +81,7 @@ static int send_band(struct sheen_viewer *viewer, struct sheen_problem *problem)
         viewer->band = -1;
         error = sheen_finish(frame);
     }
-    return error ? core_problem(viewer, error, problem) : SHEEN_OK;
+    return error ? sheen_turntable_problem(&viewer->table, error, problem) : SHEEN_OK;
 }
 
 int sheen_viewer_finish(struct sheen_viewer *viewer, struct sheen_problem *problem)
@@ -128,7 +123,7 @@ int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem
         viewer->band = error ? -1 : 0;
     }
     if (error)
-        return core_problem(viewer, error, problem);
+        return sheen_turntable_problem(&viewer->table, error, problem);
     error = send_band(viewer, problem);
     return error ? error : sheen_turntable_read(&viewer->table, problem);
 }

@@ -145,12 +145,9 @@ static void close_viewer(void)
 static int open_viewer(const struct sheen_options *options)
 {
     struct sheen_sim_choice choice;
-    int error = sheen_turntable_choose(&choice, options, &problem);
+    int error = sheen_turntable_check(&choice, options, &problem);
 
     close_viewer();
-    if (!error && options->band > choice.height)
-        error = sheen_problem(&problem, SHEEN_ERR_ARGUMENT, "--band '%d': out of range 1..%u", options->band,
-                              choice.height);
     if (error)
         return error;
     is_open = 1;
@@ -389,7 +386,7 @@ static int plan(const struct sheen_options *options, int board)
     struct sheen_plan *planned = malloc(sizeof *planned);
     struct sheen_sim_choice choice;
     FILE *stream = planned ? open_memstream(&text, &text_size) : NULL;
-    int error = stream ? sheen_turntable_choose(&choice, options, &problem)
+    int error = stream ? sheen_turntable_check(&choice, options, &problem)
                        : sheen_problem(&problem, SHEEN_ERR_MEMORY, "%s: not enough memory", options->mesh);
 
     if (!error)
