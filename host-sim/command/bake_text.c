@@ -3,15 +3,11 @@
  */
 #include "bake_text.h"
 
-#include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "utf8.h"
-
-#define MESH "mesh_" /* before a file's name that is none of C's */
 
 enum {
     COLUMNS = 116,
@@ -34,18 +30,25 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int e
     return bytes + (edges ? mesh->triangles * sizeof *mesh->edges : 0);
 }
 
-/* One number of an array; *column is where the line has got to. */
-static void put(FILE *stream, int64_t number, size_t *column)
+/* A word of an array; *column is where the line has got to. */
+static void put_word(FILE *stream, const char *word, size_t *column)
 {
-    char text[24];
-    size_t length = (size_t)snprintf(text, sizeof text, "%" PRId64 ",", number);
+    size_t length = strlen(word);
 
     if (*column == 0 || *column + 1 + length > COLUMNS) {
         fputs("\n   ", stream);
         *column = 3;
     }
-    fprintf(stream, " %s", text);
+    fprintf(stream, " %s", word);
     *column += 1 + length;
+}
+
+static void put(FILE *stream, int64_t number, size_t *column)
+{
+    char text[24];
+
+    snprintf(text, sizeof text, "%" PRId64 ",", number);
+    put_word(stream, text, column);
 }
 
 static void put_signed(FILE *stream, const char *name, const char *what, const int16_t *numbers, size_t count)
@@ -78,14 +81,9 @@ static void put_edges(FILE *stream, const char *name, const struct sheen_mesh *m
     for (size_t t = 0; t < mesh->triangles; t++) {
         const struct sheen_triangle_edges *e = &mesh->edges[t];
         char text[48];
-        size_t length = (size_t)snprintf(text, sizeof text, "{{%u, %u, %u}, %u, %u},", e->across[0], e->across[1],
-                                         e->across[2], e->sharp, e->inner);
-        if (column == 0 || column + 1 + length > COLUMNS) {
-            fputs("\n   ", stream);
-            column = 3;
-        }
-        fprintf(stream, " %s", text);
-        column += 1 + length;
+        snprintf(text, sizeof text, "{{%u, %u, %u}, %u, %u},", e->across[0], e->across[1], e->across[2], e->sharp,
+                 e->inner);
+        put_word(stream, text, &column);
     }
     fputs("\n};\n", stream);
 }
@@ -382,95 +380,4 @@ int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char
         put(body.stream, ramp->value[i], &column);
     fprintf(body.stream, "\n    },\n    .steep = %u,\n};\n\n", ramp->steep);
     return close_body(&body, stream, name, source);
-}
-
-/* Keywords of C and C++, main, and macros of compilers and of what sheen.h includes. */
-static int is_word_taken(const char *name)
-{
-    static const char taken[] =
-        " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t"
-        " char8_t class co_await co_return co_yield compl concept const const_cast consteval constexpr"
-        " constinit continue decltype default delete do double dynamic_cast else enum explicit export extern"
-        " false float for friend goto if inline int long main mutable namespace new noexcept not not_eq"
-        " nullptr operator or or_eq private protected public register reinterpret_cast requires restrict"
-        " return short signed sizeof static static_assert static_cast struct switch template this"
-        " thread_local throw true try typedef typeid typename typeof union unsigned using virtual void"
-        " volatile wchar_t while xor xor_eq CHAR_BIT NULL i386 linux unix ";
-    char word[48];
-
-    return snprintf(word, sizeof word, " %s ", name) < (int)sizeof word && strstr(taken, word) != NULL;
-}
-
-static int ends_with(const char *name, const char *end)
-{
-    return strlen(name) >= strlen(end) && strcmp(name + strlen(name) - strlen(end), end) == 0;
-}
-
-/* Reserved by C beyond single words: for compilers, for types and for the limits of types. */
-static int is_reserved(const char *name)
-{
-    return (name[0] == '_' && (name[1] == '_' || isupper((unsigned char)name[1]))) || ends_with(name, "_t") ||
-           ends_with(name, "_MAX") || ends_with(name, "_MIN");
-}
-
-static int is_sheens(const char *name)
-{
-    return strcmp(name, "sheen") == 0 || strncmp(name, "sheen_", 6) == 0 || strncmp(name, "SHEEN_", 6) == 0;
-}
-
-static int is_taken(const char *name)
-{
-    return is_word_taken(name) || is_reserved(name) || is_sheens(name);
-}
-
-int sheen_bake_is_name(const char *name)
-{
-    size_t length = strspn(name, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
-
-    return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name) && !is_taken(name);
-}
-
-static const char *base_of(const char *path)
-{
-    return strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
-}
-
-/* Before a name of at most size - 1 bytes, which is cut where both are too long. */
-static void put_before(char *name, size_t size, const char *prefix)
-{
-    size_t length = strlen(prefix), most = size - 1 - length, kept = strlen(name) < most ? strlen(name) : most;
-
-    memmove(name + length, name, kept);
-    memcpy(name, prefix, length);
-    name[length + kept] = '\0';
-}
-
-void sheen_bake_name(char *name, size_t size, const char *path)
-{
-    const char *base = base_of(path);
-    const char *prefix = strncmp(base, "builtin:", 8) == 0 ? base + 8 : base;
-    size_t length = strcspn(prefix, ".");
-
-    snprintf(name, size, "%s%.*s", length == 0 || isdigit((unsigned char)*prefix) ? MESH : "", (int)length, prefix);
-    sheen_utf8_clean(name);
-    char *to = name;
-    for (const char *c = name; *c; c += sheen_utf8_bytes(c)) /* a '_' for each character that C's names have not */
-        *to++ = isalnum((unsigned char)*c) ? *c : '_';
-    *to = '\0';
-    if (is_taken(name) && strncmp(name, MESH, strlen(MESH)) != 0)
-        put_before(name, size, MESH);
-}
-
-int sheen_bake_is_own_header(const char *path)
-{
-    static const char *const own[] = {"sheen.h",         "sheen_arena.h",       "sheen_bus.h",    "sheen_canvas.h",
-                                      "sheen_failure.h", "sheen_first_light.h", "sheen_i2c.h",    "sheen_linux_bus.h",
-                                      "sheen_panel.h",   "sheen_pins.h",        "sheen_sender.h", "sheen_target.h",
-                                      "sheen_version.h"};
-
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
-        if (strcasecmp(base_of(path), own[i]) == 0) /* there are file systems that do not tell them apart */
-            return 1;
-    }
-    return 0;
 }

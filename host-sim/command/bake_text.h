@@ -41,19 +41,4 @@ int sheen_bake_texture_text(FILE *stream, const struct sheen_texels *texels, con
 /* Likewise of a ramp. */
 int sheen_bake_ramp_text(FILE *stream, const struct sheen_ramp *ramp, const char *name, const char *source);
 
-/*
- * 1 where a mesh may be called that: an identifier of C and C++ of at most 39 letters that neither they nor sheen.h
- * take or reserve.
- */
-int sheen_bake_is_name(const char *name);
-
-/*
- * The identifier that a file's name gives: its base without ending, others than letters and digits as _, "mesh_"
- * before what would be none or is taken.
- */
-void sheen_bake_name(char *name, size_t size, const char *path);
-
-/* 1 where a file is called as one of sheen's own headers, which it would be included in place of. */
-int sheen_bake_is_own_header(const char *path);
-
 #endif

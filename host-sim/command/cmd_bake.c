@@ -11,9 +11,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bake_name.h"
 #include "bake_text.h"
 #include "builtin.h"
 #include "commands.h"
+#include "frame_name.h"
 #include "matcaps.h"
 #include "out_file.h"
 #include "progress.h"
@@ -43,26 +45,19 @@ struct baking {
 #define MATCAP "matcap:"
 #define RAMP "ramp:"
 
-static int is_shine(const struct sheen_options *options)
+/* What follows SHINE, MATCAP or RAMP in place of a mesh; NULL: it is not that. */
+static const char *behind(const char *kind, const struct sheen_options *options)
 {
-    return strncmp(options->mesh, SHINE, strlen(SHINE)) == 0;
-}
+    size_t length = strlen(kind);
 
-static int is_matcap(const struct sheen_options *options)
-{
-    return strncmp(options->mesh, MATCAP, strlen(MATCAP)) == 0;
-}
-
-static int is_ramp(const struct sheen_options *options)
-{
-    return strncmp(options->mesh, RAMP, strlen(RAMP)) == 0;
+    return strncmp(options->mesh, kind, length) == 0 ? options->mesh + length : NULL;
 }
 
 /* *with: the options, with the ramp that stands in place of a mesh. 0, or SHEEN_ERR_ARGUMENT and *problem. */
 static int read_ramp(struct sheen_options *with, const struct sheen_options *options, struct sheen_problem *problem)
 {
     *with = *options;
-    if (sheen_ramp_read(&with->ramp, options->mesh + strlen(RAMP)) == 0 && with->ramp.kind == SHEEN_RAMP_GAMMA)
+    if (sheen_ramp_read(&with->ramp, behind(RAMP, options)) == 0 && with->ramp.kind == SHEEN_RAMP_GAMMA)
         return sheen_ramp_check(with, problem);
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
                          "%s: gamma or gamma:G, G in %g..%g; sheen_ramp_half and sheen_ramp_toon are in the core",
@@ -70,14 +65,14 @@ static int read_ramp(struct sheen_options *with, const struct sheen_options *opt
 }
 
 /* The n of shine:N, or 0 and *problem. */
-static unsigned shininess_of(const char *name, struct sheen_problem *problem)
+static unsigned shininess_of(const struct sheen_options *options, struct sheen_problem *problem)
 {
-    const char *digits = name + strlen(SHINE);
+    const char *digits = behind(SHINE, options);
     size_t length = strspn(digits, "0123456789");
     long n = length > 0 && length < 4 && digits[length] == '\0' ? strtol(digits, NULL, 10) : 0;
 
     if (n < 1 || n > 128) {
-        sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: a shininess is a whole number, 1 to 128", name);
+        sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: a shininess is a whole number, 1 to 128", options->mesh);
         return 0;
     }
     return (unsigned)n;
@@ -98,14 +93,14 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     int error = sheen_textures_out_check(options, problem);
     if (error)
         return error;
-    if (is_shine(options))
-        return shininess_of(options->mesh, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
-    if (is_matcap(options) && !options->mesh[strlen(MATCAP)])
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s no name; " SHEEN_MATCAP_NAMES " or a picture",
-                             options->mesh);
-    if (is_matcap(options))
-        return SHEEN_OK;
-    if (is_ramp(options)) {
+    if (behind(SHINE, options))
+        return shininess_of(options, problem) ? SHEEN_OK : SHEEN_ERR_ARGUMENT;
+    const char *matcap = behind(MATCAP, options);
+    if (matcap)
+        return *matcap ? SHEEN_OK
+                       : sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s no name; " SHEEN_MATCAP_NAMES " or a picture",
+                                       options->mesh);
+    if (behind(RAMP, options)) {
         struct sheen_options with;
         return read_ramp(&with, options, problem);
     }
@@ -124,20 +119,13 @@ __attribute__((format(printf, 2, 3))) static void add_source(struct baking *baki
     va_end(arguments);
 }
 
-static const char *without_folder(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-
-    return slash ? slash + 1 : path;
-}
-
 static void add_texture_source(struct baking *baking)
 {
     static const char *const wraps[] = {"file", "repeat", "clamp"};
     const struct sheen_options *options = baking->options;
 
     if (strcmp(options->texture, "file") != 0)
-        add_source(baking, " --texture %s", without_folder(options->texture));
+        add_source(baking, " --texture %s", sheen_file_of(options->texture));
     if (options->bilinear)
         add_source(baking, " --filter bilinear");
     if (options->wrap)
@@ -155,7 +143,7 @@ static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
 
-    add_source(baking, "sheen bake %s", without_folder(options->mesh));
+    add_source(baking, "sheen bake %s", sheen_file_of(options->mesh));
     if (options->average)
         add_source(baking, " --normals average");
     if (options->equal)
@@ -167,7 +155,7 @@ static void set_source(struct baking *baking)
     if (options->reduce)
         add_source(baking, " --reduce %d", options->reduce);
     if (options->morph)
-        add_source(baking, " --morph %s", without_folder(options->morph));
+        add_source(baking, " --morph %s", sheen_file_of(options->morph));
     if (options->morph_target)
         add_source(baking, " --morph-target %d", options->morph_target);
     if (options->groups)
@@ -293,11 +281,11 @@ static int write_text(const struct baking *baking, FILE *stream)
                                     .flat = !baking->options->no_flat,
                                     .edges = baking->options->bake_edges};
 
-    if (is_shine(baking->options))
+    if (behind(SHINE, baking->options))
         return sheen_bake_shine_text(stream, &baking->shine, baking->name, baking->source);
-    if (is_ramp(baking->options))
+    if (behind(RAMP, baking->options))
         return sheen_bake_ramp_text(stream, &baking->ramp, baking->name, baking->source);
-    if (is_matcap(baking->options))
+    if (behind(MATCAP, baking->options))
         return sheen_bake_texture_text(stream, &baking->matcap, baking->name, baking->source);
     return sheen_bake_text(stream, &bake);
 }
@@ -352,7 +340,7 @@ static enum sheen_exit bake_shine(struct baking *baking)
 
     set_name(baking);
     snprintf(baking->source, sizeof baking->source, "sheen bake %s", baking->options->mesh);
-    int error = sheen_shine_make(&baking->shine, shininess_of(baking->options->mesh, &problem));
+    int error = sheen_shine_make(&baking->shine, shininess_of(baking->options, &problem));
     if (!error)
         error = write_header(baking, &problem);
     if (error)
@@ -388,11 +376,11 @@ static enum sheen_exit bake_ramp(struct baking *baking)
 static enum sheen_exit bake_matcap(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
-    const char *name = options->mesh + strlen(MATCAP);
+    const char *name = behind(MATCAP, options);
     struct sheen_problem problem;
 
     set_name(baking);
-    add_source(baking, "sheen bake " MATCAP "%s", without_folder(name));
+    add_source(baking, "sheen bake " MATCAP "%s", sheen_file_of(name));
     if (options->bilinear)
         add_source(baking, " --filter bilinear");
     if (options->palette)
@@ -440,11 +428,11 @@ enum sheen_exit sheen_cmd_bake(struct sheen_options *options)
 
     if (check(options, &choice, &problem) != 0)
         return sheen_fail(SHEEN_EXIT_USAGE, &problem);
-    if (is_shine(options))
+    if (behind(SHINE, options))
         return bake_shine(&baking);
-    if (is_matcap(options))
+    if (behind(MATCAP, options))
         return bake_matcap(&baking);
-    if (is_ramp(options))
+    if (behind(RAMP, options))
         return bake_ramp(&baking);
     int error = bake(&baking, &problem);
     if (!error) {

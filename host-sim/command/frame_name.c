@@ -24,8 +24,7 @@ static int find(const char *from, const char **begin, int *length, int *digits)
     return 0;
 }
 
-/* Behind the folders, whose names are as they are. */
-static const char *file_of(const char *path)
+const char *sheen_file_of(const char *path)
 {
     const char *slash = strrchr(path, '/');
 
@@ -37,7 +36,7 @@ int sheen_frame_name_varies(const char *pattern)
     const char *begin;
     int length, digits;
 
-    return find(file_of(pattern), &begin, &length, &digits) && !find(begin + length, &begin, &length, &digits);
+    return find(sheen_file_of(pattern), &begin, &length, &digits) && !find(begin + length, &begin, &length, &digits);
 }
 
 int sheen_frame_name(char *name, size_t size, const char *pattern, int number, size_t count)
@@ -45,7 +44,7 @@ int sheen_frame_name(char *name, size_t size, const char *pattern, int number, s
     const char *begin = pattern + strlen(pattern);
     int length = 0, digits = 1, made;
 
-    if (count > 1 && sheen_frame_name_varies(pattern) && find(file_of(pattern), &begin, &length, &digits))
+    if (count > 1 && sheen_frame_name_varies(pattern) && find(sheen_file_of(pattern), &begin, &length, &digits))
         made = snprintf(name, size, "%.*s%0*d%s", (int)(begin - pattern), pattern, digits, number, begin + length);
     else
         made = snprintf(name, size, "%s", pattern);
@@ -54,7 +53,7 @@ int sheen_frame_name(char *name, size_t size, const char *pattern, int number, s
 
 const char *sheen_ending(const char *path)
 {
-    const char *file = file_of(path), *dot = strrchr(file, '.');
+    const char *file = sheen_file_of(path), *dot = strrchr(file, '.');
 
     return dot && dot != file ? dot : "";
 }

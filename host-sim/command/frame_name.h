@@ -15,6 +15,9 @@ int sheen_frame_name_varies(const char *pattern);
  */
 int sheen_frame_name(char *name, size_t size, const char *pattern, int number, size_t count);
 
+/* A file's name behind its folders. */
+const char *sheen_file_of(const char *path);
+
 /* The ending of a file's name, with its dot; "" where it has none. */
 const char *sheen_ending(const char *path);
 

@@ -21,7 +21,8 @@ const struct sheen_command sheen_command_table[] = {
     {"bake", "MESH [options] -o mesh.h",
      "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and "
      "reports what it takes. shine:N in place of a mesh makes the power table (struct sheen_shine) of "
-     "shininess N, 1 to 128; ramp:gamma or ramp:gamma:G the ramp (struct sheen_ramp) of a panel's curve.",
+     "shininess N, 1 to 128; matcap:FILE, or matcap:NAME of one that --matcap knows, its texture (struct "
+     "sheen_texture); ramp:gamma or ramp:gamma:G the ramp (struct sheen_ramp) of a panel's curve.",
      SHEEN_BAKE, sheen_cmd_bake},
     {"plan", "MESH [options]",
      "Tells before anything is flashed how many frames a second a board draws of a mesh that turns, where the time "
