@@ -39,7 +39,8 @@ static void read_color(struct sheen_text *text, struct sheen_group *group, struc
     while (count < 3 && sheen_text_word(text, &word) && sheen_word_number(&word, &parts[count]))
         count++;
     if (count == 0 || count == 2) {
-        sheen_note(notes, 1, "%s:%lu: a colour that is not three numbers is left out", text->path, text->line);
+        sheen_note(notes, SHEEN_NOTE_ON_COLORS, "%s:%lu: a colour that is not three numbers is left out", text->path,
+                   text->line);
         return;
     }
     for (int k = 0; k < 3; k++)

@@ -170,8 +170,8 @@ static int read_face(struct obj *obj, struct sheen_sink *sink)
     size_t corners = sheen_sink_drop(sink);
     if (obj->text.at == obj->text.end)
         return sheen_text_problem(&obj->text, "the file ends within a face, after %zu of its corners", corners);
-    sheen_note(&obj->out->notes, 0, "%s:%lu: a face of %zu corners is left out", obj->text.path, obj->text.line,
-               corners);
+    sheen_note(&obj->out->notes, SHEEN_NOTE_WARNING, "%s:%lu: a face of %zu corners is left out", obj->text.path,
+               obj->text.line, corners);
     return SHEEN_OK;
 }
 
@@ -228,8 +228,8 @@ static void read_other(struct obj *obj, const struct sheen_word *word)
     if (left_out && !obj->left_out.length)
         obj->left_out = *word;
     if (left_out || !is_one_of(word, other_words))
-        sheen_note(&obj->out->notes, 0, "%s:%lu: '%.*s' is not read, and left out", obj->text.path, obj->text.line,
-                   SHEEN_WORD(*word));
+        sheen_note(&obj->out->notes, SHEEN_NOTE_WARNING, "%s:%lu: '%.*s' is not read, and left out", obj->text.path,
+                   obj->text.line, SHEEN_WORD(*word));
 }
 
 static int read_line(struct obj *obj, struct sheen_sink *sink, const struct sheen_word *word)
@@ -293,8 +293,8 @@ static int read_file(struct obj *obj, const struct sheen_word *name)
 
 static void note_missing(struct obj *obj, const struct sheen_word *name)
 {
-    sheen_note(&obj->out->notes, 0, "%s: there is no %.*s, so its materials have no colour", obj->text.path,
-               (int)(name->length < 100 ? name->length : 100), name->at);
+    sheen_note(&obj->out->notes, SHEEN_NOTE_WARNING, "%s: there is no %.*s, so its materials have no colour",
+               obj->text.path, (int)(name->length < 100 ? name->length : 100), name->at);
 }
 
 /* One file's name with blanks in it, in quotes or not, or several names. Where none is there it may be either. */
@@ -341,8 +341,8 @@ static void read_materials(struct obj *obj)
     }
     for (size_t g = 1; g < obj->names_count; g++) {
         if (!obj->out->group[g].has_color && !obj->out->group[g].picture)
-            sheen_note(&obj->out->notes, 1, "%s: material '%s' has no colour in any .mtl", obj->text.path,
-                       obj->out->group[g].name);
+            sheen_note(&obj->out->notes, SHEEN_NOTE_ON_COLORS, "%s: material '%s' has no colour in any .mtl",
+                       obj->text.path, obj->out->group[g].name);
     }
 }
 

@@ -71,7 +71,7 @@ static int read_vertex(struct off *off, struct sheen_sink *sink)
     if (count < 0)
         return SHEEN_ERR_ARGUMENT;
     if (count > want)
-        sheen_note(&off->out->notes, 0, "%s: numbers after vertices are left out", off->text.path);
+        sheen_note(&off->out->notes, SHEEN_NOTE_WARNING, "%s: numbers after vertices are left out", off->text.path);
     sheen_sink_point(sink, point, off->colors ? to_color(off, sink, extra + before_color, color) : NULL);
     if (off->normals)
         sheen_sink_normal(sink, extra);
@@ -124,7 +124,8 @@ static int read_face(struct off *off, struct sheen_sink *sink)
     if (sink->corners - sink->begun >= 3)
         sheen_sink_polygon(sink, 0, count >= 3 ? to_color(off, sink, extra, color) : NULL);
     else
-        sheen_note(&off->out->notes, 0, "%s: a face of %zu corners is left out", off->text.path, sheen_sink_drop(sink));
+        sheen_note(&off->out->notes, SHEEN_NOTE_WARNING, "%s: a face of %zu corners is left out", off->text.path,
+                   sheen_sink_drop(sink));
     return SHEEN_OK;
 }
 
@@ -158,8 +159,8 @@ static int pass(void *context, struct sheen_sink *sink)
     if (!error && sheen_text_any_word(&off->text, &word)) {
         if (!off->by_lines)
             return sheen_text_problem(&off->text, "'%.*s' follows the last face", SHEEN_WORD(word));
-        sheen_note(&off->out->notes, 0, "%s:%lu: what follows the last face is left out", off->text.path,
-                   off->text.line);
+        sheen_note(&off->out->notes, SHEEN_NOTE_WARNING, "%s:%lu: what follows the last face is left out",
+                   off->text.path, off->text.line);
     }
     return error;
 }

@@ -239,10 +239,10 @@ static void put_corner_uvs(struct reading *reading, struct sheen_sink *sink, con
     if (uvs == corners && roles->value[PICTURE] == 0)
         sheen_sink_corner_uvs(sink, first);
     else if (uvs == corners && roles->value[PICTURE] > 0)
-        sheen_note(&reading->out->notes, 0, "%s: of its pictures only the first is read", path);
+        sheen_note(&reading->out->notes, SHEEN_NOTE_WARNING, "%s: of its pictures only the first is read", path);
     else if (uvs > 0 && uvs != corners)
-        sheen_note(&reading->out->notes, 0, "%s: the texcoord of a face of %zu corners are %zu pairs, and left out",
-                   path, corners, uvs);
+        sheen_note(&reading->out->notes, SHEEN_NOTE_WARNING,
+                   "%s: the texcoord of a face of %zu corners are %zu pairs, and left out", path, corners, uvs);
 }
 
 static void put_face(struct reading *reading, struct sheen_sink *sink, const uint8_t *color)
@@ -250,8 +250,8 @@ static void put_face(struct reading *reading, struct sheen_sink *sink, const uin
     if (sink->corners - sink->begun >= 3)
         sheen_sink_polygon(sink, 0, color);
     else
-        sheen_note(&reading->out->notes, 0, "%s: a face of %zu corners is left out", reading->ply.text.path,
-                   sheen_sink_drop(sink));
+        sheen_note(&reading->out->notes, SHEEN_NOTE_WARNING, "%s: a face of %zu corners is left out",
+                   reading->ply.text.path, sheen_sink_drop(sink));
 }
 
 static int read_element(struct reading *reading, struct sheen_sink *sink, const struct sheen_ply_element *element,
@@ -339,7 +339,8 @@ static void look_behind(struct reading *reading)
     struct sheen_word word;
 
     if (ply->format == PLY_ASCII ? sheen_text_any_word(&ply->text, &word) : ply->text.end - ply->text.at > 2)
-        sheen_note(&reading->out->notes, 0, "%s: what follows the last element is left out", ply->text.path);
+        sheen_note(&reading->out->notes, SHEEN_NOTE_WARNING, "%s: what follows the last element is left out",
+                   ply->text.path);
 }
 
 static int pass(void *context, struct sheen_sink *sink)
