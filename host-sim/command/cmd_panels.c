@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "commands.h"
-#include "sheen_panel.h"
+#include "sim_panel.h"
 
 static const char *colours_of(const struct sheen_panel_record *record)
 {
@@ -21,8 +21,7 @@ static const char *colours_of(const struct sheen_panel_record *record)
 /* Payload only, without commands: what a whole frame takes at the rated clock, one bit a cycle. */
 static void print_row(const struct sheen_panel_record *record)
 {
-    unsigned bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
-    bytes = record->bits_18 ? bytes / 2 * 3 : bytes; /* on the wire */
+    unsigned bytes = sheen_sim_frame_bytes(record);
     double mhz = record->clock_hz / 1e6, frames = record->clock_hz / (8.0 * bytes);
     char glass[16];
 

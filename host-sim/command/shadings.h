@@ -18,6 +18,15 @@ enum sheen_shading {
     SHEEN_ALL_SHADINGS
 };
 
+/* As --shade calls it. */
+static inline const char *sheen_shading_word(unsigned shading)
+{
+    static const char *const word[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
+                                                         "slerp", "matcap",  "matcap-vertex"};
+
+    return word[shading];
+}
+
 /* The one that reads colours; NULL: there is none. */
 static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shading)
 {

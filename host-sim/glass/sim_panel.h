@@ -32,6 +32,9 @@ struct sheen_sim_choice {
 int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int orientation, unsigned width,
                      unsigned height, char *why, size_t why_size);
 
+/* B on the wire of a whole frame's pixels. */
+unsigned sheen_sim_frame_bytes(const struct sheen_panel_record *record);
+
 struct sheen_sim_panel;
 
 /*

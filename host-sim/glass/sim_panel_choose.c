@@ -81,3 +81,10 @@ int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int ori
     refuse_size(choice, orientation >= 0, width, height, why, why_size);
     return SHEEN_ERR_ARGUMENT;
 }
+
+unsigned sheen_sim_frame_bytes(const struct sheen_panel_record *record)
+{
+    unsigned bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
+
+    return record->bits_18 ? bytes / 2 * 3 : bytes;
+}

@@ -31,18 +31,15 @@ static double try_rate(struct sheen_plan *tried, const struct sheen_plan *plan, 
 static unsigned looks(const struct sheen_plan *plan, struct sheen_options *changed, struct sheen_plan_change *changes,
                       unsigned n)
 {
-    static const struct {
-        const char *name;
-        enum sheen_shading shade;
-    } cheaper[SHEEN_ALL_SHADINGS] = {[SHEEN_GOURAUD] = {"flat", SHEEN_FLAT},
-                                     [SHEEN_PHONG] = {"gouraud", SHEEN_GOURAUD},
-                                     [SHEEN_SLERP] = {"phong", SHEEN_PHONG},
-                                     [SHEEN_MATCAP] = {"matcap-vertex", SHEEN_MATCAP_VERTEX}};
+    static const int cheaper[SHEEN_ALL_SHADINGS] = {
+        [SHEEN_FLAT] = -1,           [SHEEN_GOURAUD] = SHEEN_FLAT,         [SHEEN_PHONG] = SHEEN_GOURAUD,
+        [SHEEN_SLERP] = SHEEN_PHONG, [SHEEN_MATCAP] = SHEEN_MATCAP_VERTEX, [SHEEN_MATCAP_VERTEX] = -1};
     const struct sheen_options *now = plan->options;
+    const int shade = cheaper[plan->shade];
 
-    if (cheaper[plan->shade].name) {
-        changed[n].shade = (int)cheaper[plan->shade].shade;
-        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", cheaper[plan->shade].name);
+    if (shade >= 0) {
+        changed[n].shade = shade;
+        snprintf(changes[n++].what, sizeof changes->what, "--shade %s", sheen_shading_word((unsigned)shade));
     }
     if (now->bilinear) {
         changed[n].bilinear = 0;

@@ -10,7 +10,7 @@
 
 static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "Gouraud", "Phong",
                                                          "slerp", "matcap",  "matcap by vertices"};
-static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
+const char *const sheen_plan_stage_names[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
 
 static const char *how(const struct sheen_plan_board *board)
 {
@@ -30,7 +30,7 @@ const char *sheen_plan_limit(const struct sheen_plan *plan, unsigned board)
         return "bus";
     for (unsigned i = 1; i < SHEEN_PLAN_STAGES; i++)
         most = t->stage[i] > t->stage[most] ? i : most;
-    return stages[most];
+    return sheen_plan_stage_names[most];
 }
 
 static void put_head(FILE *out, const struct sheen_plan *plan)
@@ -51,7 +51,7 @@ static void put_times(FILE *out, const struct sheen_plan *plan, const struct she
 
     fprintf(out, "%s  drawing: %.1f ms:", how(board), MS * sheen_plan_drawing(t));
     for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
-        fprintf(out, "%s %s %.1f", i ? "," : "", stages[i], MS * t->stage[i]);
+        fprintf(out, "%s %s %.1f", i ? "," : "", sheen_plan_stage_names[i], MS * t->stage[i]);
     fprintf(out, "\ncounted    bus: %.1f ms for what changed, %.0f B, %.1f ms for a whole frame, %.0f B, at %g MHz\n",
             MS * t->bus, times[0].bytes, MS * times[1].mean.bus, times[1].bytes, sheen_plan_bus_hz(plan, board) / 1e6);
     for (int whole = 0; whole < 2; whole++)

@@ -17,7 +17,9 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board);
 /* One line: the rows of a band, RAM, and frames a second on every board that has it, of what changes. */
 void sheen_plan_brief(FILE *out, const struct sheen_plan *plan);
 
-/* What limits frames on a board: "RAM", "flash", "bus", "transform", "triangles", "rows", "pixels". */
+extern const char *const sheen_plan_stage_names[SHEEN_PLAN_STAGES];
+
+/* What limits frames on a board: "RAM", "flash", "bus" or a stage's name. */
 const char *sheen_plan_limit(const struct sheen_plan *plan, unsigned board);
 
 #endif

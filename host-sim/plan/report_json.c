@@ -21,12 +21,11 @@ static void put_quoted(FILE *out, const char *text)
 
 static void put_times(FILE *out, const char *name, const struct sheen_plan_times *times, unsigned cores)
 {
-    static const char *const stages[SHEEN_PLAN_STAGES] = {"transform", "triangles", "rows", "pixels"};
     const struct sheen_plan_time *t = &times->mean;
 
     fprintf(out, "\"%s\": {", name);
     for (unsigned i = 0; i < SHEEN_PLAN_STAGES; i++)
-        fprintf(out, "\"%s\": %.7f, ", stages[i], t->stage[i]);
+        fprintf(out, "\"%s\": %.7f, ", sheen_plan_stage_names[i], t->stage[i]);
     fprintf(out, "\"bus\": %.7f, \"bytes\": %.0f, ", t->bus, times->bytes);
     fprintf(out, "\"one_buffer\": {\"mean\": %.2f, \"worst\": %.2f}, ", 1 / t->period[0], 1 / times->worst[0]);
     fprintf(out, "\"two_buffers\": {\"mean\": %.2f, \"worst\": %.2f}", 1 / t->period[1], 1 / times->worst[1]);
@@ -61,8 +60,6 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
 
 void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
 {
-    static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
-                                                             "slerp", "matcap",  "matcap-vertex"};
     const struct sheen_plan_ram *r = &plan->ram;
 
     fputs("{\"mesh\": ", out);
@@ -70,7 +67,7 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
     fprintf(out,
             ", \"shade\": \"%s\", \"look\": \"%s\", \"panel\": \"%s\", \"width\": %u, \"height\": %u, \"band\": %u, "
             "\"views\": %d",
-            shadings[plan->shade], plan->look + (*plan->look ? 2 : 0), plan->panel, plan->target.width,
+            sheen_shading_word(plan->shade), plan->look + (*plan->look ? 2 : 0), plan->panel, plan->target.width,
             plan->target.height, sheen_plan_band_rows(plan), SHEEN_PLAN_VIEWS);
     fprintf(out, ", \"vertices\": %u, \"triangles\": %u, \"used\": %u, \"listed\": %u, \"costs\": ", plan->vertices,
             plan->triangles, plan->used, plan->listed);

@@ -24,8 +24,6 @@ static void put_frame(const struct sheen_viewer *viewer, char *text, size_t size
 
 void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size)
 {
-    static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
-                                                             "slerp", "matcap",  "matcap-vertex"};
     static const char *const edges[] = {"", ", smooth edges", ", outline", ", wire"};
     const struct sheen_turntable *table = &viewer->table;
     const struct sheen_view *view = &table->scene.view;
@@ -33,7 +31,7 @@ void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t si
 
     put_frame(viewer, frame, sizeof frame);
     snprintf(text, size, "%s  %s  %s%s%s%s%s  %ux%u, orientation %u", sheen_turntable_panel_name(table), frame,
-             shadings[sheen_scene_shading(&table->scene)], edges[sheen_scene_edging(&table->scene)],
+             sheen_shading_word(sheen_scene_shading(&table->scene)), edges[sheen_scene_edging(&table->scene)],
              view->affine ? ", affine" : "", view->orthographic ? ", ortho" : "", view->dither ? ", dithered" : "",
              table->choice.width, table->choice.height, table->choice.orientation);
 }
@@ -47,8 +45,7 @@ static void put_ceiling(const struct sheen_viewer *viewer, uint64_t bytes, char 
         snprintf(text, size, "no wire, no frame ceiling");
         return;
     }
-    unsigned bits = record->bits_18 ? 24 : sheen_pixel_bits((enum sheen_pixel)record->pixel);
-    double whole = (double)record->clock_hz / ((double)record->glass_w * record->glass_h * bits);
+    double whole = record->clock_hz / (8.0 * sheen_sim_frame_bytes(record));
     int used = snprintf(text, size, "at %.4g MHz at most %.1f whole frames/s", record->clock_hz / 1e6, whole);
 
     if (bytes && viewer->band < 0 && used > 0 && (size_t)used < size)

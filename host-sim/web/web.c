@@ -294,12 +294,8 @@ unsigned EXPORT(web_frame_bytes)(void)
 {
     const struct sheen_panel_record *record = viewer.table.choice.record;
     const struct sheen_target *target = viewer.table.scene.target;
-    unsigned bytes = target->height * sheen_row_bytes(target->pixel, target->width);
 
-    if (!record)
-        return bytes;
-    bytes = record->glass_h * sheen_row_bytes((enum sheen_pixel)record->pixel, record->glass_w);
-    return record->bits_18 ? bytes / 2 * 3 : bytes;
+    return record ? sheen_sim_frame_bytes(record) : target->height * sheen_row_bytes(target->pixel, target->width);
 }
 
 int EXPORT(web_is_round)(void)
@@ -312,7 +308,7 @@ unsigned EXPORT(web_orientation)(void)
     return viewer.table.choice.orientation;
 }
 
-/* B: of the frame's memory, and of the power tables that it needs in flash or RAM. */
+/* B of the frame's memory. */
 unsigned EXPORT(web_arena)(void)
 {
     return (unsigned)sheen_arena_size(&viewer.table.scene.config);
@@ -365,11 +361,6 @@ const char *EXPORT(web_option)(unsigned index, unsigned part)
     if (part > 0 && !(option->commands & SHEEN_VIEW))
         return NULL;
     return part == 0 ? option->name : part == 1 ? option->argument : part == 2 ? option->value : option->help;
-}
-
-const char *EXPORT(web_version)(void)
-{
-    return sheen_version;
 }
 
 /* ---- sheen plan ---- */
