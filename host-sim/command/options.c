@@ -175,7 +175,7 @@ const struct sheen_option sheen_option_table[] = {
 };
 
 enum {
-    MAX_OPTIONS = 64,
+    MAX_OPTIONS = sizeof sheen_option_table / sizeof sheen_option_table[0] + 2, /* help, version and the end */
     HELP = 1000, /* values of struct option: the number of a table entry plus FIRST */
     VERSION = 1001,
     FIRST = 2000

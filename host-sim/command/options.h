@@ -100,7 +100,7 @@ struct sheen_options {
     int wrap;                /* enum sheen_wrap_option */
     int texture_log2;        /* of texels a side, 0..9 */
     int palette;             /* 0, or 2..256 values */
-    const char *matcap;      /* a name of sheen_matcap_named, or a picture's path */
+    const char *matcap;      /* one of SHEEN_MATCAP_NAMES, or a picture's path */
     int matcap_given;        /* 1: on the command line */
     const char *texture_out; /* NULL: not given */
     double alpha_cutoff;     /* below 0: not given */

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-void sheen_roff(const char *text)
+static void put_text(const char *text)
 {
     for (int first = 1; *text; text++) {
         if (*text == '-')
@@ -23,6 +23,6 @@ void sheen_roff(const char *text)
 void sheen_roff_line(const char *before, const char *text, const char *after)
 {
     fputs(before, stdout);
-    sheen_roff(text);
+    put_text(text);
     fputs(after, stdout);
 }

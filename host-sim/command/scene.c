@@ -7,9 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ramps.h"
-
 #include "matcaps.h"
+#include "ramps.h"
 
 #define DEPTH_STEPS 65020 /* from z_far to z_near (struct sheen_canvas) */
 

@@ -8,7 +8,8 @@
 
 #include "mesh_file.h"
 
-const struct sheen_texture *sheen_matcap_named(const char *name)
+/* One of the core's; NULL: the name is none of theirs. */
+static const struct sheen_texture *own_of(const char *name)
 {
     static const struct {
         const char *name;
@@ -47,7 +48,7 @@ static int picture_of(struct sheen_picture *picture, const struct sheen_texture 
 int sheen_matcap_load(struct sheen_texels *texels, const char *name, unsigned colors, int bilinear,
                       struct sheen_problem *problem)
 {
-    const struct sheen_texture *own = sheen_matcap_named(name);
+    const struct sheen_texture *own = own_of(name);
     struct sheen_picture picture = {.name = NULL};
     int error =
         own ? picture_of(&picture, own) : sheen_picture_file_read(&picture, name, SHEEN_MATCAP_LARGEST, problem);

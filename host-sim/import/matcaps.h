@@ -9,9 +9,6 @@
 #define SHEEN_MATCAP_NAMES "glaze|chrome|clay|jade"
 #define SHEEN_MATCAP_LARGEST 64u /* texels a side, to which pictures are reduced */
 
-/* One of the core's; NULL: the name is none of theirs. */
-const struct sheen_texture *sheen_matcap_named(const char *name);
-
 /*
  * As the core takes it; colors, bilinear: as of sheen_texels_make, with which it is released in any case. 0, or a
  * negative code and *problem: a file that is not there, is no picture, or not square.
