@@ -6,7 +6,6 @@
 #include "sheen_target.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <linux/i2c-dev.h>
 #include <linux/i2c.h>
 #include <string.h>
@@ -50,25 +49,6 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     return sheen_ioctl_again(bus->fd, I2C_RDWR, &messages) < 0 ? message_fail(bus, errno) : 0;
 }
 
-static int open_fail(struct sheen_linux_bus *bus, int error)
-{
-    switch (error) {
-    case EACCES:
-    case EPERM:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS,
-                            "%s: no permission; become a member of its group (usually i2c) and log in again",
-                            bus->path);
-    case ENOENT:
-        return sheen_failed(
-            bus->why, SHEEN_ERR_ARGUMENT,
-            "%s: no such device; switch I2C on (Raspberry Pi: dtparam=i2c_arm=on in config.txt, restart), "
-            "and load the module i2c-dev",
-            bus->path);
-    default:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
-    }
-}
-
 static int set_address(struct sheen_linux_bus *bus)
 {
     unsigned long functions = 0;
@@ -89,18 +69,15 @@ static int set_address(struct sheen_linux_bus *bus)
 
 int sheen_i2cdev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
 {
-    int tries = SHEEN_TRIES;
-
-    bus->path = wiring->i2c;
     bus->address = wiring->address ? wiring->address : SHEEN_I2C_ADDRESS;
     if (bus->address < ADDRESS_FIRST || bus->address > ADDRESS_LAST)
         return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "I2C address 0x%02x is not in 0x%02x..0x%02x", bus->address,
                             ADDRESS_FIRST, ADDRESS_LAST);
-    do
-        bus->fd = open(bus->path, O_RDWR | O_CLOEXEC);
-    while (bus->fd < 0 && sheen_again(errno, &tries));
-    if (bus->fd < 0)
-        return open_fail(bus, errno);
+    int error = sheen_device_open(bus, wiring->i2c, "i2c",
+                                  "I2C on (Raspberry Pi: dtparam=i2c_arm=on in config.txt, restart), and load the "
+                                  "module i2c-dev");
+    if (error < 0)
+        return error;
     bus->wire.send = send;
     return set_address(bus);
 }

@@ -13,11 +13,9 @@
 #include "sheen_target.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <linux/spi/spidev.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #define BUFSIZ_PATH "/sys/module/spidev/parameters/bufsiz"
 #define BUFSIZ_DEFAULT 4096u /* B; spidev.c */
@@ -79,27 +77,6 @@ static void deselect(struct sheen_linux_bus *bus)
     (void)sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &nothing);
 }
 
-static int open_fail(struct sheen_linux_bus *bus, int error)
-{
-    switch (error) {
-    case EACCES:
-    case EPERM:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS,
-                            "%s: no permission; become a member of its group (usually spi) and log in again",
-                            bus->path);
-    case ENOENT:
-        return sheen_failed(
-            bus->why, SHEEN_ERR_ARGUMENT,
-            "%s: no such device; switch SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or "
-            "name lines for SCLK and MOSI instead",
-            bus->path);
-    case EBUSY:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", bus->path);
-    default:
-        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", bus->path, strerror(error));
-    }
-}
-
 /* Mode, word size, clock. Where a line of our own selects the panel, the controller is asked to keep its own still. */
 static int set_up(struct sheen_linux_bus *bus, int own_cs)
 {
@@ -123,14 +100,12 @@ static int set_up(struct sheen_linux_bus *bus, int own_cs)
 
 int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
 {
-    int tries = SHEEN_TRIES;
+    int error = sheen_device_open(bus, wiring->spi, "spi",
+                                  "SPI on (Raspberry Pi: dtparam=spi=on in config.txt, restart), or name lines for "
+                                  "SCLK and MOSI instead");
 
-    bus->path = wiring->spi;
-    do
-        bus->fd = open(bus->path, O_RDWR | O_CLOEXEC);
-    while (bus->fd < 0 && sheen_again(errno, &tries));
-    if (bus->fd < 0)
-        return open_fail(bus, errno);
+    if (error < 0)
+        return error;
     bus->put = put;
     bus->deselect = wiring->cs ? NULL : deselect;
     bus->chunk = chunk_size();

@@ -9,6 +9,7 @@
 #include "sheen_target.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <time.h>
@@ -105,6 +106,31 @@ int sheen_ioctl_again(int fd, unsigned long request, void *value)
         result = ioctl(fd, request, value);
     while (result < 0 && sheen_again(errno, &tries));
     return result;
+}
+
+int sheen_device_open(struct sheen_linux_bus *bus, const char *path, const char *group, const char *what)
+{
+    int tries = SHEEN_TRIES;
+
+    bus->path = path;
+    do
+        bus->fd = open(path, O_RDWR | O_CLOEXEC);
+    while (bus->fd < 0 && sheen_again(errno, &tries));
+    if (bus->fd >= 0)
+        return 0;
+    switch (errno) {
+    case EACCES:
+    case EPERM:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS,
+                            "%s: no permission; become a member of its group (usually %s) and log in again", path,
+                            group);
+    case ENOENT:
+        return sheen_failed(bus->why, SHEEN_ERR_ARGUMENT, "%s: no such device; switch %s", path, what);
+    case EBUSY:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: in use by another program; end that first", path);
+    default:
+        return sheen_failed(bus->why, SHEEN_ERR_BUS, "%s: %s", path, strerror(errno));
+    }
 }
 
 static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)

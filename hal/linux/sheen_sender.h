@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* A bus whose calls a thread makes. Private but for layer.bus and busy_ns. */
+/* A bus whose calls a thread makes. Private but for layer.bus. */
 struct sheen_sender {
     struct sheen_bus_layer layer;        /* layer.bus is what the panel driver is given; not to be moved */
     pthread_t thread;                    /* makes the calls */
@@ -27,7 +27,7 @@ struct sheen_sender {
     size_t commands;                     /* how many of them */
     const void *bytes;                   /* the call under way, with the command; NULL: none */
     size_t count;                        /* B of them */
-    uint64_t busy_ns;                    /* time spent in the inner bus's send, since the start */
+    uint64_t busy_ns;                    /* time spent in the inner bus's send, until asked for */
     int error;                           /* of the last call, until wait takes it */
     int quit;                            /* 1: the thread is to end */
 };

@@ -4,7 +4,7 @@
  * One chip, strapped to RAM sizes of its own by the module's maker: black and red
  * tab 128x160, green tab the whole 132x162 or 132x132. What looks like an offset
  * of the glass is that choice. The module that is said to break the gap rule of
- * driver.h, the green-tab 128x128 (rows 3 from one end, 1 from the other), keeps it
+ * sheen_panel.h, the green-tab 128x128 (rows 3 from one end, 1 from the other), keeps it
  * once its RAM is taken as 132x132, which is how its mode pins are strapped.
  */
 #include "record.h"
