@@ -113,6 +113,8 @@ void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned wi
 void sheen_sim_set_columns(struct sheen_sim_controller *controller);
 void sheen_sim_set_rows(struct sheen_sim_controller *controller);
 void sheen_sim_set_brightness(struct sheen_sim_controller *controller);
+void sheen_sim_set_on(struct sheen_sim_controller *controller);
+void sheen_sim_set_mode(struct sheen_sim_controller *controller);
 
 extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341, sheen_sim_chip_ili9488,
     sheen_sim_chip_ssd1322, sheen_sim_chip_st7789, sheen_sim_chip_st7735, sheen_sim_chip_st7796, sheen_sim_chip_gc9a01,

@@ -45,17 +45,6 @@ static void multiplex(struct sheen_sim_controller *controller)
     controller->multiplex = controller->params[0];
 }
 
-/* A4 shows the RAM, A5 all on, A6 all off, A7 the RAM's complement. */
-static void display_mode(struct sheen_sim_controller *controller)
-{
-    controller->mode = controller->command & 3;
-}
-
-static void display(struct sheen_sim_controller *controller)
-{
-    controller->on = controller->command & 1;
-}
-
 /* The segment of the high (0) or low (1) nibble of a byte column. */
 static unsigned segment(const struct sheen_sim_controller *controller, unsigned column, unsigned low)
 {
@@ -73,6 +62,7 @@ static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
     sheen_sim_next_address(controller, controller->scan & 4);
 }
 
+/* A4 shows the RAM, A5 all on, A6 all off, A7 the RAM's complement. */
 static uint16_t shown(const struct sheen_sim_controller *controller, unsigned segment_line, unsigned com)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -94,9 +84,9 @@ static const struct sheen_sim_command commands[] = {
     {0xA0, 0xA0, 1, remap},
     {0xA1, 0xA1, 1, start_line},
     {0xA2, 0xA2, 1, row_offset},
-    {0xA4, 0xA7, 0, display_mode},
+    {0xA4, 0xA7, 0, sheen_sim_set_mode},
     {0xA8, 0xA8, 1, multiplex},
-    {0xAE, 0xAF, 0, display},
+    {0xAE, 0xAF, 0, sheen_sim_set_on},
 };
 
 /* Brightness, drive and clocks. SSD0323 and SSD1325 are the same chip. */

@@ -89,11 +89,6 @@ static void multiplex(struct sheen_sim_controller *controller)
     controller->multiplex = controller->params[0] & 63;
 }
 
-static void display(struct sheen_sim_controller *controller)
-{
-    controller->on = controller->command & 1;
-}
-
 static void com_scan(struct sheen_sim_controller *controller)
 {
     controller->com_remap = (controller->command & 8) != 0;
@@ -134,9 +129,9 @@ static uint16_t shown(const struct sheen_sim_controller *controller, unsigned se
 #define COMMON                                                                                                         \
     {0x00, 0x0F, 0, column_low}, {0x10, 0x1F, 0, column_high}, {0x40, 0x7F, 0, start_line},                            \
         {0x81, 0x81, 1, sheen_sim_set_brightness}, {0xA0, 0xA1, 0, segment_remap}, {0xA4, 0xA5, 0, all_on},            \
-        {0xA6, 0xA7, 0, inversion}, {0xA8, 0xA8, 1, multiplex}, {0xAE, 0xAF, 0, display}, {0xB0, 0xB7, 0, page},       \
-        {0xC0, 0xC0, 0, com_scan}, {0xC8, 0xC8, 0, com_scan}, {0xD3, 0xD3, 1, row_offset}, {0xD5, 0xD5, 1, NULL},      \
-        {0xD9, 0xDB, 1, NULL},                                                                                         \
+        {0xA6, 0xA7, 0, inversion}, {0xA8, 0xA8, 1, multiplex}, {0xAE, 0xAF, 0, sheen_sim_set_on},                     \
+        {0xB0, 0xB7, 0, page}, {0xC0, 0xC0, 0, com_scan}, {0xC8, 0xC8, 0, com_scan}, {0xD3, 0xD3, 1, row_offset},      \
+        {0xD5, 0xD5, 1, NULL}, {0xD9, 0xDB, 1, NULL},                                                                  \
     {                                                                                                                  \
         0xE3, 0xE3, 0, NULL                                                                                            \
     }

@@ -52,6 +52,18 @@ void sheen_sim_set_brightness(struct sheen_sim_controller *controller)
     controller->brightness = controller->params[0];
 }
 
+/* AE and AF. */
+void sheen_sim_set_on(struct sheen_sim_controller *controller)
+{
+    controller->on = controller->command & 1;
+}
+
+/* A4 to A7, whose meanings differ. */
+void sheen_sim_set_mode(struct sheen_sim_controller *controller)
+{
+    controller->mode = controller->command & 3;
+}
+
 /* Setting a range sets its address counter back to the range's start. */
 void sheen_sim_set_columns(struct sheen_sim_controller *controller)
 {

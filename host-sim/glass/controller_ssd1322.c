@@ -58,17 +58,6 @@ static void multiplex(struct sheen_sim_controller *controller)
     controller->multiplex = controller->params[0] & 127;
 }
 
-/* A4 dark, A5 all on, A6 the RAM, A7 its complement. */
-static void display_mode(struct sheen_sim_controller *controller)
-{
-    controller->mode = controller->command & 3;
-}
-
-static void display(struct sheen_sim_controller *controller)
-{
-    controller->on = controller->command & 1;
-}
-
 /* The address stays where it is. */
 static void write_ram(struct sheen_sim_controller *controller)
 {
@@ -103,6 +92,7 @@ static void stream_end(struct sheen_sim_controller *controller)
         sheen_sim_complain(controller, "half a column before command");
 }
 
+/* A4 dark, A5 all on, A6 the RAM, A7 its complement. */
 static uint16_t shown(const struct sheen_sim_controller *controller, unsigned segment, unsigned com)
 {
     int row = sheen_sim_com_row(controller, com, controller->multiplex);
@@ -122,8 +112,8 @@ static const struct sheen_sim_command commands[] = {
     {0xA0, 0xA0, 2, remap},
     {0xA1, 0xA1, 1, start_line},
     {0xA2, 0xA2, 1, row_offset},
-    {0xA4, 0xA7, 0, display_mode},
-    {0xAE, 0xAF, 0, display},
+    {0xA4, 0xA7, 0, sheen_sim_set_mode},
+    {0xAE, 0xAF, 0, sheen_sim_set_on},
     {0xC1, 0xC1, 1, sheen_sim_set_brightness},
     {0xCA, 0xCA, 1, multiplex},
     {0xFD, 0xFD, 1, lock},

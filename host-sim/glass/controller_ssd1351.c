@@ -78,16 +78,6 @@ static void multiplex(struct sheen_sim_controller *controller)
     controller->multiplex = controller->params[0] & 127;
 }
 
-static void display_mode(struct sheen_sim_controller *controller)
-{
-    controller->mode = controller->command & 3;
-}
-
-static void display(struct sheen_sim_controller *controller)
-{
-    controller->on = controller->command & 1;
-}
-
 static void write_ram(struct sheen_sim_controller *controller)
 {
     controller->streaming = 1;
@@ -140,8 +130,8 @@ static const struct sheen_sim_command commands[] = {
     {0xA0, 0xA0, 1, remap},
     {0xA1, 0xA1, 1, start_line},
     {0xA2, 0xA2, 1, locked},
-    {0xA4, 0xA7, 0, display_mode},
-    {0xAE, 0xAF, 0, display},
+    {0xA4, 0xA7, 0, sheen_sim_set_mode},
+    {0xAE, 0xAF, 0, sheen_sim_set_on},
     {0xB1, 0xB1, 1, locked},
     {0xB3, 0xB3, 1, locked},
     {0xBB, 0xBB, 1, locked},
