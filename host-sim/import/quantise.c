@@ -173,10 +173,10 @@ static void fill_uvs(struct sheen_quantised *out, const struct sheen_host_mesh *
     }
     while (bits > 0 && ldexp(most, bits) > 65533) /* what both roundings below may add */
         bits--;
-    out->uv_bits = (uint8_t)bits;
+    out->mesh.uv_bits = (uint8_t)bits;
     for (int k = 0; k < 2; k++) {
         center[k] = ldexp(floor(ldexp((low[k] + high[k]) / 2 - moved[k], bits) + 0.5), -bits);
-        out->uv_offset[k] = (sheen_q16_t)floor(center[k] * 65536 + 0.5);
+        out->mesh.uv_offset[k] = (sheen_q16_t)floor(center[k] * 65536 + 0.5);
     }
     for (size_t i = 0; i < host->vertex_count; i++) {
         for (int k = 0; chosen->vertex[i] != NONE && k < 2; k++)
@@ -230,6 +230,29 @@ static int find_edges(struct sheen_quantised *out, double crease)
     return out->mesh.edges ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
 
+/* The arrays are filled. */
+static void set_meshes(struct sheen_quantised *out)
+{
+    struct sheen_mesh *mesh = &out->mesh;
+
+    mesh->positions = out->positions;
+    mesh->normals = out->normals;
+    mesh->polygon_normals = out->polygon_normals;
+    mesh->polygons = out->polygons;
+    mesh->indices = out->indices;
+    mesh->uvs = out->uvs;
+    mesh->colors = out->colors;
+    mesh->scale = SHEEN_Q24(32768 / ONE);
+    sheen_mesh_warp(mesh, out->polygon_count, out->warp);
+    mesh->warp = out->warp;
+    out->second = (struct sheen_mesh){.positions = out->second_positions,
+                                      .normals = out->second_normals,
+                                      .polygon_normals = out->second_polygon_normals,
+                                      .vertices = mesh->vertices,
+                                      .triangles = mesh->triangles,
+                                      .scale = mesh->scale};
+}
+
 int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *host, uint32_t part)
 {
     struct chosen chosen = {0};
@@ -248,24 +271,7 @@ int sheen_quantise(struct sheen_quantised *out, const struct sheen_host_mesh *ho
     if (!error) {
         fill_vertices(out, host, &chosen);
         fill_triangles(out, host, &chosen);
-        out->mesh.positions = out->positions;
-        out->mesh.normals = out->normals;
-        out->mesh.polygon_normals = out->polygon_normals;
-        out->mesh.polygons = out->polygons;
-        out->mesh.indices = out->indices;
-        out->mesh.uvs = out->uvs;
-        out->mesh.colors = out->colors;
-        out->mesh.uv_bits = out->uv_bits;
-        memcpy(out->mesh.uv_offset, out->uv_offset, sizeof out->uv_offset);
-        out->mesh.scale = SHEEN_Q24(32768 / ONE);
-        sheen_mesh_warp(&out->mesh, out->polygon_count, out->warp);
-        out->mesh.warp = out->warp;
-        out->second = (struct sheen_mesh){.positions = out->second_positions,
-                                          .normals = out->second_normals,
-                                          .polygon_normals = out->second_polygon_normals,
-                                          .vertices = out->mesh.vertices,
-                                          .triangles = out->mesh.triangles,
-                                          .scale = out->mesh.scale};
+        set_meshes(out);
         error = find_edges(out, host->crease);
     }
     free(chosen.vertex);

@@ -17,10 +17,8 @@
 struct sheen_quantised {
     struct sheen_mesh mesh; /* points into the arrays below */
     int16_t *positions, *normals, *polygon_normals;
-    int16_t *uvs;    /* NULL: shows no texture. 2 a vertex: uv_offset + raw / 2^uv_bits, v downwards */
-    uint8_t *colors; /* NULL: the file has none, or they were not asked for. 3 a vertex */
-    uint8_t uv_bits; /* 0..15 */
-    sheen_q16_t uv_offset[2];
+    int16_t *uvs;       /* NULL: shows no texture. 2 a vertex, v downwards */
+    uint8_t *colors;    /* NULL: the file has none, or they were not asked for. 3 a vertex */
     uint16_t *polygons; /* NULL where every polygon is a triangle */
     uint8_t *warp;
     struct sheen_triangle_edges *edges;
