@@ -9,7 +9,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define COUNT 180 /* px along the arc */
 #define ROWS 9
 #define FAN 8     /* parts of a fan, */
@@ -30,16 +29,16 @@ int sheen_lecture_angles(int shading, double degrees, int count, double *angle)
             return error;
     }
     for (int i = 0; i < count; i++)
-        angle[i] = atan2(part[1][ROWS / 2 * count + i], part[0][ROWS / 2 * count + i]) * 180 / PI;
+        angle[i] = atan2(part[1][ROWS / 2 * count + i], part[0][ROWS / 2 * count + i]) * 180 / M_PI;
     return SHEEN_OK;
 }
 
 /* Of the normal that is interpolated linearly. */
 static double lerp_angle(double degrees, double t)
 {
-    double phi = degrees * PI / 180;
+    double phi = degrees * M_PI / 180;
 
-    return atan2(t * sin(phi), 1 - t + t * cos(phi)) * 180 / PI;
+    return atan2(t * sin(phi), 1 - t + t * cos(phi)) * 180 / M_PI;
 }
 
 /* Normals at even steps of t, read from the core's pixels, as rays from (x, y). */
@@ -54,7 +53,7 @@ static int draw_fan(struct sheen_page *page, double x, double y, int shading, do
     for (int k = 0; !error && k <= FAN; k++) {
         double at = k * COUNT / (double)FAN - 0.5; /* between the pixels */
         int i = (int)fmin(fmax(at, 0), COUNT - 2);
-        double degrees = angle[i] + (at - i) * (angle[i + 1] - angle[i]), turn = (180 - 45 - degrees) * PI / 180;
+        double degrees = angle[i] + (at - i) * (angle[i + 1] - angle[i]), turn = (180 - 45 - degrees) * M_PI / 180;
         sheen_page_line(page, ink, 2.4, x, y, x + REACH * cos(turn), y - REACH * sin(turn));
         if (k > 0) {
             *widest = fmax(*widest, degrees - last);
@@ -73,7 +72,7 @@ static void draw_cuts(struct sheen_page *page, double x, double y, int slerp)
     sheen_page_ink(page, SHEEN_INK_FAINT);
     cairo_set_line_width(page->cr, 1.4);
     if (slerp)
-        cairo_arc(page->cr, x, y, REACH, -PI * 3 / 4, -PI / 4);
+        cairo_arc(page->cr, x, y, REACH, -M_PI * 3 / 4, -M_PI / 4);
     else {
         cairo_move_to(page->cr, x - chord, y - chord);
         cairo_line_to(page->cr, x + chord, y - chord);
@@ -93,7 +92,7 @@ static int draw_fans(struct sheen_page *page)
         if (error)
             return error;
         sheen_page_text(page, x, y + 26, SHEEN_CENTRE, ink, k ? "slerp: the arc" : "lerp: the chord");
-        sheen_page_text(page, x, y + 48, SHEEN_CENTRE, ink, k ? "in 8 even parts" : "in 8 even parts");
+        sheen_page_text(page, x, y + 48, SHEEN_CENTRE, ink, "in 8 even parts");
         sheen_page_number(page, 36, 380 + 26 * k, ink, "%s over 90°: eighths of %.2f° to %.2f°", k ? "slerp" : "lerp",
                           narrowest, widest);
     }

@@ -11,14 +11,13 @@
 #include "lecture.h"
 #include "sheen.h"
 
-#define PI 3.14159265358979323846
 #define STEPS 120 /* px from one normal to the other */
 #define SPANS 91  /* whole degrees 0..90 */
 
 /* In the plane of both normals; angle[i] after i steps, degrees. */
 static void naive(double degrees, int steps, double *angle)
 {
-    double phi = degrees * PI / 180, x = 1, y = 0;
+    double phi = degrees * M_PI / 180, x = 1, y = 0;
 
     angle[0] = 0;
     for (int i = 1; i <= steps; i++) {
@@ -27,16 +26,16 @@ static void naive(double degrees, int steps, double *angle)
         double length = hypot(x, y);
         x /= length;
         y /= length;
-        angle[i] = atan2(y, x) * 180 / PI;
+        angle[i] = atan2(y, x) * 180 / M_PI;
     }
 }
 
 /* Where many small steps end. */
 static double naive_limit(double degrees)
 {
-    double phi = degrees * PI / 180, start = PI / 2 + phi / 2;
+    double phi = degrees * M_PI / 180, start = M_PI / 2 + phi / 2;
 
-    return (start - 2 * atan(tan(start / 2) * exp(-2 * sin(phi / 2)))) * 180 / PI;
+    return (start - 2 * atan(tan(start / 2) * exp(-2 * sin(phi / 2)))) * 180 / M_PI;
 }
 
 static int draw_steps(struct sheen_page *page)

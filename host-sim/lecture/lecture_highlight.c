@@ -10,7 +10,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define AROUND 12
 #define RINGS 8
 #define SIZE 185 /* px */
@@ -24,7 +23,7 @@ static void make_ball(struct sheen_lecture_mesh *m)
 {
     sheen_lecture_mesh_begin(m, 2);
     for (int i = 0; i < (RINGS + 1) * AROUND; i++) {
-        double down = PI * (i / AROUND) / RINGS, turn = 2 * PI * (i % AROUND) / AROUND;
+        double down = M_PI * (i / AROUND) / RINGS, turn = 2 * M_PI * (i % AROUND) / AROUND;
         double normal[3] = {sin(down) * sin(turn), cos(down), sin(down) * cos(turn)};
         sheen_lecture_vertex(m, normal, normal);
     }

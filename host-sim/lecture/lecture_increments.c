@@ -10,7 +10,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define COUNT 320
 #define ROWS 9
 #define DEGREES 90
@@ -21,9 +20,9 @@ static const double ends[2] = {-DEGREES / 2.0 + FROM, DEGREES / 2.0 + FROM};
 
 static double closed_form(double t)
 {
-    double phi = DEGREES * PI / 180;
+    double phi = DEGREES * M_PI / 180;
 
-    return (sin((1 - t) * phi) * cos(ends[0] * PI / 180) + sin(t * phi) * cos(ends[1] * PI / 180)) / sin(phi);
+    return (sin((1 - t) * phi) * cos(ends[0] * M_PI / 180) + sin(t * phi) * cos(ends[1] * M_PI / 180)) / sin(phi);
 }
 
 /* To `bits` after the point; 0: not at all. */
@@ -35,13 +34,13 @@ static double rounded(double x, int bits)
 /* The lecture's four lines, each sine and cosine kept with that many bits. */
 static void lecture_steps(int bits, double *row)
 {
-    double phi = DEGREES * PI / 180, step = phi / COUNT, at = step / 2; /* the first pixel's centre */
+    double phi = DEGREES * M_PI / 180, step = phi / COUNT, at = step / 2; /* the first pixel's centre */
     double s = rounded(sin(at), bits), c = rounded(cos(at), bits);
     double s_left = rounded(sin(phi - at), bits), c_left = rounded(cos(phi - at), bits);
     double ds = rounded(sin(step), bits), dc = rounded(cos(step), bits);
 
     for (int i = 0; i < COUNT; i++) {
-        row[i] = (s_left * cos(ends[0] * PI / 180) + s * cos(ends[1] * PI / 180)) / sin(phi);
+        row[i] = (s_left * cos(ends[0] * M_PI / 180) + s * cos(ends[1] * M_PI / 180)) / sin(phi);
         double next = rounded(s * dc + c * ds, bits), next_left = rounded(s_left * dc - c_left * ds, bits);
         c = rounded(c * dc - s * ds, bits);
         c_left = rounded(c_left * dc + s_left * ds, bits);

@@ -10,7 +10,6 @@
 #include "lecture.h"
 #include "triangle/quadric.h"
 
-#define PI 3.14159265358979323846
 #define STEPS 120 /* px from one normal to the other */
 #define DEGREES 60
 
@@ -87,7 +86,7 @@ static void draw_formulas(struct sheen_page *page)
 int sheen_lecture_length(struct sheen_page *page)
 {
     static struct rows r;
-    double c = cos(DEGREES * PI / 180), off = 0, least = 1;
+    double c = cos(DEGREES * M_PI / 180), off = 0, least = 1;
 
     for (int i = 0; i <= STEPS; i++) {
         r.x[i] = i;

@@ -10,7 +10,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define SIDES 16
 #define WIDTH 320 /* px */
 #define LEFT 116  /* of the strips on the page */
@@ -30,7 +29,7 @@ static void make_prism(struct sheen_lecture_mesh *m)
 {
     sheen_lecture_mesh_begin(m, 2);
     for (int i = 0; i < SIDES; i++) {
-        double angle = 2 * PI * (i + 0.5) / SIDES, normal[3] = {sin(angle), 0, cos(angle)};
+        double angle = 2 * M_PI * (i + 0.5) / SIDES, normal[3] = {sin(angle), 0, cos(angle)};
         double foot[3] = {normal[0], -0.5, normal[2]}, head[3] = {normal[0], 0.5, normal[2]};
         sheen_lecture_vertex(m, foot, normal);
         sheen_lecture_vertex(m, head, normal);

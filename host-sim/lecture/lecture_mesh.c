@@ -7,8 +7,6 @@
 #include "lecture_scene.h"
 #include "quantise.h"
 
-#define PI 3.14159265358979323846
-
 void sheen_lecture_mesh_begin(struct sheen_lecture_mesh *m, int reach)
 {
     memset(m, 0, sizeof *m);
@@ -62,7 +60,7 @@ void sheen_lecture_facet(struct sheen_lecture_mesh *m, double degrees, int count
     sheen_lecture_mesh_begin(m, 2);
     for (int k = 0; k < 4; k++) {
         int right = k == 1 || k == 2;
-        double lean = (right ? degrees : -degrees) / 2 * PI / 180, normal[3] = {sin(lean), 0, cos(lean)};
+        double lean = (right ? degrees : -degrees) / 2 * M_PI / 180, normal[3] = {sin(lean), 0, cos(lean)};
         double position[3] = {(right ? count : -count) / 512.0, (k > 1 ? rows : -rows) / 512.0, 0};
         v[k] = sheen_lecture_vertex(m, position, normal);
     }

@@ -12,7 +12,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define SIZE 129  /* px, odd: a pixel's centre is the picture's */
 #define SMALL 45  /* likewise, where the centre alone is wanted */
 #define TURNS 37  /* every 2.5 degrees of a quarter turn */
@@ -26,7 +25,7 @@ static const double level[4] = {0.95, 0.15, 0.95, 0.15};
 /* Intensity at (x, y): along the two edges that the scan line meets, then along it. 0 outside. */
 static double polygon_at(double degrees, double x, double y)
 {
-    double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180), at[2], value[2];
+    double c = cos(degrees * M_PI / 180), s = sin(degrees * M_PI / 180), at[2], value[2];
     int count = 0;
 
     for (int k = 0; k < 4 && count < 2; k++) {
@@ -74,8 +73,8 @@ static void make_triangle(struct sheen_lecture_mesh *m)
 
     sheen_lecture_mesh_begin(m, 2);
     for (int k = 0; k < 3; k++) {
-        double x = cos(2 * PI * k / 3 + 0.4), y = sin(2 * PI * k / 3 + 0.4), normal[3], position[3] = {x, y, 0};
-        sheen_lecture_lean(cos((30 + 25 * k) * PI / 180), x, y, normal);
+        double x = cos(2 * M_PI * k / 3 + 0.4), y = sin(2 * M_PI * k / 3 + 0.4), normal[3], position[3] = {x, y, 0};
+        sheen_lecture_lean(cos((30 + 25 * k) * M_PI / 180), x, y, normal);
         v[k] = sheen_lecture_vertex(m, position, normal);
     }
     sheen_lecture_triangle(m, v[0], v[1], v[2]);

@@ -9,7 +9,6 @@
 
 #include "glass.h"
 
-#define PI 3.14159265358979323846
 #define DITHER 8 /* px: the pattern repeats */
 
 static sheen_angle_t to_angle(double degrees)
@@ -33,7 +32,7 @@ void sheen_lecture_scene_default(struct sheen_lecture_scene *scene, const struct
 
 void sheen_lecture_roll_light(struct sheen_lecture_scene *scene, double degrees)
 {
-    double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180), x = scene->light[0], y = scene->light[1];
+    double c = cos(degrees * M_PI / 180), s = sin(degrees * M_PI / 180), x = scene->light[0], y = scene->light[1];
 
     scene->light[0] = c * x - s * y;
     scene->light[1] = s * x + c * y;
@@ -47,38 +46,8 @@ void sheen_lecture_facet_scene(struct sheen_lecture_scene *scene, const struct s
     scene->height = rows;
     scene->distance = 1; /* fov stays above a degree */
     scene->reach = rows / 512.0;
-    scene->light[0] = -sin(from * PI / 180);
-    scene->light[2] = cos(from * PI / 180);
-}
-
-/* A target that keeps its pixels. */
-struct memory {
-    struct sheen_target target;
-    uint8_t *bytes;
-    size_t pixel_bytes;
-};
-
-static int push(void *ctx, struct sheen_rect rect, const void *pixels)
-{
-    struct memory *memory = ctx;
-    size_t row = (size_t)(rect.x1 - rect.x0) * memory->pixel_bytes;
-    const uint8_t *from = pixels;
-
-    for (int y = rect.y0; y < rect.y1; y++, from += row)
-        memcpy(memory->bytes + ((size_t)y * memory->target.width + (size_t)rect.x0) * memory->pixel_bytes, from, row);
-    return SHEEN_OK;
-}
-
-static int memory_init(struct memory *memory, int width, int height, enum sheen_pixel pixel)
-{
-    *memory = (struct memory){.target = {.ctx = memory,
-                                         .push = push,
-                                         .width = (uint16_t)width,
-                                         .height = (uint16_t)height,
-                                         .pixel = (uint8_t)pixel},
-                              .pixel_bytes = sheen_pixel_bits(pixel) / 8};
-    memory->bytes = calloc((size_t)width * (size_t)height, memory->pixel_bytes);
-    return memory->bytes ? SHEEN_OK : SHEEN_ERR_MEMORY;
+    scene->light[0] = -sin(from * M_PI / 180);
+    scene->light[2] = cos(from * M_PI / 180);
 }
 
 /* Every scene lies between m = 0.5 and 20; fov is given by what half the picture shows at `distance`. */
@@ -86,7 +55,7 @@ static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view 
 {
     sheen_q24_t distance = (sheen_q24_t)lround(scene->distance * 16777216);
 
-    *view = (struct sheen_view){.fov = to_angle(2 * atan(scene->reach / scene->distance) * 180 / PI),
+    *view = (struct sheen_view){.fov = to_angle(2 * atan(scene->reach / scene->distance) * 180 / M_PI),
                                 .z_near = SHEEN_Q24(0.5),
                                 .z_far = SHEEN_Q24(20),
                                 .orthographic = scene->ortho ? distance : 0,
@@ -121,7 +90,8 @@ static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_materi
 
 /* A scene's frame and all that it borrows. */
 struct stage {
-    struct memory memory;
+    struct sheen_target target;
+    struct sheen_memory memory;
     struct sheen_material material;
     struct sheen_shine shine;
     struct sheen_light light;
@@ -134,16 +104,21 @@ struct stage {
 /* Close in either case. */
 static int stage_open(struct stage *stage, const struct sheen_lecture_scene *scene, int margin, enum sheen_pixel pixel)
 {
-    struct sheen_config config = {.target = &stage->memory.target,
-                                  .band_rows = (uint16_t)(scene->height + margin),
+    const uint16_t width = (uint16_t)(scene->width + margin), height = (uint16_t)(scene->height + margin);
+    struct sheen_config config = {.target = &stage->target,
+                                  .band_rows = height,
                                   .max_vertices = scene->mesh->vertices,
                                   .max_triangles = scene->mesh->triangles};
 
     memset(stage, 0, sizeof *stage);
+    stage->memory.stride = sheen_row_bytes(pixel, width);
+    stage->memory.pixels = calloc(height, stage->memory.stride);
+    if (!stage->memory.pixels)
+        return SHEEN_ERR_MEMORY;
     set_view(scene, &stage->view);
     int error = set_draw(scene, &stage->material, &stage->shine, &stage->light, &stage->draw);
     if (!error)
-        error = memory_init(&stage->memory, scene->width + margin, scene->height + margin, pixel);
+        error = sheen_memory_target(&stage->target, &stage->memory, width, height, pixel);
     if (error)
         return error;
     size_t size = sheen_arena_size(&config);
@@ -154,7 +129,7 @@ static int stage_open(struct stage *stage, const struct sheen_lecture_scene *sce
 static void stage_close(struct stage *stage)
 {
     free(stage->arena);
-    free(stage->memory.bytes);
+    free(stage->memory.pixels);
 }
 
 static int stage_draw(struct stage *stage)
@@ -186,9 +161,9 @@ int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *inten
         stage.view.viewport =
             (struct sheen_rect){(int16_t)x0, (int16_t)y0, (int16_t)(x0 + width), (int16_t)(y0 + height)};
         error = stage_draw(&stage);
+        const uint8_t *grey = stage.memory.pixels;
         for (int i = 0; !error && i < width * height; i++)
-            intensity[i] +=
-                stage.memory.bytes[(y0 + i / width) * (width + DITHER) + x0 + i % width] / (DITHER * DITHER * 255.0);
+            intensity[i] += grey[(y0 + i / width) * (width + DITHER) + x0 + i % width] / (DITHER * DITHER * 255.0);
     }
     stage_close(&stage);
     return error;
@@ -204,7 +179,7 @@ int sheen_lecture_picture(const struct sheen_lecture_scene *scene, uint8_t *rgb)
     if (!error)
         error = stage_draw(&stage);
     for (int i = 0; !error && i < scene->width * scene->height; i++) {
-        const uint8_t *byte = stage.memory.bytes + 2 * i;
+        const uint8_t *byte = (const uint8_t *)stage.memory.pixels + 2 * i;
         sheen_sim_expand((uint16_t)(byte[0] << 8 | byte[1]), 0, rgb + 3 * i);
     }
     stage_close(&stage);

@@ -7,7 +7,6 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define PI 3.14159265358979323846
 #define COUNT 320  /* px along the row */
 #define ROWS 49    /* odd: the middle one is measured */
 #define DEGREES 40 /* between the ends' normals */
@@ -22,8 +21,8 @@ static double dot(const double a[2], const double b[2])
 /* In the plane of all vectors: x to the right, z to the eye. */
 static void unit(double degrees, double v[2])
 {
-    v[0] = sin(degrees * PI / 180);
-    v[1] = cos(degrees * PI / 180);
+    v[0] = sin(degrees * M_PI / 180);
+    v[1] = cos(degrees * M_PI / 180);
 }
 
 struct ways {

@@ -13,7 +13,6 @@
 #define SMALL 166 /* px wide, where n changes */
 #define HEIGHT 118
 #define PLOTTED 241
-#define PI 3.14159265358979323846
 
 static const struct {
     const char *name;
@@ -110,7 +109,7 @@ static int draw_powers(struct sheen_page *page)
         struct power power = power_of(&shine);
         for (int i = 0; i < PLOTTED; i++) {
             angle[i] = 60.0 * i / (PLOTTED - 1);
-            double s = cos(angle[i] * PI / 180);
+            double s = cos(angle[i] * M_PI / 180);
             table[i] = power_at(power, (int32_t)lround((1 - s) * (1 << 29))) / 32768.0;
             exact[i] = pow(s, n[k]);
             off = fmax(off, fabs(table[i] - exact[i]));

@@ -14,7 +14,7 @@
 /* The lights on a cone about the line of sight. */
 static void turn_lights(struct sheen_light_list *lights)
 {
-    double angle = LIGHT_TURN_DEG * acos(-1) / 180;
+    double angle = LIGHT_TURN_DEG * M_PI / 180;
 
     for (int i = 0; i < lights->count; i++) {
         double x = lights->to[i][0], y = lights->to[i][1];
