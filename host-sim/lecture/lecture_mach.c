@@ -71,8 +71,8 @@ enum {
 };
 
 struct findings {
-    double step, bend,
-        off; /* largest |first difference|, largest |second difference| in the middle, mean |I - cylinder| */
+    double step, bend; /* largest |first difference| and |second difference| in the middle */
+    double off;        /* mean |I - cylinder| */
 };
 
 static void look_at(const struct sheen_lecture_scene *scene, const double *row, double *bend, struct findings *f)

@@ -13,21 +13,9 @@
 #define HEART_TOP 82 /* below a cell's top */
 #define COLUMNS (SHEEN_SHEET_WIDTH / SHEEN_SHEET_CELL)
 
-static cairo_status_t append(void *closure, const unsigned char *data, unsigned count)
+static cairo_status_t append(void *stream, const unsigned char *data, unsigned count)
 {
-    struct sheen_page_bytes *to = closure;
-
-    if (to->count + count > to->room) {
-        size_t room = 2 * (to->count + count);
-        unsigned char *more = realloc(to->data, room);
-        if (!more)
-            return CAIRO_STATUS_NO_MEMORY;
-        to->data = more;
-        to->room = room;
-    }
-    memcpy(to->data + to->count, data, count);
-    to->count += count;
-    return CAIRO_STATUS_SUCCESS;
+    return fwrite(data, 1, count, stream) == count ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_NO_MEMORY;
 }
 
 int sheen_page_open(struct sheen_page *page, const char *name, enum sheen_form form, int width, int height)
@@ -36,7 +24,10 @@ int sheen_page_open(struct sheen_page *page, const char *name, enum sheen_form f
 
     *page = (struct sheen_page){.name = name, .form = form, .width = width, .height = height};
     if (form == SHEEN_SVG) {
-        page->surface = cairo_svg_surface_create_for_stream(append, &page->svg, width, height);
+        page->svg = open_memstream(&page->svg_text, &page->svg_count);
+        if (!page->svg)
+            return SHEEN_ERR_MEMORY;
+        page->surface = cairo_svg_surface_create_for_stream(append, page->svg, width, height);
         cairo_svg_surface_set_document_unit(page->surface, CAIRO_SVG_UNIT_PX);
     } else {
         page->surface = cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents);
@@ -51,7 +42,9 @@ void sheen_page_close(struct sheen_page *page)
 {
     cairo_destroy(page->cr);
     cairo_surface_destroy(page->surface);
-    free(page->svg.data);
+    if (page->svg)
+        fclose(page->svg);
+    free(page->svg_text);
 }
 
 /* ---- what can be read ---- */

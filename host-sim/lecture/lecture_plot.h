@@ -10,6 +10,7 @@
 
 #include <cairo.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include "problem.h"
 
@@ -43,10 +44,9 @@ struct sheen_page {
     struct sheen_box heart; /* what of it the contact sheet shows; all 0: nothing */
     cairo_surface_t *surface;
     cairo_t *cr;
-    struct sheen_page_bytes {
-        unsigned char *data;
-        size_t count, room;
-    } svg;                          /* written so far */
+    FILE *svg; /* into svg_text */
+    char *svg_text;
+    size_t svg_count;
     const struct sheen_page *shown; /* on the sheet: the pages whose hearts it shows; they outlive it */
     int shown_count;
     /* What is written on it, for sheen_page_check: the letters' extents and size. */

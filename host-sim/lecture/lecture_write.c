@@ -60,9 +60,11 @@ static int write_svg(struct sheen_page *page, const char *path, struct sheen_pro
 {
     cairo_surface_finish(page->surface);
     cairo_status_t status = cairo_surface_status(page->surface);
+    if (status == CAIRO_STATUS_SUCCESS && fflush(page->svg) != 0)
+        status = CAIRO_STATUS_NO_MEMORY;
     if (status != CAIRO_STATUS_SUCCESS)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s: %s", path, cairo_status_to_string(status));
-    return sheen_out_file(path, page->svg.data, page->svg.count, problem);
+    return sheen_out_file(path, page->svg_text, page->svg_count, problem);
 }
 
 int sheen_page_write(struct sheen_page *page, const char *path, struct sheen_problem *problem)
