@@ -51,7 +51,6 @@ static int is_binary_stl(const struct sheen_bytes *bytes)
 
 static sheen_mesh_reader *by_content(struct sheen_bytes *bytes)
 {
-    char word[16] = " ";
     struct sheen_word first;
 
     if (is_binary_stl(bytes))
@@ -64,10 +63,8 @@ static sheen_mesh_reader *by_content(struct sheen_bytes *bytes)
         return NULL;
     if (first.at[0] == '{')
         first.length = 1; /* of JSON */
-    if (snprintf(word, sizeof word, " %.*s ", SHEEN_WORD(first)) >= (int)sizeof word)
-        return NULL;
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
-        if (strcasestr(formats[i].words, word))
+        if (sheen_word_is_of(&first, formats[i].words))
             return formats[i].read;
     }
     return NULL;

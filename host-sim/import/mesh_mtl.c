@@ -139,8 +139,7 @@ static void read_map(struct sheen_text *text, struct sheen_polygons *polygons, s
     read_map_options(text, &map);
     if (group->picture || !sheen_text_line_rest(text, &name))
         return;
-    if (name.length >= 2 && name.at[0] == '"' && name.at[name.length - 1] == '"')
-        name = (struct sheen_word){name.at + 1, name.length - 2};
+    sheen_word_unquote(&name);
     uint8_t wrap = map.clamps ? SHEEN_WRAP_CLAMP : SHEEN_WRAP_REPEAT;
     struct sheen_picture picture = {
         .name = sheen_picture_beside(text->path, name.at, name.length), .wrap = {wrap, wrap}, .cutoff = .5};

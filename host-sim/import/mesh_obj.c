@@ -4,7 +4,6 @@
  * OBJ has no counts: a file is complete where every index of its faces names a vertex that came, before or
  * after, and no face ends with the file before its third corner.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -201,16 +200,6 @@ static int use_material(struct obj *obj, const struct sheen_word *name)
     return SHEEN_OK;
 }
 
-static int is_one_of(const struct sheen_word *word, const char *words)
-{
-    char padded[20];
-
-    if (word->length > sizeof padded - 3)
-        return 0;
-    snprintf(padded, sizeof padded, " %.*s ", (int)word->length, word->at);
-    return strcasestr(words, padded) != NULL;
-}
-
 /* s N, s off, or a word that is neither, which is taken for on. */
 static void read_smoothing(struct obj *obj)
 {
@@ -223,11 +212,11 @@ static void read_smoothing(struct obj *obj)
 /* A line that is no vertex, normal, uv, face or material. */
 static void read_other(struct obj *obj, const struct sheen_word *word)
 {
-    int left_out = is_one_of(word, left_out_words);
+    int left_out = sheen_word_is_of(word, left_out_words);
 
     if (left_out && !obj->left_out.length)
         obj->left_out = *word;
-    if (left_out || !is_one_of(word, other_words))
+    if (left_out || !sheen_word_is_of(word, other_words))
         sheen_note(&obj->out->notes, SHEEN_NOTE_WARNING, "%s:%lu: '%.*s' is not read, and left out", obj->text.path,
                    obj->text.line, SHEEN_WORD(*word));
 }
@@ -303,8 +292,7 @@ static void read_library(struct obj *obj, struct sheen_word *rest)
     struct sheen_word word, missing[SHEEN_NOTES_MAX]; /* more are not noted */
     size_t words = 0, lacks = 0;
 
-    if (rest->length >= 2 && rest->at[0] == '"' && rest->at[rest->length - 1] == '"')
-        *rest = (struct sheen_word){rest->at + 1, rest->length - 2};
+    sheen_word_unquote(rest);
     if (read_file(obj, rest))
         return;
     struct sheen_text text = {.at = rest->at, .end = rest->at + rest->length, .comments = 1};

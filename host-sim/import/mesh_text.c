@@ -142,6 +142,22 @@ int sheen_word_is(const struct sheen_word *word, const char *expected)
     return word->length == strlen(expected) && strncasecmp(word->at, expected, word->length) == 0;
 }
 
+int sheen_word_is_of(const struct sheen_word *word, const char *expected)
+{
+    char padded[20];
+
+    if (word->length > sizeof padded - 3)
+        return 0;
+    snprintf(padded, sizeof padded, " %.*s ", (int)word->length, word->at);
+    return strcasestr(expected, padded) != NULL;
+}
+
+void sheen_word_unquote(struct sheen_word *word)
+{
+    if (word->length >= 2 && word->at[0] == '"' && word->at[word->length - 1] == '"')
+        *word = (struct sheen_word){word->at + 1, word->length - 2};
+}
+
 int sheen_word_number(const struct sheen_word *word, double *value)
 {
     const char *from = word->at, *mark = memchr(from, '#', word->length);

@@ -46,6 +46,12 @@ void sheen_text_skip_line(struct sheen_text *text);
 /* In any case of letters. */
 int sheen_word_is(const struct sheen_word *word, const char *expected);
 
+/* Likewise one of these, each between blanks; no word of theirs is longer than 16 bytes. */
+int sheen_word_is_of(const struct sheen_word *word, const char *expected);
+
+/* Without the quotes around it. */
+void sheen_word_unquote(struct sheen_word *word);
+
 /*
  * The whole word as a number: 1, also for one that is not finite, Microsoft's 1.#IND among them, which becomes NaN;
  * 0: it is none.
