@@ -24,7 +24,7 @@ async function sheenHost(code, files) {
         view().setBigUint64(at + 32, BigInt(size), true);
         return OK;
     }
-    // Calls each(address, count) for the parts of a list; the sum of what it returns goes to `out`.
+    // Calls act(address, count) for the parts of a list; the sum of what it returns goes to `out`.
     function each(list, count, out, act) {
         let sum = 0;
         for (let i = 0; i < count; i++)

@@ -346,12 +346,18 @@ async function busily(act) {
     document.body.dataset.state = 'ready';
 }
 
-/* Files that were dropped or chosen: a mesh, and what it names, or a picture for the mesh of a file. */
-const take = list => busily(async () => {
-    const given = new Map();
+/* Files that were dropped or chosen, and which of them is the mesh; undefined where there is none. */
+async function readFiles(list) {
+    const files = new Map();
     for (const file of list)
-        given.set(file.name, new Uint8Array(await file.arrayBuffer()));
-    const names = [...given.keys()], name = names.find(n => READABLE.test(n)) ?? names[0];
+        files.set(file.name, new Uint8Array(await file.arrayBuffer()));
+    const names = [...files.keys()];
+    return [files, names.find(n => READABLE.test(n)) ?? names[0]];
+}
+
+/* A mesh, and what it names, or a picture for the mesh of a file. */
+const take = list => busily(async () => {
+    const [given, name] = await readFiles(list);
     if (!name)
         throw 'that was no file';
     say([`${name}: reading it …`]);
@@ -371,10 +377,7 @@ const take = list => busily(async () => {
 });
 
 const takeFrame = list => busily(async () => {
-    const given = new Map();
-    for (const file of list)
-        given.set(file.name, new Uint8Array(await file.arrayBuffer()));
-    const name = [...given.keys()].find(n => READABLE.test(n)) ?? [...given.keys()][0];
+    const [given, name] = await readFiles(list);
     if (name)
         await showFrame(given, name);
 });
@@ -585,7 +588,6 @@ function showControls() {
 /* ---- lights: a ball seen from the eye, a dot where each light stands ---- */
 
 const unit = v => v.map(x => x / (Math.hypot(...v) || 1));
-
 
 function drawLights() {
     const canvas = $('lights'), g = canvas.getContext('2d'), r = canvas.width / 2, [x, y] = unit(lights[0] ?? [0, 0, 1]);
