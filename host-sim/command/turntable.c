@@ -46,8 +46,8 @@ static void close_panel(struct sheen_turntable *table)
     table->panel = NULL;
 }
 
-static int open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
-                      struct sheen_problem *problem)
+int sheen_turntable_open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
+                               struct sheen_problem *problem)
 {
     size_t pixels = (size_t)choice->width * choice->height;
 
@@ -66,7 +66,7 @@ int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_optio
 {
     memset(table, 0, sizeof *table);
     table->options = options;
-    int error = open_panel(table, choice, problem);
+    int error = sheen_turntable_open_panel(table, choice, problem);
     if (error)
         return error;
     sheen_progress("reading the mesh", 0, 0);
@@ -79,7 +79,7 @@ int sheen_turntable_panel(struct sheen_turntable *table, const struct sheen_sim_
                           struct sheen_problem *problem)
 {
     close_panel(table);
-    int error = open_panel(table, choice, problem);
+    int error = sheen_turntable_open_panel(table, choice, problem);
     if (error)
         return error;
     error = sheen_scene_retarget(&table->scene, sheen_sim_panel_target(table->panel));

@@ -35,6 +35,10 @@ int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_optio
                          const struct sheen_sim_choice *choice, struct sheen_problem *problem);
 void sheen_turntable_close(struct sheen_turntable *table);
 
+/* The panel alone, into zeroed memory: as much as sheen_turntable_read needs. Likewise. */
+int sheen_turntable_open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
+                               struct sheen_problem *problem);
+
 /*
  * Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. The first
  * time that nothing is to be seen a warning on standard error says why.
