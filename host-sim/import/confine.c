@@ -41,9 +41,15 @@ static const int hostile[] = {
     SCMP_SYS(fork),   SCMP_SYS(vfork),    SCMP_SYS(clone),  SCMP_SYS(clone3),     SCMP_SYS(kill),
 };
 
-static int limit(int resource, rlim_t most)
+/* And no more than the process may have as it is, by limits of its user's. */
+static int limit(int resource, rlim_t most, rlim_t at_last)
 {
-    return setrlimit(resource, &(struct rlimit){most, most});
+    struct rlimit has;
+
+    if (getrlimit(resource, &has) != 0)
+        return -1;
+    at_last = at_last < has.rlim_max ? at_last : has.rlim_max;
+    return setrlimit(resource, &(struct rlimit){most < at_last ? most : at_last, at_last});
 }
 
 /* Memory of this process: what it may take, 0 where it is not confined, and for which files it may take more. */
@@ -75,9 +81,8 @@ static rlim_t memory_now(void)
 static int set_limits(unsigned seconds, unsigned long bytes)
 {
     memory.most = memory_now() + bytes;
-    int failed = setrlimit(RLIMIT_CPU, &(struct rlimit){seconds, seconds + 1}) || limit(RLIMIT_CORE, 0) ||
-                 limit(RLIMIT_FSIZE, 0) || limit(RLIMIT_NOFILE, 64) ||
-                 (!SANITIZED && setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST}));
+    int failed = limit(RLIMIT_CPU, seconds, seconds + 1) || limit(RLIMIT_CORE, 0, 0) || limit(RLIMIT_FSIZE, 0, 0) ||
+                 limit(RLIMIT_NOFILE, 64, 64) || (!SANITIZED && limit(RLIMIT_DATA, memory.most, MEMORY_AT_LAST));
     return failed ? -errno : 0;
 }
 
@@ -95,7 +100,7 @@ void sheen_confine_file(int file)
     memory.file[memory.files++].number = status.st_ino;
     memory.most += SHEEN_CONFINE_TIMES * (rlim_t)status.st_size;
     if (!SANITIZED)
-        (void)setrlimit(RLIMIT_DATA, &(struct rlimit){memory.most, MEMORY_AT_LAST});
+        (void)limit(RLIMIT_DATA, memory.most, MEMORY_AT_LAST);
 }
 
 /* Only these ways of a call: opening to read, memory that is not executable, writing to `output`, ending oneself. */
