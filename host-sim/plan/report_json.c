@@ -4,17 +4,22 @@
 #include <string.h>
 
 #include "report.h"
+#include "utf8.h"
 
 static void put_quoted(FILE *out, const char *text)
 {
     putc('"', out);
-    for (; *text; text++) {
-        if (*text == '"' || *text == '\\')
-            putc('\\', out);
-        if ((unsigned char)*text < ' ')
+    while (*text) {
+        size_t bytes = sheen_utf8_bytes(text);
+        if (bytes == 0)
+            putc('?', out); /* JSON is UTF-8, which a file's name need not be */
+        else if (*text == '"' || *text == '\\')
+            fprintf(out, "\\%c", *text);
+        else if ((unsigned char)*text < ' ')
             fprintf(out, "\\u%04x", *text);
         else
-            putc(*text, out);
+            fwrite(text, 1, bytes, out);
+        text += bytes ? bytes : 1;
     }
     putc('"', out);
 }
