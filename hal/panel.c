@@ -22,7 +22,8 @@ int sheen_panel_give(struct sheen_panel *panel)
     return panel->error;
 }
 
-int sheen_panel_collect(struct sheen_panel *panel)
+/* Begins anew, without error, and ends the push before. */
+static int end_push(struct sheen_panel *panel)
 {
     panel->error = SHEEN_OK;
     sheen_panel_landed(panel);
@@ -31,7 +32,7 @@ int sheen_panel_collect(struct sheen_panel *panel)
 
 int sheen_panel_take(struct sheen_panel *panel)
 {
-    if (sheen_panel_collect(panel) == SHEEN_OK) {
+    if (end_push(panel) == SHEEN_OK) {
         if (panel->bus->acquire)
             panel->error = panel->bus->acquire(panel->bus->ctx);
         panel->held = panel->error == SHEEN_OK;
@@ -39,10 +40,16 @@ int sheen_panel_take(struct sheen_panel *panel)
     return panel->error;
 }
 
+/* What the controller holds of the window is not known. */
+static void forget_window(struct sheen_panel *panel)
+{
+    panel->window[0] = panel->window[1] = UINT32_MAX;
+}
+
 /* From any state to a lit panel; the bus is held. Not after an error, as give() sees to. */
 static void initialise(struct sheen_panel *panel)
 {
-    sheen_panel_forget_window(panel);
+    forget_window(panel);
     panel->record->driver->init(panel);
     if (panel->settings)
         panel->settings(panel);
@@ -61,7 +68,7 @@ int sheen_panel_off(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
     unsigned count = panel->ready ? driver->off_count : 0;
-    int error = count ? sheen_panel_take(panel) : sheen_panel_collect(panel);
+    int error = count ? sheen_panel_take(panel) : end_push(panel);
 
     for (unsigned i = 0; i < count; i++)
         driver->command(panel, driver->off[i], NULL, 0);
@@ -80,7 +87,7 @@ int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)
     if (panel->ready)
         sheen_panel_take(panel);
     panel->orientation = (uint8_t)orientation;
-    sheen_panel_forget_window(panel);
+    forget_window(panel);
     if (panel->ready && driver->orient)
         driver->orient(panel);
     return sheen_panel_give(panel);
@@ -117,7 +124,7 @@ static int panel_push(void *ctx, struct sheen_rect rect, const void *pixels)
 
 static int panel_wait(void *ctx)
 {
-    return sheen_panel_collect(ctx);
+    return end_push(ctx);
 }
 
 void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientation, uint16_t *width, uint16_t *height)

@@ -47,11 +47,10 @@ struct sheen_turn {
 void sheen_turn_of(const struct sheen_panel *panel, const struct sheen_rect *rect, struct sheen_turn *turn);
 
 /*
- * Around what is said to the panel. collect begins anew, without error, and ends the
- * push before; take acquires the bus besides (after an error it is not held); give
- * releases it, unless pixels still fly. An error makes the panel unknown. All return it.
+ * Around what is said to the panel. take begins anew, without error, ends the push
+ * before and acquires the bus (after an error it is not held); give releases it,
+ * unless pixels still fly. An error makes the panel unknown. Both return it.
  */
-int sheen_panel_collect(struct sheen_panel *panel);
 int sheen_panel_take(struct sheen_panel *panel);
 int sheen_panel_give(struct sheen_panel *panel);
 
@@ -73,12 +72,6 @@ void sheen_panel_reset(struct sheen_panel *panel);
 
 /* The record's init table. */
 void sheen_panel_steps(struct sheen_panel *panel);
-
-/* What the controller holds of the window is not known. */
-static inline void sheen_panel_forget_window(struct sheen_panel *panel)
-{
-    panel->window[0] = panel->window[1] = UINT32_MAX;
-}
 
 /* 1, and remembers it, where axis 0 (x) or 1 (y) of the window, first << 16 | last, is not so already. */
 static inline int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, uint32_t window)
