@@ -6,7 +6,6 @@
 #include "stop.h"
 
 #include <errno.h>
-#include <string.h>
 #include <time.h>
 
 static const char *given(const char *text)

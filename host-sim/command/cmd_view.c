@@ -1,7 +1,6 @@
 /*
  * cmd_view.c - `sheen view`: a mesh that turns on the simulated glass, in a window, as text or in a GIF.
  */
-#include <stdio.h>
 #include <strings.h>
 
 #include "builtin.h"

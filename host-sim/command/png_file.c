@@ -5,7 +5,6 @@
 
 #include <png.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "out_file.h"
 

@@ -464,9 +464,10 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     return error;
 }
 
-int sheen_host_mesh_build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
-                                 const struct sheen_polygons *second, const struct sheen_host_options *options,
-                                 const char *name, struct sheen_problem *problem)
+/* second: another frame of it, options->morph by name, or NULL; SHEEN_ERR_ARGUMENT where the polygons are others. */
+static int build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
+                        const struct sheen_polygons *second, const struct sheen_host_options *options, const char *name,
+                        struct sheen_problem *problem)
 {
     int error = build_all(mesh, polygons, second, options, name, problem);
 
@@ -483,7 +484,7 @@ int sheen_host_mesh_build_frames(struct sheen_host_mesh *mesh, const struct shee
 int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
                           const struct sheen_host_options *options, const char *name, struct sheen_problem *problem)
 {
-    return sheen_host_mesh_build_frames(mesh, polygons, NULL, options, name, problem);
+    return build_frames(mesh, polygons, NULL, options, name, problem);
 }
 
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh)
@@ -535,7 +536,7 @@ int sheen_host_mesh_load(struct sheen_host_mesh *mesh, const char *name, const s
     if (!error && options->morph)
         error = load_frame(&second, options->morph, options, &whole, problem);
     if (!error)
-        error = sheen_host_mesh_build_frames(mesh, &polygons, options->morph ? &second : NULL, options, name, problem);
+        error = build_frames(mesh, &polygons, options->morph ? &second : NULL, options, name, problem);
     sheen_polygons_free(&polygons);
     sheen_polygons_free(&second);
     return error;

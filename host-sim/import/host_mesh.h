@@ -114,10 +114,6 @@ struct sheen_host_mesh {
  */
 int sheen_host_mesh_build(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
                           const struct sheen_host_options *options, const char *name, struct sheen_problem *problem);
-/* The same with another frame of it, options->morph by name; SHEEN_ERR_ARGUMENT where the polygons are others. */
-int sheen_host_mesh_build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
-                                 const struct sheen_polygons *second, const struct sheen_host_options *options,
-                                 const char *name, struct sheen_problem *problem);
 void sheen_host_mesh_free(struct sheen_host_mesh *mesh);
 
 /* By name: "builtin:..." or a file. textures: or NULL. Errors as above, and what the reader found. */

@@ -1,7 +1,6 @@
 /*
  * mesh_mtl.c - the colours and textures of an OBJ's materials.
  */
-#include <stdlib.h>
 #include <string.h>
 
 #include "mesh_readers.h"

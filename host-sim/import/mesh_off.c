@@ -4,7 +4,6 @@
  * It is words, not lines, but for colours: what follows a face's corners on their line is its colour. A file is
  * read as words alone if that comes out even, to the last word of the file, else with colours to the ends of lines.
  */
-#include <stdio.h>
 #include <string.h>
 
 #include "mesh_readers.h"

@@ -4,7 +4,6 @@
  * A binary one has 80 bytes of anything, which may begin with "solid", a count, and 50 bytes a triangle. In a
  * text the four bytes of the count are characters, which would promise more than 7 GB.
  */
-#include <float.h>
 #include <math.h>
 #include <string.h>
 

@@ -5,7 +5,6 @@
  * All of it in whole numbers, so that it is the same everywhere: bytes of colour, means of them in 1/16.
  */
 #include <stdlib.h>
-#include <string.h>
 
 #include "texels.h"
 

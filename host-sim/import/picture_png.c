@@ -2,7 +2,6 @@
  * picture_png.c - PNG by libpng, row by row, interlaced or not.
  */
 #include <png.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "picture.h"

@@ -4,8 +4,6 @@
  *
  * The polygon is drawn by the core, cut and faced by it too, and the pixels are counted.
  */
-#include <math.h>
-#include <string.h>
 
 #include "lecture.h"
 #include "lecture_scene.h"

@@ -4,7 +4,6 @@
 #include <cairo-svg.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "lecture_plot.h"
 

@@ -4,8 +4,6 @@
  */
 #include "report.h"
 
-#include <string.h>
-
 #define MS 1000
 
 static const char *const shadings[SHEEN_ALL_SHADINGS] = {"flat",  "Gouraud", "Phong",

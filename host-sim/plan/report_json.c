@@ -1,7 +1,6 @@
 /*
  * report_json.c - a plan as one object of JSON. Seconds, bytes, frames a second.
  */
-#include <string.h>
 
 #include "report.h"
 #include "utf8.h"

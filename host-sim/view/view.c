@@ -84,7 +84,7 @@ static int send_band(struct sheen_viewer *viewer, struct sheen_problem *problem)
     return error ? sheen_turntable_problem(&viewer->table, error, problem) : SHEEN_OK;
 }
 
-int sheen_viewer_finish(struct sheen_viewer *viewer, struct sheen_problem *problem)
+static int finish(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     int under_way = viewer->band >= 0, error = SHEEN_OK;
 
@@ -96,7 +96,7 @@ int sheen_viewer_finish(struct sheen_viewer *viewer, struct sheen_problem *probl
 
 int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
-    int error = sheen_viewer_finish(viewer, problem);
+    int error = finish(viewer, problem);
 
     if (error)
         return error;
@@ -108,7 +108,7 @@ int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *probl
 int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     if (viewer->band >= 0)
-        return sheen_viewer_finish(viewer, problem);
+        return finish(viewer, problem);
     viewer->number++;
     return sheen_viewer_redraw(viewer, problem);
 }
@@ -147,7 +147,7 @@ int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *proble
     int error = sheen_turntable_choose(&choice, options, problem);
 
     if (!error)
-        error = sheen_viewer_finish(viewer, problem);
+        error = finish(viewer, problem);
     if (error)
         return error;
     if (options->band > choice.height)

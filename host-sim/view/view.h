@@ -49,8 +49,7 @@ int sheen_viewer_open(struct sheen_viewer *viewer, const struct sheen_options *o
 /* Writes a recording that is still going on to its file. 0, or a negative code and *problem. */
 int sheen_viewer_close(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
-/* Finishes a frame under way; draws this one again, with the options as they are now; draws the next one. */
-int sheen_viewer_finish(struct sheen_viewer *viewer, struct sheen_problem *problem);
+/* Draws this frame again, with the options as they are now; draws the next one. One under way is finished. */
 int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem);
 

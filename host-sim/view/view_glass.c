@@ -27,11 +27,6 @@ const char *sheen_theme_name(enum sheen_theme theme)
     return themes[theme].name;
 }
 
-uint32_t sheen_theme_gap(enum sheen_theme theme)
-{
-    return themes[theme].gap;
-}
-
 uint32_t sheen_theme_colour(enum sheen_theme theme, const uint8_t rgb[3])
 {
     uint32_t colour = 0;
@@ -57,7 +52,7 @@ static void draw_pixel(uint32_t *out, unsigned stride, const struct sheen_glass_
 void sheen_glass_draw(const struct sheen_glass_picture *picture, const struct sheen_glass_look *look, uint32_t *out,
                       unsigned stride)
 {
-    uint32_t gap = sheen_theme_gap(look->theme);
+    uint32_t gap = themes[look->theme].gap;
     const uint8_t *rgb = picture->rgb;
 
     for (unsigned y = 0; y < picture->height; y++) {

@@ -27,9 +27,8 @@ struct sheen_glass_look {
 /* The word of --theme. */
 const char *sheen_theme_name(enum sheen_theme theme);
 
-/* 0x00RRGGBB of a colour (3 bytes) on that glass, and of what surrounds the pixels. */
+/* 0x00RRGGBB of a colour (3 bytes) on that glass. */
 uint32_t sheen_theme_colour(enum sheen_theme theme, const uint8_t rgb[3]);
-uint32_t sheen_theme_gap(enum sheen_theme theme);
 
 /* What lies around the glass, also in the corners of a round one. */
 #define SHEEN_BEZEL 0x1c1d20u
