@@ -68,11 +68,14 @@ int sheen_panel_off(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
     unsigned count = panel->ready ? driver->off_count : 0;
-    int error = count ? sheen_panel_take(panel) : end_push(panel);
 
+    if (count)
+        sheen_panel_take(panel);
+    else
+        end_push(panel);
     for (unsigned i = 0; i < count; i++)
         driver->command(panel, driver->off[i], NULL, 0);
-    error = sheen_panel_give(panel);
+    int error = sheen_panel_give(panel);
     panel->ready = 0;
     return error;
 }
