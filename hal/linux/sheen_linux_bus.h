@@ -68,13 +68,11 @@ void sheen_linux_bus_close(struct sheen_linux_bus *bus);
 
 /*
  * Private: what the kinds add. put sends bytes of one D/C level and returns when they
- * have left; more: the controller's own chip select is to stay low after them.
+ * have left; more: the controller's own chip select is to stay low after them. A device
+ * becomes bus->fd; else the line names the group that may open it, or what to switch.
  */
 int sheen_ioctl_again(int fd, unsigned long request, void *value);
-
-/* A device as bus->fd. The error's line names the group that may open it; without a device, what to switch. */
 int sheen_device_open(struct sheen_linux_bus *bus, const char *path, const char *group, const char *what);
-
 int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring);
 int sheen_i2cdev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring);
 int sheen_bitbang_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring);
