@@ -42,6 +42,7 @@ endif()
 add_executable(test_accuracy_random test_accuracy_random.c random_scene.c textured_scene.c)
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 500)
+sheen_script(accuracy_random_deep accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 400 0 270)
 foreach(number 10248 23943 27112) # once outside their limits
   sheen_script(accuracy_random_${number} accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 1 ${number})
 endforeach()

@@ -1,7 +1,10 @@
 /*
  * test_accuracy_random.c - pictures of random poses, lights and colours against the picture in double precision.
  *
- *   test_accuracy_random PICTURES [FIRST]
+ *   test_accuracy_random PICTURES [FIRST [RATIO]]
+ *
+ * RATIO: the near plane is moved to where the far one is so many times as far away; neither fog nor bias then. Depths,
+ * of which 1/m is made, are so few there that from some 300 on a picture in a thousand has too few equal pixels.
  *
  * What test_accuracy's views do not have: light from behind, shininess from 1, strong highlights on coarse meshes,
  * cuts by the guard band, dither, any way forced, texels, fog, pixels left out (random_scene.c). A picture depends on
@@ -86,14 +89,24 @@ static int shoot(struct accuracy_shot *shot, const struct random_scene *random)
     return status;
 }
 
-/* 1 where the picture is outside its limits. */
-static int judge(const struct random_meshes *meshes, uint32_t number)
+/* Of a scene whose near plane is not as near already. */
+static void deepen(struct ref_scene *scene, double ratio)
+{
+    scene->near = ratio * scene->near > scene->far ? scene->far / ratio : scene->near;
+    scene->fog = false; /* its planes may be too few steps apart then, */
+    scene->bias = 0;    /* and what is moved by so many of them beyond the far plane */
+}
+
+/* 1 where the picture is outside its limits. ratio: of far to near at the least; 0: as it is. */
+static int judge(const struct random_meshes *meshes, uint32_t number, double ratio)
 {
     static struct accuracy_shot shot, dithered;
     struct random_scene random;
     const struct ref_score *score = &shot.score;
 
     random_scene(&random, meshes, number);
+    if (ratio > 0)
+        deepen(&random.scene, ratio);
     enum ref_shading shading = random.scene.shading;
     int failed = shoot(&shot, &random) < 0;
     if (failed) {
@@ -145,14 +158,15 @@ int main(int argc, char **argv)
     static struct random_meshes meshes;
     uint32_t count = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : 0;
     uint32_t first = argc > 2 ? (uint32_t)strtoul(argv[2], NULL, 10) : 0;
+    double ratio = argc > 3 ? strtod(argv[3], NULL) : 0;
     int failed = 0;
 
     if (count == 0 || random_meshes_make(&meshes) != 0) {
-        fprintf(stderr, "usage: test_accuracy_random PICTURES [FIRST]\n");
+        fprintf(stderr, "usage: test_accuracy_random PICTURES [FIRST [RATIO]]\n");
         return 2;
     }
     for (uint32_t i = 0; i < count; i++)
-        failed += judge(&meshes, first + i);
+        failed += judge(&meshes, first + i, ratio);
     failed += judge_rows();
     random_meshes_free(&meshes);
     printf("%d of %u pictures outside their limits; %ld with an area on a rounding edge\n", failed, count, ties);

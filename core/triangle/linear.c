@@ -27,8 +27,7 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
         return 1;
     most = most > second ? most : second;
     most = most > third ? most : third;
-    uint32_t least =
-        c->at.v[0]->z + (uint32_t)min32(0, min32(z1, z2)) + (screen->weight_offset >> screen->weight_shift);
+    uint32_t least = c->at.v[0]->z + (uint32_t)min32(0, min32(z1, z2)) + weight_beyond(screen);
     return most >> 6 <= (least >> 6) * unit;
 }
 

@@ -127,9 +127,11 @@ COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, u
     q->dyy += rest.dyy;
 }
 
+#define LEAST_MEAN 8 /* steps: below that their rounding is more than what is looked for */
+
 /*
  * Weights' differences are those of z16 (vertex.h). The mean of the three stands for that of two.
- * Range: |z - z| < 2^16, `over` at most 2^15; the mean is at least DEPTH_FAR.
+ * Range: |z - z| < 2^16, `over` at most 2^15; none of three weights, 0 at least, is more than three times the mean.
  */
 int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
 {
@@ -140,9 +142,11 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
     lean[0] = lean[1] = lean[2] = 0;
     if (screen->flat_weight)
         return 1;
-    uint32_t mean = third + (screen->weight_offset >> screen->weight_shift);
-    unsigned zeros = clz32(mean);
-    int32_t over = (int32_t)(reciprocal_seed(mean << zeros) >> 1);
+    const int32_t mean = (int32_t)(third + weight_beyond(screen));
+    if (mean < LEAST_MEAN)
+        return 0;
+    unsigned zeros = clz32((uint32_t)mean);
+    int32_t over = (int32_t)(reciprocal_seed((uint32_t)mean << zeros) >> 1);
     lean[0] = asr32((z0 - z1) * over, 28 - zeros);
     lean[1] = asr32((z0 - z2) * over, 28 - zeros);
     lean[2] = lean[1] - lean[0];

@@ -124,7 +124,7 @@ int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
         most = max32(most, z);
     }
     const unsigned bits = 32 - clz32(extent);
-    const uint32_t weight = (uint32_t)(first->z + least) + (screen->weight_offset >> screen->weight_shift);
+    const uint32_t weight = (uint32_t)(first->z + least) + weight_beyond(screen);
     return bits <= MAGNIFIED && quadric_fits_area(bits, (uint32_t)q->area[0]) &&
            (screen->flat_weight || 9 * (uint32_t)(most - least) <= weight);
 }

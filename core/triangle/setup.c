@@ -15,7 +15,7 @@ void sheen_weigh(struct surface_corners *c)
     c->flat_weight = screen->flat_weight;
     UNROLLED
     for (int k = 0; k < 3; k++) {
-        const uint32_t weight = ((uint32_t)c->at.v[k]->z << screen->weight_shift) + screen->weight_offset;
+        const uint32_t weight = ((uint32_t)c->at.v[k]->z << screen->weight_shift) + (uint32_t)screen->weight_offset;
         c->weight[k] = weight | (0u - screen->flat_weight); /* all ones where they are equal */
         all |= c->weight[k];
     }

@@ -80,11 +80,17 @@ static inline int way_wanted(const struct draw *d, enum sheen_way way)
 struct screen {
     struct sheen_rect viewport;
     int32_t centre_x, centre_y; /* the viewport's, 1/64 px on the target: where struct vertex counts from */
-    uint32_t weight_offset;     /* as in struct projection */
+    int32_t weight_offset;      /* as in struct projection */
     uint8_t weight_shift;
     uint8_t flat_weight; /* affine or orthographic: all weights are equal */
     uint16_t again;      /* of a tile's last rows, how many the next tile has too */
 };
+
+/* What a sum of z16 and it is proportional to 1/m of: from -DEPTH_FAR on. */
+static inline uint32_t weight_beyond(const struct screen *screen)
+{
+    return (uint32_t)asr32(screen->weight_offset, screen->weight_shift);
+}
 
 /* ---- set-up: three vertices -> edges and gradients ---- */
 

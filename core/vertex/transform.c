@@ -83,16 +83,17 @@ static void depth_begin(struct projection *p, const struct scaled *depth)
 
 /*
  * 1/m = (z16 - DEPTH_FAR + depth / far) / depth, so a sum gives a number that is
- * proportional to it. The sum is scaled to just below 2^32.
+ * proportional to it. The sum is scaled to just below 2^31, for what is added may be negative, where far is more than
+ * 250 times as far as near: so its sign shows.
  */
 static void weight_begin(struct projection *p, struct scaled far)
 {
     divide_by(&far, p->far);
     const int64_t offset = asr64(scaled_value(&far), 8) - (DEPTH_FAR << 8); /* Q.8 */
-    const unsigned zeros = clz64((uint64_t)(offset + (65536 << 8)));        /* 24..40 */
+    const unsigned zeros = clz64((uint64_t)(offset + (65536 << 8))) - 1;    /* 24..39 */
 
     p->weight_shift = zeros - 32 + 8;
-    p->weight_offset = (uint32_t)((uint64_t)offset << zeros >> 32);
+    p->weight_offset = (int32_t)asr64(offset * ((int64_t)1 << (zeros - 24)), 8);
 }
 
 sheen_angle_t sheen_fov(const struct sheen_view *view)
@@ -131,7 +132,8 @@ COLD int sheen_project_begin(struct projection *p, const struct sheen_view *view
     p->depth_fraction = 8;
     p->depth_shift = 47 - depth.exponent; /* 8..39 */
     p->depth_base = (DEPTH_FAR << 8) + 128;
-    p->weight_shift = p->weight_offset = 0; /* all weights are equal */
+    p->weight_shift = 0; /* all weights are equal */
+    p->weight_offset = 0;
     return SHEEN_OK;
 }
 

@@ -59,8 +59,8 @@ struct projection {
     sheen_q24_t near, far;
     int16_t view_x, view_y;   /* 1/64 px: half the viewport's width and height, INNER_VIEW at the most */
     sheen_q24_t orthographic; /* 0, or the depth that x and y are divided by in place of m */
-    unsigned weight_shift;    /* 1/m is proportional to (z16 << weight_shift) + weight_offset, */
-    uint32_t weight_offset;   /* which lies in [0, 2^32) for every z16 from near to far, 0 beyond a ratio of 2^24 */
+    unsigned weight_shift;    /* 0..15: 1/m is proportional to (z16 << weight_shift) + weight_offset, in [0, 2^31) */
+    int32_t weight_offset;    /* for every z16 from near to far, 0 beyond a ratio of 2^24; from 254 on < 0 */
 };
 
 /*
