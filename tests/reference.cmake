@@ -17,6 +17,7 @@ sheen_test(test_accuracy accuracy SOURCES test_accuracy.c accuracy_line.c loaded
   LIBRARIES core_picture sheen_host sheen::core)
 sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
+sheen_test(test_texel_ends accuracy SOURCES test_texel_ends.c textured_scene.c LIBRARIES core_picture sheen::core)
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
 if(NOT SHEEN_SANITIZED) # of the pictures a third in the quick part

@@ -3,6 +3,27 @@
  */
 #include "texels.h"
 
+/* Moved by less than they lie apart, a corner stays the least or the most of the three. */
+static inline void keep_corner(int32_t *f, int32_t a, int32_t b, int32_t by)
+{
+    if ((uint16_t)*f != BORDER_BIAS)
+        return;
+    if (*f <= a && *f <= b)
+        *f += by;
+    else if (*f >= a && *f >= b)
+        *f -= BORDER_BIAS + by;
+}
+
+void sheen_keep_within(struct at_corners at[2], int32_t by)
+{
+    for (int i = 0; i < 2; i++) {
+        int32_t *const f = at[i].f;
+        keep_corner(&f[0], f[1], f[2], by);
+        keep_corner(&f[1], f[0], f[2], by);
+        keep_corner(&f[2], f[0], f[1], by);
+    }
+}
+
 /* Near 0 quotients are fine. */
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
                      const struct corners *c, int i)

@@ -18,6 +18,13 @@ struct at_corners {
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
                      const struct corners *c, int i);
 
+/*
+ * Corners that lie on a border between texels are moved by `by` to the triangle's inside, for by so much what is made
+ * of them at pixels may be off: a triangle that ends where a texel does must not show the next one, which may be that
+ * of the picture's other side. Coordinates are those of sheen_texels_of.
+ */
+void sheen_keep_within(struct at_corners at[2], int32_t by);
+
 /* Channels in 1/32 level, of a 565 value or a sum of several by shares of 32: green at bit 21, red at 11, blue at 0. */
 #define SPREAD 0x07e0f81fu
 

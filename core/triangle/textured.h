@@ -71,10 +71,10 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
 
 /*
  * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
- * may be linear on the screen.
+ * may be linear on the screen. U and V are used up.
  */
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
-                          const struct at_corners at[4], int straight);
+                          struct at_corners at[4], int straight);
 
 /* Pixels of a run, TEXEL_PART at the most, from its numbers on. */
 struct texel_part {

@@ -120,8 +120,12 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
     return terms->unlit ? TEXTURED_UNLIT : highlight != 0 ? TEXTURED_GLOSSY : TEXTURED_LIT;
 }
 
+/* 2^-16 texel that nearest ones may be off by along 8 px and along 32, packed. */
+#define BLOCK_BIAS 320
+#define RUN_BIAS 1088
+
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
-                          const struct at_corners at[4], int straight)
+                          struct at_corners at[4], int straight)
 {
     struct textured_setup *t = (struct textured_setup *)s;
     struct plane *plane[4] = {&t->u, &t->v, &t->light, &t->specular};
@@ -131,7 +135,10 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
     s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
     s->rows = sheen_textured_blocks;
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
-    if (g != NULL && !(straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]))) {
+    const int linear = g == NULL || (straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]));
+    if (!s->draw->texel.texture->bilinear)
+        sheen_keep_within(at, !s->draw->texel.packed ? BORDER_BIAS : linear ? RUN_BIAS : BLOCK_BIAS);
+    if (!linear) {
         textured_quotients(t, c, g, at);
         return;
     }
