@@ -32,9 +32,14 @@ static inline int32_t reflected_excess(const struct facing *f, const int32_t u[3
     return difference - asr32(sum * e, 15) + asr32(asr32(u[i] - u[j], 14) * lean, 18);
 }
 
+/* Of edges 01, 02, 12, whatever the light: as sheen_cosine_excess takes them. */
+struct edge_terms {
+    int32_t h[3], lean[3]; /* Q0.18 */
+};
+
 /* A triangle's quadrics before they are brought to pixels. */
 struct excesses {
-    int32_t h[3], lean[3];   /* Q0.18 */
+    struct edge_terms edges;
     int32_t light[3];        /* Q.16 */
     int32_t u[3], second[3]; /* 1 - R.V at the corners, Q2.29; its excess, Q.15 */
     int32_t most;            /* the largest u of all corners */
@@ -43,15 +48,15 @@ struct excesses {
 static inline void angle_excesses(struct excesses *e, const struct facing *f)
 {
     for (int k = 0; k < 3; k++)
-        e->h[k] = (int32_t)(f->h[k] >> 14);
+        e->edges.h[k] = (int32_t)(f->h[k] >> 14);
 }
 
 /* With angle_excesses, of a light's L.N in *f. */
 static inline void light_excesses(struct excesses *e, const struct facing *f)
 {
-    e->light[0] = sheen_cosine_excess(f->ln[0], f->ln[1], e->h[0], e->lean[0]);
-    e->light[1] = sheen_cosine_excess(f->ln[0], f->ln[2], e->h[1], e->lean[1]);
-    e->light[2] = sheen_cosine_excess(f->ln[1], f->ln[2], e->h[2], e->lean[2]);
+    e->light[0] = sheen_cosine_excess(f->ln[0], f->ln[1], e->edges.h[0], e->edges.lean[0]);
+    e->light[1] = sheen_cosine_excess(f->ln[0], f->ln[2], e->edges.h[1], e->edges.lean[1]);
+    e->light[2] = sheen_cosine_excess(f->ln[1], f->ln[2], e->edges.h[2], e->edges.lean[2]);
 }
 
 static inline void reflected_corners(struct excesses *e, const struct facing *f, int32_t lv1)
@@ -63,9 +68,9 @@ static inline void reflected_corners(struct excesses *e, const struct facing *f,
 
 static inline void reflected_excesses(struct excesses *e, const struct facing *f)
 {
-    e->second[0] = reflected_excess(f, e->u, 0, 1, e->h[0], e->lean[0]);
-    e->second[1] = reflected_excess(f, e->u, 0, 2, e->h[1], e->lean[1]);
-    e->second[2] = reflected_excess(f, e->u, 1, 2, e->h[2], e->lean[2]);
+    e->second[0] = reflected_excess(f, e->u, 0, 1, e->edges.h[0], e->edges.lean[0]);
+    e->second[1] = reflected_excess(f, e->u, 0, 2, e->edges.h[1], e->edges.lean[1]);
+    e->second[2] = reflected_excess(f, e->u, 1, 2, e->edges.h[2], e->edges.lean[2]);
 }
 
 /*

@@ -57,7 +57,7 @@ void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, c
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3]);
 
-/* From so many columns and rows off the pixel that it counts from. */
+/* From so many columns and rows off the pixel that it counts from; `to` may be q. */
 void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row);
 
 /* To the next row. */

@@ -150,7 +150,7 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
         return 1;
     }
     if (f->apart > (uint32_t)s->draw->widest << 21 >> (s->draw->by_ramp >> 1) ||
-        !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
+        !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
         return 0;
     angle_excesses(&e, f);
     light_excesses(&e, f);

@@ -27,22 +27,11 @@ void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned 
     }
 }
 
-void sheen_tinted_ambient(uint32_t ambient[3], const struct draw *d)
-{
-    for (int k = 0; k < 3; k++) {
-        uint32_t all = 0; /* UQ1.15: weights sum to 1.0 */
-        for (unsigned i = 0; i < d->light.count; i++)
-            all += by_colour(d->light.diffuse_weight[i], d->tint.color[i][k]);
-        ambient[k] = d->colour.a[k] + mul_high(d->tint.low[k], all << 16) * 2;
-    }
-}
-
 void sheen_tinted_begin(struct tinted_run *run, const struct setup *s, union shared_triangle of,
                         const struct shares *planes)
 {
     int32_t step[3];
 
-    sheen_tinted_ambient(run->ambient, s->draw);
     for (unsigned i = 0; i < s->draw->light.count; i++)
         sheen_tinted_beam(&run->beam[i], s->draw, i);
     sheen_shared_colors(s, of, run->color);

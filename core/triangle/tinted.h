@@ -14,13 +14,17 @@ struct tinted_beam {
 };
 
 void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light);
-/* What channels have without diffuse light. */
-void sheen_tinted_ambient(uint32_t ambient[3], const struct draw *d);
 
 /* Channels with the draw's fraction. */
 struct channels {
     uint32_t r, g, b;
 };
+
+/* Without diffuse light; sheen_tinted_quadrics_begin has added what a ramp's low gives. */
+SPECIALISED struct channels ambient_channels(const struct draw *d)
+{
+    return (struct channels){d->colour.a[0], d->colour.a[1], d->colour.a[2]};
+}
 
 SPECIALISED void add_light(struct channels *c, const uint16_t beam[3], uint32_t light)
 {
@@ -65,7 +69,6 @@ static inline void put_tinted_here(const struct tile *t, const struct draw *d, s
  */
 struct tinted_run {
     struct tinted_beam beam[SHEEN_MAX_LIGHTS];
-    uint32_t ambient[3];
     const struct shares *planes;
     int16_t color[3][3]; /* by corner */
     uint32_t z, dz;

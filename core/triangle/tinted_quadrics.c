@@ -20,8 +20,7 @@ struct kept_gradients {
 struct tinted_quadrics_setup {
     struct setup s; /* detail: SHARES_BACK */
     union shared_triangle of;
-    int32_t lean[3]; /* as in struct excesses */
-    uint16_t h[3];
+    struct edge_terms edges;
     int16_t ln[3], nv[3]; /* as in struct facing, of the first light */
     struct kept_gradients g;
     uint8_t lit, shines; /* a bit a light: some of the triangle is lit; and may have a highlight */
@@ -63,11 +62,23 @@ static inline unsigned bits_of(unsigned lights)
 
 /* ---- set-up ---- */
 
+/* What a ramp's low makes of lights of these colours is the same all over a draw: it goes into ambient light. */
+static COLD void add_low(struct draw *d)
+{
+    for (int k = 0; k < 3; k++) {
+        uint32_t all = 0; /* UQ1.15: weights sum to 1.0 */
+        for (unsigned i = 0; i < d->light.count; i++)
+            all += by_colour(d->light.diffuse_weight[i], d->tint.color[i][k]);
+        d->colour.a[k] += mul_high(d->tint.low[k], all << 16) * 2;
+    }
+}
+
 COLD void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_material *material,
                                       const struct pixel_format *format, const struct sheen_object *object,
                                       const struct sheen_pose *view)
 {
     sheen_glow_begin(d, material, format, object, view);
+    add_low(d);
     d->widest = sheen_widest_diffuse(&d->colour);
 }
 
@@ -105,12 +116,11 @@ int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c
     if (!way_wanted(d, SHEEN_WAY_PHONG_QUADRATIC) || !quadric_fits(g->exponent, g->stretch))
         return 0;
     sheen_face(&f, c);
-    if (f.apart > widest >> (d->by_ramp >> 1) || !sheen_leans(e.lean, c, REFLECTION_LEAN))
+    if (f.apart > widest >> (d->by_ramp >> 1) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
         return 0;
     angle_excesses(&e, &f);
+    q->edges = e.edges;
     for (int k = 0; k < 3; k++) {
-        q->lean[k] = e.lean[k];
-        q->h[k] = (uint16_t)e.h[k];
         q->ln[k] = (int16_t)f.ln[k];
         q->nv[k] = (int16_t)f.nv[k];
     }
@@ -133,7 +143,6 @@ struct walk {
 
 /* A triangle's, in the order in which a pixel reads them: L.N of lit lights, colours, 1 - R.V of those that shine. */
 struct tinted_quadrics {
-    uint32_t ambient[3];
     struct tinted_beam beam[SHEEN_MAX_LIGHTS]; /* of those that are lit; */
     uint8_t shine[SHEEN_MAX_LIGHTS];           /* of them */
     uint8_t lights, shines, colored, count;
@@ -146,7 +155,6 @@ static void begin_quadrics(struct tinted_quadrics *to, const struct tinted_quadr
 {
     const struct draw *d = q->s.draw;
 
-    sheen_tinted_ambient(to->ambient, d);
     to->lights = to->shines = 0;
     for (unsigned i = 0; q->lit >> i != 0; i++) {
         if ((q->shines >> i & 1) != 0)
@@ -169,9 +177,8 @@ static void make_lights(struct tinted_quadrics *to, const struct tinted_quadrics
     struct facing f;
     struct excesses e;
 
+    e.edges = q->edges;
     for (int k = 0; k < 3; k++) {
-        e.lean[k] = q->lean[k];
-        e.h[k] = q->h[k];
         f.ln[k] = q->ln[k];
         f.nv[k] = q->nv[k];
     }
@@ -198,7 +205,7 @@ static void make_colors(struct tinted_quadrics *to, const struct tinted_quadrics
     sheen_shared_colors(&q->s, q->of, color);
     for (int k = 0; k < 3; k++) {
         const int32_t f[3] = {color[order[0]][k], color[order[1]][k], color[order[2]][k]};
-        sheen_space_quadric(&to->of[to->lights + k], steps, q->lean, f);
+        sheen_space_quadric(&to->of[to->lights + k], steps, q->edges.lean, f);
     }
 }
 
@@ -216,10 +223,8 @@ static APART void make_quadrics(struct tinted_quadrics *to, const struct tinted_
     make_lights(to, q, &steps, (const int16_t *const[3]){normal[order[0]], normal[order[1]], normal[order[2]]});
     if (to->colored)
         make_colors(to, q, &steps, order);
-    for (struct quadric *own = to->of, *end = own + to->count; own < end; own++) {
-        const struct quadric from = *own;
-        sheen_quadric_from(own, &from, -q->g.origin[0], y - q->g.origin[1]);
-    }
+    for (struct quadric *own = to->of, *end = own + to->count; own < end; own++)
+        sheen_quadric_from(own, own, -q->g.origin[0], y - q->g.origin[1]);
 }
 
 SPECIALISED uint32_t walk_on(struct walk *w)
@@ -240,7 +245,7 @@ SPECIALISED uint32_t walk_colour(struct walk *w)
 /* All of them go on to the next pixel. */
 SPECIALISED struct channels pixel_channels(const struct draw *d, const struct tinted_quadrics *q, struct walk *w)
 {
-    struct channels c = {q->ambient[0], q->ambient[1], q->ambient[2]};
+    struct channels c = ambient_channels(d);
     uint32_t front[SHEEN_MAX_LIGHTS], *to = front;
 
     for (const struct tinted_beam *beam = q->beam, *end = beam + q->lights; beam < end; beam++) {

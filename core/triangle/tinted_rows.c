@@ -11,7 +11,7 @@ static struct channels light_tinted(const struct draw *d, const struct tinted_ru
                                     const uint32_t color[3])
 {
     const struct lighting *l = &d->light;
-    struct channels c = {run->ambient[0], run->ambient[1], run->ambient[2]}, gloss = {0, 0, 0};
+    struct channels c = ambient_channels(d), gloss = {0, 0, 0};
     const struct tinted_beam *beam = run->beam;
     struct pixel_normal p;
 
