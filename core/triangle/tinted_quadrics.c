@@ -8,7 +8,7 @@
 #include "excess.h"
 #include "tinted.h"
 
-#define MOST_QUADRICS 6 /* of two lights one has a highlight then, over coloured vertices */
+#define MOST_QUADRICS 7 /* two lights that both have a highlight, over coloured vertices */
 
 /* Of struct gradients, what quadrics are made from. */
 struct kept_gradients {
