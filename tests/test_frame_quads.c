@@ -306,6 +306,38 @@ static void as_their_triangles(void **unused)
     }
 }
 
+/* Far away, with near planes so near that 1/m is a few steps there: quadrics, which take three corners, do without. */
+static void where_depth_is_coarse(void **unused)
+{
+    static const struct sheen_shader *const shaders[] = {&sheen_phong, &sheen_slerp};
+    static const double near[] = {.02, .01, .005, .0025};
+    static struct body body;
+    static struct drawn whole, apiece;
+    struct look look;
+    uint32_t state = 5;
+    long quads = 0;
+
+    (void)unused;
+    make_body(&body, GLOBE, 60, 30);
+    for (int i = 0; i < 8; i++) {
+        struct difference d = {0};
+        random_look(&look, &state);
+        look.view = (struct sheen_view){.z_near = SHEEN_Q24(near[i / 2]), .z_far = SHEEN_Q24(100)};
+        assert_int_equal(sheen_shine_make(&look.shine, 8), SHEEN_OK);
+        look.object.shader = shaders[i % 2];
+        look.object.pose.scale = SHEEN_Q16(24);
+        look.object.pose.translation[2] = SHEEN_Q24(-72);
+        draw_body(&body, &look, 1, &whole);
+        draw_body(&body, &look, 0, &apiece);
+        compare_colours(&whole, &apiece, look.pixel != SHEEN_GREY256, &d);
+        print_message("  near %.4f, shading %d: %ld quads, %ld of %ld pixels of another colour, by %d at the most\n",
+                      near[i / 2], i % 2, d.quads, d.colours, d.pixels, d.step);
+        assert_true(d.step <= 1 && d.colours < d.pixels / 25);
+        quads += d.quads;
+    }
+    assert_true(quads > 1000);
+}
+
 /* ---- which polygons ---- */
 
 static uint32_t of_warp(const struct body *b, unsigned least, unsigned most)
@@ -673,6 +705,7 @@ static void corners_in_line(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(as_their_triangles),
+                                       cmocka_unit_test(where_depth_is_coarse),
                                        cmocka_unit_test(linear_normals_are_told),
                                        cmocka_unit_test(warp_tells_the_angle),
                                        cmocka_unit_test(others_are_not),

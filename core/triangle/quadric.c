@@ -127,8 +127,6 @@ COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, u
     q->dyy += rest.dyy;
 }
 
-#define LEAST_MEAN 8 /* steps: below that their rounding is more than what is looked for */
-
 /*
  * Weights' differences are those of z16 (vertex.h). The mean of the three stands for that of two.
  * Range: |z - z| < 2^16, `over` at most 2^15; none of three weights, 0 at least, is more than three times the mean.

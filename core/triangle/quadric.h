@@ -40,9 +40,11 @@ int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g);
 void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                           const int32_t k[3]);
 
+#define LEAST_MEAN 8 /* steps of z16, of weights: below that their rounding is more than what is looked for */
+
 /*
  * What perspective does to an edge's middle: 2 (wi - wj) / (wi + wj) of edges 01, 02, 12, Q0.18; f linear in space has
- * the excess lean (fi - fj). 0 where one exceeds `most`, below 2^17.
+ * the excess lean (fi - fj). 0 where one exceeds `most`, below 2^17, or the weights' mean is below LEAST_MEAN.
  */
 int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
 

@@ -109,7 +109,10 @@ COLD uint8_t sheen_most_bend(const struct draw *d, uint32_t most)
     return (uint8_t)warp;
 }
 
-/* REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes of three corners stays below it. */
+/*
+ * REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes of three corners stays below it; their mean comes out a step
+ * below the least at most.
+ */
 int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
 {
     const struct vertex *const *v = q->v, *const first = v[0];
@@ -126,7 +129,7 @@ int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
     const unsigned bits = 32 - clz32(extent);
     const uint32_t weight = (uint32_t)(first->z + least) + weight_beyond(screen);
     return bits <= MAGNIFIED && quadric_fits_area(bits, (uint32_t)q->area[0]) &&
-           (screen->flat_weight || 9 * (uint32_t)(most - least) <= weight);
+           (screen->flat_weight || (weight > LEAST_MEAN && 9 * (uint32_t)(most - least) <= weight));
 }
 
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean)
