@@ -9,8 +9,11 @@
 #include <string.h>
 
 #include "out_file.h"
+#include "texels.h"
 
 #define COLORS 256
+#define VALUES 65536 /* of 565 */
+#define ROUNDS 6     /* of a palette's means: .2 s a frame of 10,000 colours, and more do not show */
 
 struct sheen_gif {
     GifFileType *file;
@@ -18,7 +21,9 @@ struct sheen_gif {
     char *bytes;
     size_t size;
     unsigned width, height, delay_cs;
-    GifByteType *planes; /* red, green and blue of a frame, then its palette indices */
+    GifByteType *index;                   /* of a frame's pixels, into its palette */
+    struct sheen_histogram_color *colors; /* VALUES of them; then of each value, */
+    uint32_t *counts;                     /* the pixels, then the index */
 };
 
 static int write_bytes(GifFileType *file, const GifByteType *bytes, int count)
@@ -45,9 +50,11 @@ int sheen_gif_open(struct sheen_gif **gif, unsigned width, unsigned height, unsi
     made->width = width;
     made->height = height;
     made->delay_cs = delay_cs;
-    made->planes = malloc((size_t)4 * width * height);
+    made->index = malloc((size_t)width * height);
+    made->colors = malloc(VALUES * sizeof *made->colors);
+    made->counts = malloc(VALUES * sizeof *made->counts);
     made->stream = open_memstream(&made->bytes, &made->size);
-    if (!made->planes || !made->stream)
+    if (!made->index || !made->colors || !made->counts || !made->stream)
         return SHEEN_ERR_MEMORY;
     made->file = EGifOpen(made->stream, write_bytes, NULL);
     if (!made->file)
@@ -59,13 +66,12 @@ int sheen_gif_open(struct sheen_gif **gif, unsigned width, unsigned height, unsi
 }
 
 /* Up to 256 colours into a palette in the order of appearance. How many there are, or 0 for more. */
-static int exact_palette(const GifByteType *red, const GifByteType *green, const GifByteType *blue, size_t pixels,
-                         GifByteType *index, GifColorType *palette)
+static int exact_palette(const uint8_t *rgb, size_t pixels, GifByteType *index, GifColorType *palette)
 {
     int count = 0, last = 0;
 
     for (size_t i = 0; i < pixels; i++) {
-        GifColorType color = {red[i], green[i], blue[i]};
+        GifColorType color = {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};
         if (count == 0 || memcmp(&palette[last], &color, sizeof color) != 0) {
             for (last = 0; last < count && memcmp(&palette[last], &color, sizeof color) != 0; last++)
                 ;
@@ -79,8 +85,54 @@ static int exact_palette(const GifByteType *red, const GifByteType *green, const
     return count;
 }
 
+/* The frame's 565 values, in ascending order. How many they are. */
+static size_t histogram(const struct sheen_gif *gif, const uint8_t *rgb, size_t pixels)
+{
+    size_t different = 0;
+
+    memset(gif->counts, 0, VALUES * sizeof *gif->counts);
+    for (size_t i = 0; i < pixels; i++)
+        gif->counts[sheen_to_565(rgb + 3 * i)]++;
+    for (uint32_t value = 0; value < VALUES; value++)
+        if (gif->counts[value] > 0)
+            gif->colors[different++] =
+                (struct sheen_histogram_color){.value = (uint16_t)value, .count = gif->counts[value]};
+    return different;
+}
+
+/* A 565 value as the panels' pictures have it: its upper bits again below it. */
+static GifColorType shown(uint16_t value)
+{
+    unsigned r = value >> 11, g = value >> 5 & 63, b = value & 31;
+
+    return (GifColorType){(GifByteType)(r << 3 | r >> 2), (GifByteType)(g << 2 | g >> 4),
+                          (GifByteType)(b << 3 | b >> 2)};
+}
+
+/* 256 colours for more, chosen among those that a panel of 565 shows. 0, or SHEEN_ERR_MEMORY. */
+static int near_palette(const struct sheen_gif *gif, const uint8_t *rgb, size_t pixels, GifColorType *palette)
+{
+    size_t different = histogram(gif, rgb, pixels);
+    uint16_t values[COLORS];
+    uint32_t count = 0, k;
+    int error = sheen_palette_choose(gif->colors, different, COLORS, ROUNDS);
+
+    for (size_t i = 0; !error && i < different; i++) {
+        for (k = 0; k < count && values[k] != gif->colors[i].chosen; k++)
+            ;
+        if (k == count)
+            values[count++] = gif->colors[i].chosen;
+        gif->counts[gif->colors[i].value] = k;
+    }
+    for (k = 0; k < count; k++)
+        palette[k] = shown(values[k]);
+    for (size_t i = 0; !error && i < pixels; i++)
+        gif->index[i] = (GifByteType)gif->counts[sheen_to_565(rgb + 3 * i)];
+    return error;
+}
+
 /* The frame's delay, then its palette and pixels. */
-static int put_frame(const struct sheen_gif *gif, GifByteType *index, const GifColorType *palette)
+static int put_frame(const struct sheen_gif *gif, const GifColorType *palette)
 {
     GraphicsControlBlock control = {.DelayTime = (int)gif->delay_cs, .TransparentColor = NO_TRANSPARENT_COLOR};
     GifByteType extension[4];
@@ -90,7 +142,7 @@ static int put_frame(const struct sheen_gif *gif, GifByteType *index, const GifC
                EGifPutImageDesc(gif->file, 0, 0, (int)gif->width, (int)gif->height, false, map) == GIF_OK;
 
     for (unsigned y = 0; done && y < gif->height; y++)
-        done = EGifPutLine(gif->file, index + (size_t)y * gif->width, (int)gif->width) == GIF_OK;
+        done = EGifPutLine(gif->file, gif->index + (size_t)y * gif->width, (int)gif->width) == GIF_OK;
     GifFreeMapObject(map);
     return done ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
@@ -98,19 +150,11 @@ static int put_frame(const struct sheen_gif *gif, GifByteType *index, const GifC
 int sheen_gif_add(struct sheen_gif *gif, const uint8_t *rgb)
 {
     size_t pixels = (size_t)gif->width * gif->height;
-    GifByteType *red = gif->planes, *green = red + pixels, *blue = green + pixels, *index = blue + pixels;
     GifColorType palette[COLORS] = {{0, 0, 0}};
-    int colors = COLORS;
 
-    for (size_t i = 0; i < pixels; i++) {
-        red[i] = rgb[3 * i];
-        green[i] = rgb[3 * i + 1];
-        blue[i] = rgb[3 * i + 2];
-    }
-    if (exact_palette(red, green, blue, pixels, index, palette) == 0 &&
-        GifQuantizeBuffer(gif->width, gif->height, &colors, red, green, blue, index, palette) != GIF_OK)
+    if (exact_palette(rgb, pixels, gif->index, palette) == 0 && near_palette(gif, rgb, pixels, palette) != SHEEN_OK)
         return SHEEN_ERR_MEMORY;
-    return put_frame(gif, index, palette);
+    return put_frame(gif, palette);
 }
 
 int sheen_gif_write(struct sheen_gif *gif, const char *path, struct sheen_problem *problem)
@@ -132,6 +176,8 @@ void sheen_gif_close(struct sheen_gif *gif)
     if (gif->stream)
         fclose(gif->stream);
     free(gif->bytes);
-    free(gif->planes);
+    free(gif->index);
+    free(gif->colors);
+    free(gif->counts);
     free(gif);
 }

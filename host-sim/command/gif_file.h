@@ -15,7 +15,7 @@ int sheen_gif_open(struct sheen_gif **gif, unsigned width, unsigned height, unsi
 
 /*
  * Adds a frame of width * height * 3 bytes with a palette of its own: exact up to
- * 256 colours, else the nearest of 256. 0, or a negative code: then only close.
+ * 256 colours, else the nearest of 256 of 565. 0, or a negative code: then only close.
  */
 int sheen_gif_add(struct sheen_gif *gif, const uint8_t *rgb);
 

@@ -8,10 +8,7 @@
 
 #include "texels.h"
 
-enum {
-    ROUNDS = 64, /* of means; most pictures take fewer than 30 */
-    ONE = 16
-};
+#define ONE 16
 
 /* colors[first .. first + count - 1]. */
 struct box {
@@ -171,7 +168,7 @@ static void begin_means(struct mean *means, const struct box *boxes, size_t coun
     }
 }
 
-int sheen_palette_choose(struct sheen_histogram_color *colors, size_t count, unsigned most)
+int sheen_palette_choose(struct sheen_histogram_color *colors, size_t count, unsigned most, int rounds)
 {
     struct box *boxes = malloc(most * sizeof *boxes);
     struct mean means[256];
@@ -180,7 +177,7 @@ int sheen_palette_choose(struct sheen_histogram_color *colors, size_t count, uns
         return SHEEN_ERR_MEMORY;
     size_t made = cut_all(boxes, most, colors, count);
     begin_means(means, boxes, made, colors);
-    for (int round = 0; round < ROUNDS && move_means(means, made, colors, count); round++)
+    for (int round = 0; round < rounds && move_means(means, made, colors, count); round++)
         ;
     for (size_t i = 0; i < count; i++) {
         uint8_t rgb[3];

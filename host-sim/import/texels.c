@@ -127,7 +127,7 @@ static int make_palette(struct sheen_texels *texels, const uint32_t *counts, siz
     if (!error && texels->texture.keyed)
         most--;
     if (!error && different > most) {
-        error = sheen_palette_choose(colors, different, most);
+        error = sheen_palette_choose(colors, different, most, SHEEN_PALETTE_ROUNDS);
         spread(colors, different, texels, chosen);
     }
     if (!error)

@@ -39,9 +39,10 @@ struct sheen_histogram_color {
 };
 
 /*
- * Chooses at most `most` values, 1 or more, for the colours, which are more and in ascending order: median cut, then
- * means. Fills in `chosen`. 0, or SHEEN_ERR_MEMORY.
+ * Chooses at most `most` values, 1..256, for the colours, 1 or more and in ascending order: median cut, then at most so
+ * many rounds of means; SHEEN_PALETTE_ROUNDS end nearly all pictures'. Fills in `chosen`. 0, or SHEEN_ERR_MEMORY.
  */
-int sheen_palette_choose(struct sheen_histogram_color *colors, size_t count, unsigned most);
+#define SHEEN_PALETTE_ROUNDS 64
+int sheen_palette_choose(struct sheen_histogram_color *colors, size_t count, unsigned most, int rounds);
 
 #endif
