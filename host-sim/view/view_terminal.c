@@ -71,12 +71,16 @@ static void leave(const struct screen *screen)
         tcsetattr(STDIN_FILENO, TCSADRAIN, &screen->before);
 }
 
-/* ---- a frame ---- */
+/* ---- a frame ----
+ *
+ * Lines erase what is left of older ones to their right, but not where they fill the window: there the cursor stays on
+ * the last character, which would be erased.
+ */
 
 static void write_status(const struct sheen_viewer *viewer, const struct screen *screen, unsigned columns)
 {
     char line[sizeof viewer->message];
-    int cut = screen->moves ? (int)columns : (int)sizeof line;
+    int cut = screen->moves ? (int)columns - 1 : (int)sizeof line;
     const char *end = screen->moves ? "\x1b[K\r\n" : "\n";
 
     sheen_viewer_title(viewer, line, sizeof line);
@@ -104,7 +108,8 @@ static int show(const struct sheen_viewer *viewer, const struct screen *screen, 
     sheen_terminal_size(size[0], size[1], window.ws_col, window.ws_row, &columns, &rows);
     if (screen->moves)
         fputs("\x1b[H", stdout);
-    sheen_terminal_picture(stdout, rgb, size[0], size[1], columns, rows, screen->moves ? "\x1b[K\r\n" : "\n");
+    const char *end = !screen->moves ? "\n" : columns < window.ws_col ? "\x1b[K\r\n" : "\r\n";
+    sheen_terminal_picture(stdout, rgb, size[0], size[1], columns, rows, end);
     free(rgb);
     write_status(viewer, screen, window.ws_col);
     if (fflush(stdout) != 0 || ferror(stdout))
