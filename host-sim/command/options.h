@@ -84,7 +84,7 @@ struct sheen_options {
     double opacity;               /* 0..1 */
     int phase;                    /* of its pattern, 0..7 */
     int edges;                    /* enum sheen_edging; -1: not given */
-    uint8_t line[3];              /* their colour */
+    struct sheen_paint line;      /* their colour; not given: what shows on the background */
     int two_sided, average, affine, ortho;
     double crease;  /* degrees; 180 averages all */
     int equal;      /* weights of an average */

@@ -69,6 +69,17 @@ int sheen_scene_corners_alone(const struct sheen_scene *scene)
     return scene->texel_count > 0 || has_points(scene->options);
 }
 
+/* White lines are lost on what a panel of two levels shows as white. */
+static const uint8_t *line_color(const struct sheen_options *options)
+{
+    static const uint8_t white[3] = {255, 255, 255}, black[3] = {0, 0, 0};
+    const uint8_t *b = options->background;
+
+    if (options->line.given)
+        return options->line.color;
+    return 2 * (2126l * b[0] + 7152l * b[1] + 722l * b[2]) >= 10000l * 255 ? black : white;
+}
+
 static void set_material(struct sheen_material *material, const struct sheen_shine *shine,
                          const struct sheen_options *options, const uint8_t color[3])
 {
@@ -79,7 +90,7 @@ static void set_material(struct sheen_material *material, const struct sheen_shi
     material->diffuse = to_q16(options->diffuse);
     material->specular = to_q16(options->specular);
     material->shine = shine;
-    memcpy(material->line, options->line, sizeof material->line);
+    memcpy(material->line, line_color(options), sizeof material->line);
     memcpy(material->ambient_color, options->ambient_color, sizeof material->ambient_color);
     if (is_black(options->ambient_color))
         material->ambient = 0;
@@ -377,7 +388,7 @@ static struct sheen_material hidden_faces(const struct sheen_options *options)
     struct sheen_material material = {.ambient = to_q16(1)};
 
     memcpy(material.base, options->background, sizeof material.base);
-    memcpy(material.line, options->line, sizeof material.line);
+    memcpy(material.line, line_color(options), sizeof material.line);
     return material;
 }
 

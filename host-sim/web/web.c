@@ -97,7 +97,7 @@ static void copy_look(struct sheen_options *to, const struct sheen_options *from
     to->opacity = from->opacity;
     to->phase = from->phase;
     to->edges = from->edges;
-    memcpy(to->line, from->line, sizeof to->line);
+    to->line = from->line;
     to->morph_weight = from->morph_weight;
     to->two_sided = from->two_sided;
     to->affine = from->affine;
