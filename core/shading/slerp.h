@@ -41,10 +41,10 @@ static inline const struct slerp_corner *lower_end(const struct slerp_corners *a
     return &at->corner[2 - (edge & 1u)];
 }
 
-/* Of a weighed corner. */
+/* Of a weighed corner; the least is what rounding leaves a normal of where another corner has all of it. */
 static inline uint16_t slerp_weight(const struct surface_corners *c, unsigned k)
 {
-    return (uint16_t)(c->flat_weight ? 0xffff : max32((int32_t)(c->weight[k] >> 16), 1));
+    return (uint16_t)(c->flat_weight ? 0xffff : max32((int32_t)(c->weight[k] >> 16), 32));
 }
 
 /* f: of one light; else NULL, and normals are what is kept. */

@@ -3,11 +3,14 @@
  */
 #include "normal.h"
 
+/* A corner with less than what planes are off by would show no normal at all. */
+#define LEAST_WEIGHT 16
+
 void sheen_corner_weights(struct surface_corners *c, int32_t w[3])
 {
     sheen_weigh(c);
     for (int k = 0; k < 3; k++)
-        w[k] = (int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u));
+        w[k] = max32((int32_t)((c->weight[k] >> 17) + (c->weight[k] >> 16 & 1u)), LEAST_WEIGHT);
 }
 
 struct plane sheen_weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
