@@ -19,6 +19,7 @@ endif()
 sheen_script(core_floors format COMMAND tests/checks/floors)
 sheen_script(one_unit format COMMAND tests/checks/one_unit)
 sheen_script(core_house format COMMAND tests/checks/house)
+sheen_script(host_house format COMMAND tests/checks/house host-sim/README.md host-sim)
 foreach(text "flat.c includes frame/frame.h" "pixel.c calls sheen_seed_frame" "phong.c calls sheen_seed_flat")
   string(MAKE_C_IDENTIFIER ${text} name)
   sheen_script(seeded_floors_${name} format COMMAND tests/checks/refuses ${text}

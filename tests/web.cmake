@@ -19,7 +19,7 @@ web_script(web_hands hands $<TARGET_FILE:sheen> ${page} ${web}/hands ${PROJECT_S
 web_script(web_files files ${web}/cases/cases.json ${page})
 set_tests_properties(web_files PROPERTIES FIXTURES_REQUIRED "web;web_cases")
 
-# The picture of README.md is made so.
+# The picture of host-sim/README.md is made so.
 sheen_script(web_picture web COMMAND bash -euc
   "rm -f '${web}/picture.png'; host-sim/web/picture '${page}' '${web}/picture.png'; grep -q PNG '${web}/picture.png'")
 set_tests_properties(web_picture PROPERTIES FIXTURES_REQUIRED web)
