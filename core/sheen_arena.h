@@ -1,13 +1,16 @@
 /*
- * sheen_arena.h - how many bytes a frame's arena takes, at compile time: sheen_arena_size() in the preprocessor.
+ * sheen_arena.h - the bytes of a frame's arena at compile time: what sheen_arena_size() computes at run time.
  *
  *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
  *
- * All arguments as in struct sheen_config, with its defaults written out (band_rows 16, at most height, that rounded up
- * to align_y; buffers 1; used as vertices, and at most these; draws 4; carried 80); pixel_bytes 2 on 565, 1 on greys.
- * Further workers take SHEEN_WORKER_BYTES each, and on 565 further shades SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES),
- * of which 8 may be spare, and max_edges SHEEN_EDGE_BYTES, in further workers SHEEN_EDGE_WORKER_BYTES, and smooth
- * SHEEN_SMOOTH_BYTES in each. The result is a multiple of 8.
+ * The arguments are those of struct sheen_config, with defaults written out: band_rows 16, at most height, rounded up
+ * to align_y; buffers 1; used as many as vertices, and at most so many; draws 4; carried 80. pixel_bytes is 2 on 565,
+ * 1 on greys. The result is a multiple of 8. Add for
+ *
+ * - each further worker: SHEEN_WORKER_BYTES
+ * - max_shades above 1, on 565: SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES), of which up to 8 bytes may stay unused
+ * - max_edges: SHEEN_EDGE_BYTES, and SHEEN_EDGE_WORKER_BYTES for each further worker
+ * - smooth: SHEEN_SMOOTH_BYTES for each worker
  */
 #ifndef SHEEN_ARENA_H
 #define SHEEN_ARENA_H
@@ -15,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Of one of each, on a processor with pointers of 4 or 8 bytes; core/frame/arena.c asserts them. */
+/* Sizes of the core's structs with pointers of 8 or 4 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
 #define SHEEN_BYTES_FRAME 576
 #define SHEEN_BYTES_DRAW 328
@@ -40,32 +43,32 @@
 #define SHEEN_BIT_STORE(count) SHEEN_STORE(((size_t)(count) + 31) / 32, 4)
 #define SHEEN_BANDS(height, band_rows) (((size_t)(height) + (band_rows)-1) / (band_rows))
 
-/* A worker's own: set-ups, pending bits, spans, depth, pixels. */
+/* What each worker has: set-ups, pending bits, spans, depth, pixels. */
 #define SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                \
     (SHEEN_STORE((carried) + 1, SHEEN_BYTES_SETUP) + SHEEN_BIT_STORE(triangles) +                                      \
      SHEEN_STORE(band_rows, SHEEN_BYTES_SPAN) + SHEEN_STORE((width) * (size_t)(band_rows), 2) +                        \
      (buffers)*SHEEN_STORE((width) * (size_t)(band_rows), pixel_bytes))
 
-/* What each further worker takes. */
+/* Bytes for each further worker. */
 #define SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried)                                 \
     (SHEEN_BYTES_CLIPPING + SHEEN_STORE(1, SHEEN_BYTES_WORKER) +                                                       \
      SHEEN_WORKER_STORES(width, pixel_bytes, band_rows, buffers, triangles, carried))
 
-/* What max_edges takes besides, in each worker: two rows more of spans, depth and pixels. */
+/* Bytes that max_edges adds for each worker: two more rows of spans, depth and pixels. */
 #define SHEEN_APRON_BYTES(width, rows, bytes)                                                                          \
     (SHEEN_STORE((width) * ((size_t)(rows) + 2), bytes) - SHEEN_STORE((width) * (size_t)(rows), bytes))
 #define SHEEN_EDGE_WORKER_BYTES(width, pixel_bytes, band_rows, buffers)                                                \
     (SHEEN_APRON_BYTES(1, band_rows, SHEEN_BYTES_SPAN) + SHEEN_APRON_BYTES(width, band_rows, 2) +                      \
      (buffers)*SHEEN_APRON_BYTES(width, band_rows, pixel_bytes))
 
-/* What smooth takes besides, in each worker. */
+/* Bytes that smooth adds for each worker. */
 #define SHEEN_SMOOTH_BYTES(width, band_rows) (((width) + (size_t)7) / 8 * 8 * ((size_t)(band_rows) + 8))
 
-/* What max_edges takes with one worker: to be added to the bytes of an arena. */
+/* Bytes that max_edges adds to an arena with one worker. */
 #define SHEEN_EDGE_BYTES(width, pixel_bytes, band_rows, buffers, edges)                                                \
     (SHEEN_STORE(edges, SHEEN_BYTES_EDGE) + SHEEN_EDGE_WORKER_BYTES(width, pixel_bytes, band_rows, buffers))
 
-/* Bytes of an arena, see above. */
+/* Bytes of an arena, see the top of this file. */
 #define SHEEN_ARENA_BYTES(width, height, pixel_bytes, band_rows, buffers, vertices, used, triangles, draws, clipped,   \
                           carried)                                                                                     \
     (SHEEN_STORE(1, SHEEN_BYTES_FRAME) + SHEEN_STORE(SHEEN_BANDS(height, band_rows), SHEEN_BYTES_BAND) +               \
