@@ -1,5 +1,5 @@
 /*
- * arena.c - a frame's stores in the caller's memory: how much, and where.
+ * arena.c - a frame's stores in the caller's memory: their sizes, and where each one lies.
  */
 #include <string.h>
 
@@ -14,7 +14,7 @@ static int target_valid(const struct sheen_target *t)
            (x & (x - 1)) == 0 && y <= 16 && (y & (y - 1)) == 0;
 }
 
-/* Defaults filled in and the band's height aligned; what is out of range, or SHEEN_ABOUT_NOTHING. */
+/* Fill in the defaults and align the band's height; returns what is out of range, or SHEEN_ABOUT_NOTHING. */
 static COLD enum sheen_subject config_complete(struct sheen_config *c)
 {
     if (c->target == NULL || !target_valid(c->target))
@@ -48,7 +48,7 @@ COLD enum sheen_subject sheen_config_about(const struct sheen_config *config)
     return config_complete(&c);
 }
 
-/* What SHEEN_ARENA_BYTES counts with is what there is. */
+/* The sizes that SHEEN_ARENA_BYTES assumes are the actual ones. */
 _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct draw_record) == SHEEN_BYTES_DRAW &&
                    sizeof(struct worker) == SHEEN_BYTES_WORKER && SETUP_BYTES == SHEEN_BYTES_SETUP &&
                    sizeof(struct vertex) == SHEEN_BYTES_VERTEX && sizeof(struct entry) == SHEEN_BYTES_ENTRY &&
@@ -59,13 +59,13 @@ _Static_assert(sizeof(struct sheen_frame) == SHEEN_BYTES_FRAME && sizeof(struct 
                    2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) == SHEEN_BYTES_CLIPPING,
                "sheen_arena.h does not count with the stores' sizes");
 
-/* An arena, and how much of it is taken; base NULL: only counts. */
+/* An arena, and how much of it is taken; base NULL: sizes are only added up. */
 struct arena {
     uint8_t *base;
     size_t used;
 };
 
-/* A piece of it, aligned to 8. */
+/* The next store of an arena, aligned to 8 bytes; NULL if sizes are only added up. */
 static APART void *take(struct arena *a, size_t count, size_t bytes)
 {
     void *piece = a->base != NULL ? a->base + a->used : NULL;
@@ -74,7 +74,7 @@ static APART void *take(struct arena *a, size_t count, size_t bytes)
     return piece;
 }
 
-/* Lay the stores out in the arena; returns its size. With base NULL nothing is written but f. */
+/* Lay the stores out in the arena; returns its size. With base NULL only *f is written. */
 static COLD size_t lay_out(struct sheen_frame *f, uint8_t *base)
 {
     const struct sheen_config *c = &f->config;
@@ -100,7 +100,7 @@ static COLD size_t lay_out(struct sheen_frame *f, uint8_t *base)
     f->worker = take(&arena, c->workers, SHEEN_BYTES_WORKER);
     for (unsigned i = 0; i < c->workers; i++) {
         struct worker counted, *w = base != NULL ? &f->worker[i] : &counted;
-        void *scratch = take(&arena, 1, SHEEN_BYTES_CLIPPING); /* stippled rows; of worker 0, for the clipper too */
+        void *scratch = take(&arena, 1, SHEEN_BYTES_CLIPPING); /* for stippling, morphs; worker 0's: clipping too */
         f->scratch = i == 0 ? scratch : f->scratch;
         w->carried = take(&arena, c->max_carried + 1u, SHEEN_BYTES_SETUP);
         w->pending = take(&arena, bits, sizeof(uint32_t));

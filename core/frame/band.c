@@ -1,10 +1,9 @@
 /*
  * band.c - one band: clear, draw what is pending, send. (sending is send.c)
  *
- * A worker keeps a bit for each entry that has begun and is not done; scanned
- * from the lowest, they are the submission order. Set-ups of triangles that go
- * on below wait in `carried`, a list in the same order; where it is full the
- * triangle is set up again in the next band.
+ * A worker keeps a bit for each entry that has begun and is not done; scanned from the lowest bit, they give submission
+ * order. Set-ups of triangles that go on in the next band wait in `carried`, a list in the same order; if it is full,
+ * the triangle is set up again in the next band.
  */
 #include <string.h>
 
@@ -13,7 +12,7 @@
 
 /* ---- pending triangles ---- */
 
-/* Entries that reach band b: what is left of the band above, or, after a jump, all that may have begun above. */
+/* Make band b's own entries pending, as those left from above already are; after a jump, all that may reach b. */
 static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
 {
     unsigned from = b;
@@ -30,9 +29,9 @@ static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
 /* ---- the tile ---- */
 
 /*
- * What of band b is cleared, drawn and sent; 0 where nothing is. Cover and stale either hold nothing or reach into the
- * band: so it is enough to cut what holds both. It grows outwards to multiples of the alignment, where bands have
- * their edges, or the target its own.
+ * The part of band b that is cleared, drawn and sent; 0 if it is empty. Cover and stale are each empty or reach into
+ * the band, so it suffices to cut the rectangle around both. That grows outwards to multiples of the alignment; the
+ * bands' edges are such multiples too, or the target's own edges.
  */
 static int band_rect(const struct sheen_frame *f, unsigned b, struct sheen_rect *rect)
 {
@@ -48,7 +47,7 @@ static int band_rect(const struct sheen_frame *f, unsigned b, struct sheen_rect 
     return !rect_empty(*rect);
 }
 
-/* count pixels of two bytes, and up to three more: stores are whole multiples of 8 B. */
+/* Write count pixels of two bytes, and up to three more: stores are multiples of 8 B, so there is room for them. */
 static void fill(uint64_t *at, size_t count, uint16_t pixel)
 {
     const uint32_t pair = pixel | (uint32_t)pixel << 16;
@@ -64,7 +63,7 @@ static void fill(uint64_t *at, size_t count, uint16_t pixel)
         *at++ = four;
 }
 
-/* The user's own 2D on the tile. */
+/* Let the user draw 2D on the tile. */
 static APART void paint(const struct sheen_frame *f, const struct tile *t,
                         void (*painter)(void *ctx, const struct sheen_canvas *canvas))
 {
@@ -91,7 +90,7 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 
 /* ---- drawing ---- */
 
-/* Prepare entry e from the tile's rows on: how many it has there. */
+/* Set up entry e from the tile's first row on; returns how many rows it has in the tile. */
 static APART unsigned set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t,
                              const struct draw_record *d, uint32_t e, struct setup *s)
 {
@@ -133,7 +132,7 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
         SHEEN_TAP_ROWS(t, s);
 }
 
-/* The slot at *from, the head of a list or a link in one, goes to *to. */
+/* Move the first slot of *from to the front of *to; either is the head of a list or a link in one. */
 static void move_slot(struct worker *w, uint8_t *from, uint8_t *to)
 {
     const uint8_t slot = *from;
@@ -145,8 +144,8 @@ static void move_slot(struct worker *w, uint8_t *from, uint8_t *to)
 }
 
 /*
- * Draw entry e's rows in the tile: 0 when the triangle is done. *link: the carried list's place for e, which becomes
- * the next entry's.
+ * Draw entry e's rows in the tile; returns 0 when the entry is done. *link: where e stands in the carried list, or
+ * would stand; it becomes the next entry's place.
  */
 static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile *t, uint32_t e,
                       const struct draw_record *d, uint8_t **link)
@@ -181,7 +180,7 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
     return 1;
 }
 
-/* Which bit it is that is set, 0..31. On ARMv6-M, whose clz32 is a call, by de Bruijn's sequence, of 32 bits. */
+/* The number, 0..31, of the one set bit; on ARMv6-M, where clz32 is a call, by a de Bruijn sequence of 32 bits. */
 static inline uint32_t bit_number(uint32_t bit)
 {
 #if FAST_LOOPS && defined(__ARM_ARCH_6M__)
@@ -198,7 +197,7 @@ static void draw_pending(const struct sheen_frame *f, struct worker *w, struct t
     const struct draw_record *d = f->draw;
     uint8_t *link = &w->first_carried;
 
-    slot_of(w, f->config.max_carried)->entry = NONE; /* the spare one carries nothing */
+    slot_of(w, f->config.max_carried)->entry = NONE; /* the spare slot matches no entry */
     for (uint32_t first = 0; first < f->entries; first += 32) {
         uint32_t bits = w->pending[first / 32], left = bits;
         for (; bits != 0; bits &= bits - 1) {
@@ -237,7 +236,7 @@ int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
     struct tile t;
     int error = sheen_claim_band(f, worker, b);
 
-    /* where nothing crosses this band, nothing is pending below it either */
+    /* no entry crosses an empty band, so none is pending below it either */
     if (error < 0 || !band_rect(f, b, &t.rect))
         return error;
     if ((error = sheen_free_buffer(f, worker)) < 0)

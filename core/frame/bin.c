@@ -1,8 +1,8 @@
 /*
  * bin.c - which triangles begin in which band, and what each band may touch.
  *
- * A list holds the triangles that begin in its band; bands below find them
- * through their worker's pending bits, which run in submission order.
+ * A band's list holds the triangles that begin in it; the bands below find these triangles through their worker's
+ * pending bits, which run in submission order.
  */
 #include "frame.h"
 
@@ -46,7 +46,7 @@ struct box {
     int32_t x0, y0, x1, y1;
 };
 
-/* Pixels whose centres may lie inside: the box of the corners, within the viewport. */
+/* The pixels whose centres may lie inside: the bounding box of the corners, cut to the viewport. */
 static inline struct box covered(const struct sheen_frame *f, const struct vertex *const v[4], unsigned flags)
 {
     const int32_t across = f->screen.centre_x + SUBPIXEL_HALF - 1, down = f->screen.centre_y + SUBPIXEL_HALF - 1;
@@ -91,9 +91,10 @@ static inline void cover(struct sheen_rect *r, struct box b)
 }
 
 /*
- * Link a triangle or quad into the band where its box begins, and grow the bands it crosses; where no entry is left
- * f->entries_short counts it. v[3]: NULL, or of a quad, whose `triangle` has QUAD. flags: what some corner has, and
- * LIT_AS_SEEN of a piece. 0: it covers no pixel's centre.
+ * Link a triangle or quad into the list of the band where its box begins, and add the box to the `cover` of all bands
+ * that it crosses. If no entry is left, f->entries_short counts it. v[3]: a quad's fourth corner, else NULL; a quad's
+ * `triangle` includes QUAD. flags: those of all corners, joined by or, and LIT_AS_SEEN for a piece only. Returns 0 if
+ * the box holds no pixel's centre.
  */
 int sheen_bin_triangle(struct sheen_frame *f, const struct vertex *const v[4], uint32_t triangle, unsigned flags)
 {
@@ -132,7 +133,7 @@ void sheen_bin_cover(struct sheen_frame *f, struct sheen_rect rect)
         cover(&f->band[i].cover, b);
 }
 
-/* No triangle yet; what the last frame touched is kept. */
+/* Empty the bands' lists and covers; what is stale is kept. */
 void sheen_bin_clear(struct sheen_frame *f)
 {
     for (unsigned b = 0; b < f->bands; b++) {
@@ -142,7 +143,7 @@ void sheen_bin_clear(struct sheen_frame *f)
     }
 }
 
-/* Forget the entries from `entries` on: the others are listed anew, each in its place, and rectangles are as before. */
+/* Forget the entries from `entries` on: list the others again under their numbers, and restore lists and covers. */
 COLD void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 {
     struct corners c;

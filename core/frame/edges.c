@@ -1,14 +1,14 @@
 /*
- * edges.c - what a frame does for the edges of its draws: nothing of it is linked where none are named.
+ * edges.c - what a frame does for the edges of its draws; not linked if a program names none.
  *
- * Lines look at the pixels around them, those in the bands above and below too: tiles are drawn with an apron, whose
- * rows are drawn again in the next band.
+ * Lines look at the pixels around them, also at those in the bands above and below. Therefore tiles are drawn with an
+ * apron, whose rows are drawn again as part of the next band.
  */
 #include <string.h>
 
 #include "frame.h"
 
-/* Entries of the lines' store that hold a bit for each triangle of a mesh. */
+/* How many elements of f->line it takes to store a bit for each triangle of a mesh. */
 static uint32_t front_lines(const struct sheen_mesh *mesh)
 {
     const uint32_t each = 8 * (uint32_t)sizeof(struct line);
@@ -16,7 +16,7 @@ static uint32_t front_lines(const struct sheen_mesh *mesh)
     return (mesh->triangles + each - 1) / each;
 }
 
-/* Lines' own pixels, and the neighbours that they look at. */
+/* Add the lines' own pixels, and the neighbours that they look at, to the bands' covers. */
 static void edges_cover(struct sheen_frame *f, uint32_t first)
 {
     for (const struct line *l = f->line + first; l != f->line + f->stats.edges; l++) {
@@ -30,7 +30,7 @@ static void edges_cover(struct sheen_frame *f, uint32_t first)
     }
 }
 
-/* What smoothing keeps of a worker's band: see struct line_tile. */
+/* What smoothing keeps for a worker's band, behind its spans: `mixed` and `marks` of struct line_tile. */
 static struct mixed *smooth_mixed(const struct sheen_frame *f, const struct worker *w)
 {
     return (struct mixed *)(void *)(w->spans + f->config.band_rows + 2 * LINE_APRON);
@@ -41,14 +41,14 @@ static uint8_t *smooth_marks(const struct sheen_frame *f, const struct worker *w
     return (uint8_t *)smooth_mixed(f, w) + MARK_ROWS * MARK_PITCH((size_t)f->target->width);
 }
 
-/* Marks of all workers are clear. */
+/* Clear the marks of all workers. */
 static APART void smooth_begin(const struct sheen_frame *f)
 {
     for (unsigned i = 0; i < f->config.workers; i++)
         memset(smooth_marks(f, &f->worker[i]), 0, MARK_PITCH((size_t)f->target->width) * f->config.band_rows);
 }
 
-/* The lines of a draw whose triangles are listed. What is noted of triangles stands at the end of the lines' store. */
+/* List a draw's lines, after its triangles. Meanwhile the end of f->line stores which triangles face the eye. */
 static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const struct sheen_object *object,
                            const struct transform *t)
 {
@@ -99,7 +99,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
     return SHEEN_OK;
 }
 
-/* Whether an entry has a row above `row`; of pieces that is not asked. */
+/* Whether an entry has a row above `row`; for pieces the answer is always yes. */
 static int begins_above(const struct sheen_frame *f, uint32_t e, int32_t row)
 {
     const int32_t below = row * SUBPIXEL_ONE + SUBPIXEL_HALF - f->screen.centre_y;
@@ -121,8 +121,9 @@ static int begins_above(const struct sheen_frame *f, uint32_t e, int32_t row)
 }
 
 /*
- * What begins in the next band is pending too; after a jump, what reaches the last row of the band above. So it is
- * where the tile is less than the band: rows that were carried for the apron's sake end above it.
+ * Called before collect(): entries that begin in the next band and reach the apron become pending; so do, after a jump,
+ * those that may reach the last row of the band above. A tile that begins below the band's first row counts as a jump,
+ * because triangles that were carried only for the apron end above it.
  */
 static void edges_begin(const struct sheen_frame *f, struct worker *w, struct tile *t, unsigned b)
 {
@@ -142,7 +143,7 @@ static void edges_begin(const struct sheen_frame *f, struct worker *w, struct ti
     t->rect.y1 = (int16_t)min32(t->rect.y1 + LINE_APRON, f->viewport.y1);
 }
 
-/* The lines of all draws that are finished together, or of those that are not. What finishes them, or NULL. */
+/* Draw the lines whose kind has `finish` (finished: 1), or all others (0); returns a kind that drew, or NULL. */
 static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct line_tile *lt, int finished)
 {
     const struct line *line = f->line;
@@ -164,7 +165,7 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
     return found;
 }
 
-/* 5..11: about 1/32 of the distance at far, or of the depth from far to near where that is less. */
+/* 5..11: 2^whole_bits is about 1/32 of the distance at far, or of the depth from far to near if that is less. */
 static uint32_t whole_share_bits(const struct projection *p)
 {
     const uint32_t span = (uint32_t)p->far - (uint32_t)p->near;
@@ -175,7 +176,7 @@ static uint32_t whole_share_bits(const struct projection *p)
     return p->orthographic != 0 ? 11 : bits;
 }
 
-/* On the tile's rows [y0, y1). */
+/* Draw the lines of all draws on the tile's rows [y0, y1). */
 static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, const struct tile *t, int32_t y0,
                            int32_t y1)
 {
@@ -200,16 +201,16 @@ static void draw_all_lines(const struct sheen_frame *f, const struct worker *w, 
     (void)draw_lines_of(f, &lt, 0);
 }
 
-/* Lines on the tile's rows within `rect`, which it has an apron around and is then left without. */
+/* Draw lines on the tile's rows within `rect`; the apron around them is cut off afterwards. */
 static void edges_draw(const struct sheen_frame *f, struct worker *w, struct tile *t, struct sheen_rect rect)
 {
     const size_t above = (size_t)t->pitch * (size_t)(rect.y0 - t->rect.y0);
     const int32_t strip_end = f->viewport.y0 + (w->last_band + 1) * f->config.band_rows;
 
     draw_all_lines(f, w, t, rect.y0, rect.y1);
-    if (rect.y1 != strip_end) /* what goes on does so below these rows alone */
+    if (rect.y1 != strip_end) /* set-ups go on right below these rows, not at the next band */
         w->last_band = -2;
-    const int32_t again = max32(t->rect.y1 - f->screen.again, t->rect.y0); /* a tile of a row alone has no apron */
+    const int32_t again = max32(t->rect.y1 - f->screen.again, t->rect.y0); /* a tile of one row has no apron */
     for (unsigned slot = w->first_carried; slot != f->config.max_carried; slot = slot_of(w, slot)->next)
         sheen_spans_back(slot_of(w, slot), again);
     t->depth += above;

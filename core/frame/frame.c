@@ -1,12 +1,15 @@
 /*
- * frame.c - the main path: begin, draw, end. (init is arena.c; end's bands are band.c, their pushes send.c)
+ * frame.c - the main path: begin, draw, end. (init is in arena.c, the bands in band.c, their pushes in send.c)
  */
 #include <string.h>
 
 #include "../math/pose.h"
 #include "frame.h"
 
-/* What is 0 when a frame begins, and what of it a draw takes, which fails as a whole; runs of the frame's fields. */
+/*
+ * Two runs of fields in struct sheen_frame: the counters that sheen_begin() zeroes, and the part of them that is
+ * restored when a draw fails, so that it fails as a whole.
+ */
 #define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - offsetof(struct sheen_frame, edges))
 #define TAKEN_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
 
@@ -17,7 +20,7 @@ static APART int same_rect(const struct sheen_rect *a, const struct sheen_rect *
     return a->x0 == b->x0 && a->y0 == b->y0 && a->x1 == b->x1 && a->y1 == b->y1;
 }
 
-/* What is under the triangles, and a user's own 2D with it. */
+/* Whether two views have the same background, of which the user's own 2D is a part. */
 static APART int same_background(const struct sheen_view *a, const struct sheen_view *b)
 {
     for (int k = 0; k < 3; k++)
@@ -27,7 +30,7 @@ static APART int same_background(const struct sheen_view *a, const struct sheen_
            (a->ctx == b->ctx || (a->underlay == NULL && a->overlay == NULL));
 }
 
-/* The viewport asked for, 0 where it cannot be: its edges have to be on the target's alignment, as pushes are. */
+/* The viewport asked for, by default the target; 0 if it leaves that or its edges are not aligned, as pushes need. */
 static int viewport_of(const struct sheen_target *t, const struct sheen_rect *asked, struct sheen_rect *viewport)
 {
     const struct sheen_rect all = {0, 0, (int16_t)t->width, (int16_t)t->height};
@@ -43,17 +46,17 @@ static void workers_begin(struct sheen_frame *f)
 {
     for (unsigned i = 0; i < f->config.workers; i++) {
         struct worker *w = &f->worker[i];
-        w->last_band = -2; /* no band's pending triangles are at hand */
+        w->last_band = -2; /* `pending` is of no band yet */
         memset(&w->stats, 0, sizeof *w - offsetof(struct worker, stats));
     }
 }
 
-/* What the last frame touched becomes stale: it has to be drawn over. Where all is sent that does not count. */
+/* What the last frame touched becomes stale: it has to be drawn over. A frame that sends everything ignores that. */
 static void bands_begin(struct sheen_frame *f)
 {
     uint32_t rows = f->config.band_rows;
 
-    OPAQUE(rows); /* else gcc divides with signs here, by a routine that nothing else links */
+    OPAQUE(rows); /* else gcc makes this a signed division, whose routine nothing else links */
     f->bands = QUOTIENT((unsigned)(f->viewport.y1 - f->viewport.y0) + rows - 1, rows);
     f->bands_left = f->bands;
     f->band_scale = QUOTIENT((1u << 20) + rows - 1, rows);
@@ -63,7 +66,7 @@ static void bands_begin(struct sheen_frame *f)
     sheen_bin_clear(f);
 }
 
-/* What the screen and the fog are by the view, which is checked; what is wrong with it. */
+/* Check a view, and derive the projection, the screen and the fog from it; returns what is wrong with the view. */
 static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct sheen_view *view)
 {
     struct projection *p = &f->projection;
@@ -112,7 +115,7 @@ COLD int sheen_begin(struct sheen_frame *f, const struct sheen_view *view)
 
 /* ---- draw: transform, clip, bin, light ---- */
 
-/* Transform those of `count` vertices that are used for the first time; 0 where one found no room. */
+/* Transform those of `count` vertices that are used for the first time; 0 if one of them finds no room. */
 int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                       const uint32_t *index, int count)
 {
@@ -138,7 +141,7 @@ int sheen_use_corners(struct sheen_frame *f, const struct draw_record *d, const 
     return all;
 }
 
-/* Light `count` corners of what is listed, each vertex once. v: in f->vertex. */
+/* Light `count` corners of a listed entry, each vertex only once. v points into f->vertex. */
 void sheen_light_corners(const struct draw *d, const struct vertex *const v[], const uint32_t *index, int count)
 {
     for (int k = 0; k < count; k++) {
@@ -151,7 +154,7 @@ void sheen_light_corners(const struct draw *d, const struct vertex *const v[], c
     }
 }
 
-/* A triangle that leaves the view volume. */
+/* Cut a triangle that leaves the view volume; without a clipper, only the pieces that it might need are counted. */
 static void clip_triangle(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                           uint16_t triangle)
 {
@@ -189,10 +192,10 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
         sheen_light_corners(&d->as, v, index, 3);
 }
 
-/* What of an object is missing or out of range, or SHEEN_ABOUT_NOTHING. */
+/* What is missing or out of range in an object, or SHEEN_ABOUT_NOTHING. */
 static APART enum sheen_subject object_problem(const struct sheen_object *o)
 {
-    const uint32_t most = 4 << 16; /* of intensities, none of which is negative */
+    const uint32_t most = 4 << 16; /* of intensities; a negative one, as unsigned, is larger */
     const struct sheen_mesh *mesh = o->mesh;
     const struct sheen_material *m = o->material;
     const struct sheen_shader *shader = o->shader;
@@ -220,13 +223,13 @@ static APART enum sheen_subject object_problem(const struct sheen_object *o)
     return SHEEN_ABOUT_NOTHING;
 }
 
-/* SHEEN_OK, or SHEEN_ERR_CAPACITY where `most` are fewer than needed. */
+/* SHEEN_OK, or SHEEN_ERR_CAPACITY if more than `most` are needed. */
 static int room_for(struct sheen_frame *f, uint32_t needed, uint32_t most, enum sheen_subject subject)
 {
     return needed <= most ? SHEEN_OK : refuse(f, SHEEN_ERR_CAPACITY, subject, needed);
 }
 
-/* Model to eye, lights in the model's space: what a draw's vertices and normals go by. viewpoint->a_warp 0: no test. */
+/* Make a draw's transform to the eye, its lights in the model's space, and the viewpoint; its a_warp 0: no test. */
 static APART int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
                               struct viewpoint *viewpoint)
 {
@@ -237,7 +240,7 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, &f->projection, o->mesh, &pose) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
-    if (o->two_sided || o->morph != NULL) /* warp is of one frame */
+    if (o->two_sided || o->morph != NULL) /* back faces are drawn; a warp is that of one frame of the mesh */
         viewpoint->a_warp = 0;
     const struct sheen_light *axes = o->shader->axes;
     int error = sheen_light_begin(
@@ -247,8 +250,8 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
 }
 
 /*
- * Every triangle that may face the eye, so that one too many says how many they are: 0, or SHEEN_ERR_CAPACITY. Where
- * vertices are short, what they would have made is not known.
+ * Draw every triangle that may face the eye, even beyond a capacity, so that the error tells how many are needed: 0, or
+ * SHEEN_ERR_CAPACITY. If used vertices are short, the triangles and pieces that they would have made are unknown.
  */
 static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                           const struct viewpoint *viewpoint)
@@ -279,7 +282,7 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
     return error;
 }
 
-/* What a draw keeps of its material and how it is lit, where its lights are known. */
+/* Fill in what a draw keeps of its material, and how it is shaded; its lights have to be set. */
 static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
 {
     const struct sheen_material *m = object->material;
@@ -302,7 +305,7 @@ static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sh
         f->fog.mixer->draw(d, &f->fog);
 }
 
-/* What a draw's triangles need, their vertices and where the eye is. */
+/* Fill in what a draw's triangles and vertices need, and the viewpoint. */
 static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *object, struct draw *d,
                             struct transform *t, struct viewpoint *viewpoint)
 {
@@ -407,7 +410,7 @@ int sheen_end(struct sheen_frame *f)
         return SHEEN_ERR_STATE;
     for (unsigned b = 0; b < f->bands && f->error == 0; b++)
         if ((f->done[b >> 5] >> (b & 31u) & 1u) == 0)
-            (void)sheen_band(f, 0, b); /* its error is the frame's */
+            (void)sheen_band(f, 0, b); /* its error is kept in f->error */
     return sheen_finish(f);
 }
 
@@ -422,7 +425,7 @@ int sheen_render(struct sheen_frame *f, const struct sheen_view *view, const str
         error = sheen_draw(f, &objects[i]);
     if (error == SHEEN_OK)
         return sheen_end(f);
-    (void)sheen_finish(f); /* with no band done: the next frame sends everything */
+    (void)sheen_finish(f); /* no band is done, so the next frame sends everything */
     return error;
 }
 

@@ -1,10 +1,10 @@
 /*
- * locate.c - where a point comes to be on the target.
+ * locate.c - where a point lies on the target.
  */
 #include "../math/pose.h"
 #include "frame.h"
 
-/* The point before the eye is the origin of a mesh of one vertex; of a raw step, so that all of the range is left. */
+/* Project a point: the origin of a mesh of one vertex, whose scale is a raw step, so that all of the range is left. */
 static int before_eye(const struct sheen_frame *f, const struct sheen_pose *model, const sheen_q24_t point[3],
                       struct vertex *v)
 {

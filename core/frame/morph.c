@@ -1,5 +1,5 @@
 /*
- * morph.c - a mesh between two frames of it, vertex by vertex where one is needed: nothing is stored.
+ * morph.c - a mesh between two frames of it, computed for each vertex when it is needed; nothing is stored.
  */
 #include "../math/vector.h"
 #include "frame.h"
@@ -22,8 +22,8 @@ static void morph_position(const struct draw *d, const int16_t *first, int16_t o
 }
 
 /*
- * Unit length, 1.0 = 32767 as in a mesh: opposite ones of 32768 would lie 2.0 apart, and the square of that wraps. The
- * first where the two cancel, or the second does not count.
+ * Normals between two, of unit length, 1.0 = 32767 as in a mesh: if it were 32768, opposite normals would lie 2.0
+ * apart, and the square of that would wrap. The result is `first` if the two cancel or the weight is 0.
  */
 static void mix_normals(uint32_t weight, const int16_t first[3], const int16_t second[3], int16_t out[3])
 {
@@ -51,7 +51,7 @@ static void morph_facet(const struct draw *d, uint32_t triangle, int16_t normal[
     mix_normals(d->morph->weight, normal, second, normal);
 }
 
-/* Pieces have theirs already. */
+/* Pieces store normals that are morphed already. */
 static void morph_corners(const struct draw *d, struct corners *c, const struct worker *w)
 {
     int16_t(*store)[3] = scratch_of(w);
@@ -75,7 +75,7 @@ static void morph_cut(const struct draw *d, const struct clip_job *job, uint32_t
     }
 }
 
-/* 1 where vertices of b may stand in place of those of a. */
+/* 1 if b's vertices can replace a's. */
 static int same_shape(const struct sheen_mesh *a, const struct sheen_mesh *b)
 {
     return b->positions != NULL && a->vertices == b->vertices && a->triangles == b->triangles && a->scale == b->scale &&

@@ -1,11 +1,11 @@
 /*
- * pieces.c - what is left of triangles that leave the view volume, cut by vertex/clip.c, is listed.
+ * pieces.c - lists what is left of triangles that leave the view volume; vertex/clip.c cuts them.
  */
 #include <string.h>
 
 #include "frame.h"
 
-/* The corners of a mesh's triangle before the eye, and their normals. */
+/* The corners of a mesh's triangle in eye space, and their normals. */
 static void triangle_corners(const struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                              uint16_t triangle, struct clip_corner corner[3], const int16_t *normal[3])
 {
@@ -19,14 +19,14 @@ static void triangle_corners(const struct sheen_frame *f, const struct draw_reco
     }
 }
 
-/* Of the triangle's corners; pieces store what lies between. */
+/* Attributes of the triangle's corners; pieces store values interpolated between them. */
 struct attributes {
     const int16_t *normal[3];
     uint16_t lit[3][2];
     int16_t carried[3][3];
 };
 
-/* Intensities for the side that is seen, and what the shading carries in place of normals. */
+/* Light the corners for the side that is seen, and fill in what the shader carries in place of normals. */
 static APART void light_triangle(const struct draw_record *d, uint16_t triangle, int back, struct attributes *a)
 {
     const struct sheen_shader *shader = d->as.shader;
@@ -51,7 +51,7 @@ static APART int32_t shared(const int32_t share[3], int32_t a, int32_t b, int32_
     return (int32_t)round_shift64((int64_t)share[0] * a + (int64_t)share[1] * b + (int64_t)share[2] * c, 30);
 }
 
-/* A corner as pieces store it; unit: of the shader. */
+/* A corner as pieces store it; unit: the shader's unit_normals. */
 static void piece_corner(const struct clip_corner *from, const struct attributes *a, int unit, struct vertex *v,
                          int16_t out[3])
 {
@@ -71,7 +71,7 @@ static void piece_corner(const struct clip_corner *from, const struct attributes
         v->kept[i] = (uint16_t)max32(0, shared(from->share, a->lit[0][i], a->lit[1][i], a->lit[2][i]));
 }
 
-/* Twice the area of triangle i >= 1 of the fan that the polygon is. */
+/* Twice the area of triangle i >= 1 of the polygon's fan. */
 static APART int64_t fan_area(const struct clip_job *job, unsigned i)
 {
     const struct clip_corner *p = job->polygon;
@@ -79,7 +79,7 @@ static APART int64_t fan_area(const struct clip_job *job, unsigned i)
     return sheen_twice_area(&p[0].v, &p[i].v, &p[i + 1].v);
 }
 
-/* Twice the area of what is left; 0 where nothing is. */
+/* Twice the area of what is left; 0 if nothing is left. */
 static int64_t area_left(const struct clip_job *job)
 {
     int64_t area = 0;
@@ -90,8 +90,8 @@ static int64_t area_left(const struct clip_job *job)
 }
 
 /*
- * List the fan of what is left. whole: area of all that is left of the triangle; its side decides, a sliver of the
- * fan that snapping turned over is left out. What finds no room is counted.
+ * List what is left as a fan. whole: twice the area of all that is left of the triangle; its sign tells which side is
+ * seen, and slivers of the fan that snapping turned over are left out. Pieces that find no room are counted.
  */
 static APART void list_pieces(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle,
                               const struct clip_job *job, int64_t whole, const struct attributes *a)
@@ -115,7 +115,7 @@ static APART void list_pieces(struct sheen_frame *f, const struct draw_record *d
     }
 }
 
-/* 1 where the side that is seen is drawn: then it is lit; whole: area of all that is left. */
+/* Whether the side that is seen is drawn; if so, it is lit. whole: as in list_pieces(). */
 static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t triangle, int64_t whole,
                     struct attributes *a)
 {
@@ -127,9 +127,10 @@ static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t
 }
 
 /*
- * On the screen the four corners that the near plane may leave are two triangles, each linear by itself; else what it
- * leaves is one part. Two rounds over the parts: their side is that of all together. The corners stand in worker 0's
- * set-ups, which follow its scratch: while draws are taken there are none.
+ * If attributes are linear on the screen, the four corners that the near plane may leave are two parts, triangles that
+ * are each linear by itself; otherwise what it leaves is one part. The loop goes over the parts twice, first for their
+ * area, since the sign of the whole tells which side is seen, then to list them. The four corners are kept in worker
+ * 0's set-ups, which follow its scratch and are not in use while draws are accepted.
  */
 _Static_assert(SHEEN_BYTES_CLIPPING == 2 * MAX_CLIP_CORNERS * sizeof(struct clip_corner) &&
                    SETUP_BYTES >= 4 * sizeof(struct clip_corner),
@@ -173,7 +174,7 @@ static COLD void cut_triangle(struct sheen_frame *f, const struct draw_record *d
         d->as.morph->morpher->cut(&d->as, &job, triangle, a.normal, a.carried);
     f->stats.clipped++;
     sheen_clip(&job, 0, 1);
-    /* slerp has its corners' normals linear in space, and without perspective there is no difference */
+    /* slerp's normals are linear in space; without perspective, space and screen do not differ */
     job.on_screen = f->view.affine && !d->as.shader->unit_normals && f->projection.orthographic == 0;
     cut_parts(f, d, triangle, &job, &a);
 }

@@ -5,8 +5,8 @@
 #include "frame.h"
 
 /*
- * What d->quads is. Where normals count it takes quads over which they are linear, which affine they are on no screen.
- * Two-sided objects and morphs have no viewpoint, and so no quads.
+ * The value of d->quads. Shaders that need vertices' normals take quads over which these are linear in space, so none
+ * in affine views, which interpolate on the screen. Two-sided objects and morphs have no viewpoint, and so no quads.
  */
 static uint8_t most_warp(const struct sheen_frame *f, const struct draw *d)
 {
@@ -23,7 +23,7 @@ static uint8_t most_warp(const struct sheen_frame *f, const struct draw *d)
     return sheen_most_bend(d, taken == QUADS_CLOSE ? CLOSE_ARCS : (uint32_t)d->widest << 21);
 }
 
-/* The corners of triangles i and i + 1, as in struct quad; 0 where they are no fan of one polygon. */
+/* The corners of triangles i and i + 1, in struct quad's order; 0 if they are not a fan of one polygon. */
 static inline int fan_at(const struct sheen_mesh *mesh, uint32_t i, uint32_t index[4])
 {
     if (i + 1 >= mesh->triangles || mesh->polygons[i + 1] != mesh->polygons[i])
@@ -38,8 +38,8 @@ static inline int fan_at(const struct sheen_mesh *mesh, uint32_t i, uint32_t ind
 #define DEPTH_SLACK 64 /* z16 */
 
 /*
- * Whether corner 3's depth is about what the plane of the others makes of it, and that before the far plane. Range: d <
- * 2^16, areas of 13 bits.
+ * Whether corner 3's depth is within DEPTH_SLACK of what the plane of the other corners gives there, and at least as
+ * far before the far plane. Range: depths' differences < 2^16, areas of 13 bits.
  */
 static APART int depth_is_near(const struct vertex *const v[4], const int32_t area[3])
 {
@@ -63,9 +63,9 @@ static APART int depth_is_held(const struct vertex *const v[4], int32_t bias)
 }
 
 /*
- * Whether no corner's depth is held, and corner 3's is in range by the plane of the others, or about what it is, with
- * and without bias: 1/m is by depths without. Seen nearly edge-on that plane, through snapped corners, is not the
- * quad's: depth, or 1/m, could wrap.
+ * Whether no corner's depth is held at a limit, and the depth that the plane of the other corners gives corner 3 is in
+ * range or near its own; with and without bias, because 1/m comes from depths without it. For a quad seen nearly
+ * edge-on, the plane through three snapped corners may differ from the quad's so much that depth or 1/m could wrap.
  */
 static inline int depth_stays(const struct vertex *const v[4], const int32_t area[3], int32_t bias)
 {
@@ -77,8 +77,8 @@ static inline int depth_stays(const struct vertex *const v[4], const int32_t are
 }
 
 /*
- * As in struct quad; 0 where it is not convex, as snapped, corner 3 lies far beyond the triangle of the others, or its
- * depth might.
+ * Areas as in struct quad; 0 if the snapped quad is not convex, or corner 3, or its depth, may lie far beyond the
+ * triangle of the other corners.
  */
 static inline int quad_areas(const struct vertex *const v[4], int32_t area[3], int32_t bias)
 {
@@ -92,10 +92,7 @@ static inline int quad_areas(const struct vertex *const v[4], int32_t area[3], i
            depth_stays(v, area, bias);
 }
 
-/*
- * List triangles i and i + 1 of a plane polygon as a quad, or pass over them where both face away: 1; 0 where they have
- * to be drawn by themselves.
- */
+/* The `list` of struct sheen_quads. */
 static int list_quad(struct sheen_frame *f, const struct draw_record *d, const struct transform *t,
                      const uint16_t *place, uint32_t i)
 {
@@ -136,7 +133,7 @@ static int list_quad(struct sheen_frame *f, const struct draw_record *d, const s
     return 1;
 }
 
-/* As struct corners has them. */
+/* The corners in struct corners' order. */
 static void quad_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t triangle, struct corners *c)
 {
     static const uint8_t order[3] = {0, 5, 1};

@@ -1,8 +1,9 @@
 /*
  * send.c - what the workers of a frame share: which bands are done, the push under way, the first error.
  *
- * All of it is read and written between the configuration's lock and unlock, pushes and waits among it. So two pushes
- * are never under way, wait is never called by two, and nothing is pushed after an error, whosesoever it was.
+ * All of this is read and written between the configuration's lock and unlock, and the target's push and wait are
+ * called there. So two pushes are never under way, two workers never wait at once, and nothing is pushed after an
+ * error, whichever worker it happened to.
  */
 #include "frame.h"
 
@@ -26,7 +27,7 @@ static void break_off(struct sheen_frame *f, int error)
         f->error = error;
 }
 
-/* The result of the push under way, once; MUST be called between lock and unlock, as push_tile and band_refused. */
+/* Wait for the push under way, if any; its result. MUST be called under the lock, like push_tile and band_refused. */
 static int collect_push(struct sheen_frame *f)
 {
     const struct sheen_target *t = f->target;
@@ -64,7 +65,7 @@ int sheen_wait(struct sheen_frame *f)
     return error;
 }
 
-/* What a call for band b by a worker is answered with. */
+/* The error that a worker's call for band b returns, or SHEEN_OK. */
 static int band_refused(const struct sheen_frame *f, unsigned worker, unsigned b)
 {
     if (f->state == IDLE)
@@ -89,7 +90,7 @@ COLD int sheen_claim_band(struct sheen_frame *f, unsigned worker, unsigned b)
     return error;
 }
 
-/* A worker's other buffer is free: the push of one is only begun when that of the other was collected. */
+/* Two buffers: one is free, as a push only begins when the last one was waited for. One buffer: wait for its push. */
 int sheen_free_buffer(struct sheen_frame *f, unsigned worker)
 {
     int error = SHEEN_OK;
@@ -122,13 +123,13 @@ static int frame_error(const struct sheen_frame *f)
     return error;
 }
 
-/* The first band of a worker's part of them. */
+/* The first band of a worker's part of the bands. */
 static unsigned part_begin(const struct sheen_frame *f, unsigned worker)
 {
     return QUOTIENT(f->bands * worker, f->config.workers);
 }
 
-/* Downwards its own, which carries set-ups on; of others' parts from the end, where their workers come last. */
+/* Draw the worker's part downwards, which carries set-ups on; others' parts from the end, which they reach last. */
 int sheen_bands(struct sheen_frame *f, unsigned worker)
 {
     const unsigned workers = f->config.workers;
@@ -140,7 +141,8 @@ int sheen_bands(struct sheen_frame *f, unsigned worker)
         const unsigned begin = part_begin(f, part), end = part_begin(f, part + 1);
         for (unsigned k = 0; k < end - begin; k++) {
             error = sheen_band(f, worker, i == 0 ? begin + k : end - 1 - k);
-            if (error < 0 && error != SHEEN_ERR_STATE) /* that one is done, or a target's error is the same number */
+            /* Returned for a band that is done already; if a target returned this number, frame_error() tells. */
+            if (error < 0 && error != SHEEN_ERR_STATE)
                 return error;
         }
     }
