@@ -1,15 +1,15 @@
 /*
- * line_rows.c - lines 1 px wide where the triangles do not hide them.
+ * line_rows.c - lines 1 px wide, drawn where the triangles do not hide them.
  */
 #include "lines.h"
 
-/* Steps of z16 that a line may lie behind what is there and still be seen: what both are rounded by. */
+/* Steps of z16 that a line may lie behind the tile's depth and still be seen, because both are rounded. */
 #define CLOSE 16
 
 /*
- * Depth at the pixel that is crossed, `own`, and at its neighbours across. An edge that is no contour is seen from
- * triangles on both sides: one of the three is not in front of it by more than the slope there, which a valley's
- * differences tell.
+ * Whether an edge that is no contour is seen. own: the depth at the crossed pixel; low, high: at its neighbours on
+ * either side of the line. The triangles on both sides are visible, so one of the three depths is not in front of the
+ * line by more than the slope there, which is how far a neighbour rises above `own` in a valley.
  */
 SPECIALISED int line_is_seen(int32_t z, int32_t own, int32_t low, int32_t high)
 {
@@ -19,8 +19,9 @@ SPECIALISED int line_is_seen(int32_t z, int32_t own, int32_t low, int32_t high)
 }
 
 /*
- * A contour is seen where the pixel beyond it, this one where its centre is, is not in front. `place` is the pixel's
- * row or column from the first that is drawn on; there are pixels from `lowest` on, `wide` of them.
+ * A contour is seen if the pixel beyond it is not in front of it: the neighbour, or the crossed pixel itself if its
+ * centre lies beyond. `place` is the pixel's row or column, counted from the first that is drawn on; the tile has
+ * `wide` of them from `lowest` on.
  */
 SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, uint32_t pixel, int contour, int steep)
 {
@@ -42,14 +43,14 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
         const int32_t at = start + (steep ? place : place * pitch);
         const uint16_t *depth = t->depth + at;
         if (contour) {
-            const int inside = ((across & 0x8000) == 0) == (out < 0); /* its centre */
+            const int inside = ((across & 0x8000) == 0) == (out < 0); /* the crossed pixel's centre is */
             if (inside && (uint32_t)(place + out - lowest) < (uint32_t)wide)
                 depth += out < 0 ? -next : next;
             if (depth[0] > asr32(z, 8))
                 continue;
         } else {
             const int32_t own = depth[0];
-            if (own > asr32(z, 8)) { /* seldom */
+            if (own > asr32(z, 8)) { /* rare */
                 const int32_t low = place > lowest ? depth[-next] : own;
                 const int32_t high = place - lowest < wide - 1 ? depth[next] : own;
                 if (!line_is_seen(asr32(z, 8), own, low, high))

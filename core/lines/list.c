@@ -9,7 +9,7 @@ static inline int in_front(const struct line_list *l, uint32_t triangle)
     return (l->front[triangle >> 5] >> (triangle & 31u) & 1u) != 0;
 }
 
-/* A corner of the draw's mesh before the eye. */
+/* A corner of the draw's mesh in eye space. */
 static APART struct point corner_point(const struct line_list *l, uint32_t index)
 {
     int16_t store[3];
@@ -17,7 +17,7 @@ static APART struct point corner_point(const struct line_list *l, uint32_t index
     return sheen_transform_point(l->transform, position_of(l->draw, l->mesh->positions + 3 * index, store));
 }
 
-/* Its vertex with it. */
+/* An end of an edge: the corner in eye space, and its vertex. */
 static void end_of_edge(const struct line_list *l, uint32_t index, struct clip_corner *end)
 {
     end->point = corner_point(l, index);
@@ -26,7 +26,7 @@ static void end_of_edge(const struct line_list *l, uint32_t index, struct clip_c
         end->share[k] = 0;
 }
 
-/* Cuts the edge between two corners to the view volume: 1 where something is left, whose ends are then stored. */
+/* Clip an edge to the view volume; new ends are stored as vertices. 0 if nothing is left, or no room for the ends. */
 static APART int cut_line(struct line_list *l, const uint32_t index[2], uint16_t place[2])
 {
     struct clip_corner end[2];
@@ -52,7 +52,7 @@ static inline int32_t pixel_of(int32_t coordinate)
     return asr32(coordinate, SUBPIXEL_BITS);
 }
 
-/* Stores a line, unless it lies beyond the viewport; all are counted. */
+/* Store a line if it reaches into the viewport; lines that find no room are counted too. */
 static void add_line(struct line_list *l, const uint16_t place[2], unsigned contour)
 {
     const struct vertex *a = &l->vertex[place[0]], *b = &l->vertex[place[1]];
@@ -69,7 +69,7 @@ static void add_line(struct line_list *l, const uint16_t place[2], unsigned cont
                                           (uint16_t)((uint32_t)min32(y1 + 1, screen->viewport.y1) | contour)};
 }
 
-/* Edge k of a triangle; as seen from behind it runs the other way. */
+/* List edge k of a triangle; if that is seen from behind, the edge runs the other way. */
 static void list_edge(struct line_list *l, uint32_t triangle, uint32_t k, int back, unsigned contour)
 {
     uint32_t next = k == 2 ? 0 : k + 1;
@@ -82,7 +82,7 @@ static void list_edge(struct line_list *l, uint32_t triangle, uint32_t k, int ba
         add_line(l, place, contour);
 }
 
-/* The edges of a triangle that is seen; an edge between two such ones is listed by the first. */
+/* List the edges of a visible triangle; an edge between two visible ones is listed by the one of lower number. */
 static void triangle_edges(struct line_list *l, const struct line_kind *which, uint32_t t, int back)
 {
     const struct sheen_triangle_edges *e = &l->mesh->edges[t];
@@ -99,8 +99,8 @@ static void triangle_edges(struct line_list *l, const struct line_kind *which, u
 }
 
 /*
- * Whether a triangle that has a corner outside the view volume faces the eye: which side of its plane that is on. Its
- * normal has 30 bits of its own; what 32 parts of 2^31 may have rounded off it is nothing that a line shows.
+ * Whether a triangle with a corner outside the view volume faces the eye, from the side of its plane that the eye is
+ * on. Its normal keeps 30 bits; what 32 parts of 2^31 may have rounded off it is nothing that a line shows.
  */
 static APART int outside_in_front(const struct line_list *l, uint32_t first)
 {
@@ -127,7 +127,7 @@ static APART int outside_in_front(const struct line_list *l, uint32_t first)
     return n[0] * at[0].x + n[1] * at[0].y + n[2] * at[0].m >= 0;
 }
 
-/* Seen from the front, or from its edge. Those of polygons that face away were passed over: some have no vertices. */
+/* Whether a triangle is seen from the front or edge-on; corners of polygons that were passed over may lack vertices. */
 static int faces_eye(const struct line_list *l, uint32_t triangle)
 {
     const uint32_t first = 3 * triangle;

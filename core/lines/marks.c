@@ -1,15 +1,17 @@
 /*
- * marks.c - pixels that contours cross: first marked, by all lines, then mixed with what neighbours were before.
+ * marks.c - pixels that contours cross: all lines mark theirs first, then each is mixed with what its neighbours were
+ * before.
  *
- * So a pixel depends on the triangles around it and on the contours that cross it and its neighbours, not on the order
- * of lines, on what else was smoothed or in which band.
+ * So a pixel depends on the triangles around it and on the contours that cross it and its neighbours, but not on the
+ * order of lines, on other smoothed pixels or on the band.
  */
 #include "lines.h"
 
 /*
- * A mark: where the other share comes from, in bits 0 and 1; that share in 1/64; whether the pixel belongs to what the
- * contour bounds. Of several the largest stands: of those that do the one that covers most, of others likewise. For
- * what lies behind other surfaces of a mesh has contours there too, of which the outermost is seen.
+ * A mark. Bits 0 and 1: the neighbour of which the pixel takes a share; bits 2 to 6: that share in 1/64, or MOST_SHARE
+ * less it; MARK_INSIDE: the pixel belongs to what the contour bounds. A pixel keeps its largest mark: an inside one
+ * before others, then the one whose surface covers most, because surfaces behind others have contours too, and the
+ * outermost is seen.
  */
 #define FROM_LEFT 0u
 #define FROM_RIGHT 1u
@@ -31,16 +33,16 @@ static inline uint32_t marked_share(uint32_t mark)
     return (mark & MARK_INSIDE) != 0 ? MOST_SHARE - share : share;
 }
 
-/* Steps of z16 by which what lies beyond a contour is farther away at least. */
+/* What lies beyond a contour is farther away by more than this many steps of z16. */
 #define BEYOND 32
 
-/* share: 0..MOST_SHARE; beyond: > 0. A contour that ends in a surface fades out instead of coming and going. */
+/* A share, 0..MOST_SHARE, reduced if `beyond`, > 0, is small: a contour that ends in a surface fades out gradually. */
 static inline int32_t share_beyond(const struct line_tile *lt, int32_t share, int32_t beyond)
 {
     return share * min32(beyond, 1 << lt->whole_bits) >> lt->whole_bits;
 }
 
-/* x and y from the tile's corner; rows of the apron have no marks. */
+/* x and y in the tile; rows of the apron have no marks. */
 static APART void set_mark(const struct line_tile *lt, int32_t x, int32_t y, uint32_t value)
 {
     const uint32_t row = (uint32_t)(y - lt->apron);
@@ -59,9 +61,9 @@ static APART void set_mark(const struct line_tile *lt, int32_t x, int32_t y, uin
 }
 
 /*
- * The pixel that is crossed lies beyond the contour where it is farther away than the contour and what is inside of
- * it: then it takes the inside's share, and the pixel inside has none of what is beyond. Else it belongs to the inside
- * and takes a share of its neighbour beyond. What is mixed has both neighbours.
+ * A crossed pixel that is farther away than the contour and than its neighbour inside lies beyond the contour: it takes
+ * a share of that neighbour, which itself takes no share of what is beyond. Any other crossed pixel belongs to the
+ * inside and takes a share of its neighbour beyond. Only pixels with both neighbours in the tile are mixed.
  */
 SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, int steep)
 {
@@ -75,7 +77,7 @@ SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, 
     SHEEN_TAP(SMOOTH_STEP, end - along);
     for (; along < end; along++, across += s->across_step, z += s->z_step) {
         const int32_t place = asr32(across, 16);
-        if ((uint32_t)(place - low) >= (uint32_t)(size - 1)) /* it has a neighbour inside */
+        if ((uint32_t)(place - low) >= (uint32_t)(size - 1)) /* its neighbour inside is not in the tile */
             continue;
         const int32_t x = steep ? place : along, y = steep ? along : place;
         const uint16_t *depth = t->depth + y * pitch + x;
@@ -105,16 +107,16 @@ void sheen_smooth_rows(const struct line_tile *t, const struct steps *s)
 }
 
 /*
- * What a pixel becomes by its neighbour's share in 1/64, from: where that one lies. The rest is its own, and the more
- * of the neighbour's on the other side the more its centre nears the contour: there both have a half of it. So less
- * jumps when the contour passes the centre: up to there the rest was that other surface's, or was drawn beside it.
+ * A pixel mixed with `share` / 64 of its neighbour at offset `from`. The rest is the pixel's own and the opposite
+ * neighbour's; their parts become equal as the contour nears the pixel's centre. So the colour jumps less when the
+ * contour passes that: until then the rest was the other surface's, or was drawn in the pixel beside.
  */
 static APART uint32_t mixed_565(const uint16_t *p, int32_t from, uint32_t share, unsigned swap)
 {
     const uint32_t odd = 0xf81fu, even = 0x07e0u;
     uint32_t side = (64 - share) * share >> 6, pixel = pixel_order(p[from], swap), red_blue, green;
 
-    red_blue = 0x10020u + (pixel & odd) * share; /* fields of 5 and 6 bits times 64 do not meet */
+    red_blue = 0x10020u + (pixel & odd) * share; /* fields of 5 and 6 bits times 64 do not overlap */
     green = 0x0400u + (pixel & even) * share;
     pixel = pixel_order(p[-from], swap);
     red_blue += (pixel & odd) * side;
@@ -133,7 +135,7 @@ static inline uint32_t mixed_grey(const uint8_t *p, int32_t from, uint32_t share
     return (p[from] * share + p[-from] * side + p[0] * (64 - share - side) + 32) >> 6;
 }
 
-/* What the marked pixels of a row become, the marks cleared; returns the end of the list. */
+/* List what the marked pixels of a row become, and clear the marks; returns the end of the list. */
 static struct mixed *mix_row(const struct line_tile *lt, uint32_t row, uint32_t line, struct mixed *list)
 {
     const struct tile *t = lt->tile;
@@ -162,7 +164,7 @@ static struct mixed *mix_row(const struct line_tile *lt, uint32_t row, uint32_t 
     return list;
 }
 
-/* Once they are not looked at any more. */
+/* Write the mixed pixels of a row, once no other row is mixed from the old ones. */
 static void put_row(const struct tile *t, uint32_t line, const struct mixed *list, const struct mixed *end)
 {
     for (; list != end; list++)

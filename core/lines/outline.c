@@ -1,9 +1,9 @@
 /*
- * outline.c - edges as lines of one colour: contours and sharp ones, or all.
+ * outline.c - edges as lines of one colour: contours and sharp edges, or all except inner ones.
  */
 #include "lines.h"
 
-/* In pieces of one colour each, by the line's own depth. */
+/* Draw a line in runs of one colour each, fogged according to the line's own depth. */
 static void fogged_line(const struct line_tile *t, struct steps *s, uint16_t pixel, int contour)
 {
     const int32_t end = s->end;

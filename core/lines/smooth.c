@@ -1,6 +1,6 @@
 /*
- * smooth.c - contours smoothed: each pixel that one crosses is marked with its neighbour across it, and with that
- * one's share.
+ * smooth.c - contours smoothed: each pixel that a contour crosses is marked with its neighbour across the contour, and
+ * with that neighbour's share.
  */
 #include "lines.h"
 

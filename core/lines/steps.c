@@ -3,7 +3,7 @@
  */
 #include "lines.h"
 
-/* |numerator| < 2^16, seed: UQ1.15 of a reciprocal, its product less `down` bits; so a slope is within 2^-14 of it. */
+/* numerator * reciprocal >> down, seed: the reciprocal, UQ1.15; within 2^-14 of exact. Range: |numerator| < 2^16. */
 static inline int32_t slope_of(int32_t numerator, uint32_t seed, unsigned down)
 {
     int32_t slope = (int32_t)(magnitude32(numerator) * seed >> down);
@@ -11,15 +11,15 @@ static inline int32_t slope_of(int32_t numerator, uint32_t seed, unsigned down)
     return numerator < 0 ? -slope : slope;
 }
 
-/* As the triangles' corners have it. */
+/* A vertex's depth with the draw's bias, held in range as for triangles' corners. */
 static int32_t biased_z(const struct line_tile *t, const struct vertex *v)
 {
     return t->depth_bias == 0 ? v->z : max32(DEPTH_FAR, min32(v->z + t->depth_bias, DEPTH_FAR + DEPTH_RANGE));
 }
 
 /*
- * Steps stand at centres, from the line's lower end on. Range: a centre lies before the other end, so what is added up
- * to it stays below a line's own extent and 2^-14 of that: 2^16 px in Q.16, z16 in Q.8.
+ * Steps are at pixels' centres, from the line's end of lower coordinate on. Range: a centre lies before the other end,
+ * so what the steps add up to stays below the line's own extent and 2^-14 of that: 2^10 px in Q.16, z16 in Q.8.
  */
 int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line)
 {
