@@ -1,12 +1,12 @@
 /*
- * canvas.h - private to core/canvas: a rectangle of one entry.
+ * canvas.h - private to core/canvas: filling a rectangle, clipping, and the size of an entry.
  */
 #ifndef CANVAS_H
 #define CANVAS_H
 
 #include "../sheen_canvas.h"
 
-/* The part of x0..x1-1, y0..y1-1 inside the canvas gets the entry; wide: entries are uint16_t, else bytes. */
+/* Set the part of `rect` that is inside the canvas to the entry; wide: entries are uint16_t, else bytes. */
 void sheen_canvas_entries(const struct sheen_canvas *canvas, int wide, struct sheen_rect rect, uint16_t entry);
 
 static inline int canvas_is_wide(enum sheen_pixel pixel)
@@ -14,7 +14,7 @@ static inline int canvas_is_wide(enum sheen_pixel pixel)
     return pixel <= SHEEN_RGB565_LE;
 }
 
-/* What both have; empty where x0 >= x1 or y0 >= y1. */
+/* The intersection of two rectangles; empty if x0 >= x1 or y0 >= y1. */
 static inline struct sheen_rect canvas_clip(struct sheen_rect a, struct sheen_rect b)
 {
     return (struct sheen_rect){a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1,

@@ -1,5 +1,5 @@
 /*
- * fill.c - areas and gradients in a colour.
+ * fill.c - areas of one colour, and gradients.
  */
 #include "../pixel/pixel.h"
 #include "canvas.h"
@@ -19,7 +19,7 @@ void sheen_canvas_fill(const struct sheen_canvas *canvas, enum sheen_pixel pixel
     sheen_canvas_entries(canvas, canvas_is_wide(pixel), rect, sheen_canvas_colour(pixel, rgb));
 }
 
-/* from at 0, to at most; rounded. most: 1..65534. */
+/* Linear from `from` at 0 to `to` at `most`, rounded. most: 1..65534. */
 static uint8_t mixed(uint8_t from, uint8_t to, int32_t at, int32_t most)
 {
     int32_t twice = 2 * (from * (most - at) + to * at) + most; /* up to 2 * 255 * 65534 + 65534 < 2^26 */

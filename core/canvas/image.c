@@ -1,11 +1,11 @@
 /*
- * image.c - images into a canvas, a copy a row, or by pixels where one of their colours is transparent.
+ * image.c - images copied into a canvas, row by row, or pixel by pixel if one of their colours is transparent.
  */
 #include <string.h>
 
 #include "canvas.h"
 
-/* Pixels other than the key. */
+/* Copy the pixels that are not the key. */
 static void put_keyed(uint8_t *to, const uint8_t *from, size_t bytes, int32_t count, uint16_t key)
 {
     for (; count > 0; count--, to += bytes, from += bytes)

@@ -1,9 +1,9 @@
 /*
- * text.c - lines of text: glyphs of one bit a pixel.
+ * text.c - lines of text, in glyphs of one bit per pixel.
  */
 #include "canvas.h"
 
-/* clang-format off: a glyph a line, seven rows from the top, 5 bits each */
+/* clang-format off: a glyph per line, its seven rows from the top, 5 bits each */
 static const uint8_t rows_5x7[] = {
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, /* space */
     0x04, 0x04, 0x04, 0x04, 0x04, 0x00, 0x04, /* ! */
@@ -75,7 +75,7 @@ static const uint8_t rows_5x7[] = {
 const struct sheen_font sheen_font_5x7 = {
     .rows = rows_5x7, .first = ' ', .last = '_', .width = 5, .height = 7, .advance = 6, .capitals = 1};
 
-/* NULL: nothing to draw. */
+/* NULL: the font has no such glyph. */
 static const uint8_t *glyph_of(const struct sheen_font *font, char letter)
 {
     uint8_t c = (uint8_t)letter;
@@ -90,7 +90,9 @@ static const struct sheen_font *font_of(const struct sheen_text *text)
     return text->font != NULL ? text->font : &sheen_font_5x7;
 }
 
-/* A set bit is a square of `scale` pixels. x may lie anywhere on a line of text: it is cut at the edges of int16_t. */
+/*
+ * Each set bit becomes `scale` by `scale` px. x may lie beyond int16_t in a long text: squares are cut at its limits.
+ */
 static void put_glyph(const struct sheen_canvas *canvas, int wide, const struct sheen_text *text, const uint8_t *glyph,
                       int32_t x, uint16_t entry)
 {
