@@ -90,9 +90,7 @@ static const struct sheen_font *font_of(const struct sheen_text *text)
     return text->font != NULL ? text->font : &sheen_font_5x7;
 }
 
-/*
- * Each set bit becomes `scale` by `scale` px. x may lie beyond int16_t in a long text: squares are cut at its limits.
- */
+/* Each set bit becomes `scale` by `scale` px. x may lie beyond int16_t in a long text: squares are cut there. */
 static void put_glyph(const struct sheen_canvas *canvas, int wide, const struct sheen_text *text, const uint8_t *glyph,
                       int32_t x, uint16_t entry)
 {

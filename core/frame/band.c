@@ -30,8 +30,8 @@ static void collect(const struct sheen_frame *f, struct worker *w, unsigned b)
 
 /*
  * The part of band b that is cleared, drawn and sent; 0 if it is empty. Cover and stale are each empty or reach into
- * the band, so it suffices to cut the rectangle around both. That grows outwards to multiples of the alignment; the
- * bands' edges are such multiples too, or the target's own edges.
+ * the band, so it suffices to cut the rectangle around both. That rectangle is grown outwards to multiples of the
+ * alignment; the bands' edges are such multiples too, or the target's own edges.
  */
 static int band_rect(const struct sheen_frame *f, unsigned b, struct sheen_rect *rect)
 {

@@ -143,7 +143,7 @@ void sheen_bin_clear(struct sheen_frame *f)
     }
 }
 
-/* Forget the entries from `entries` on: list the others again under their numbers, and restore lists and covers. */
+/* Forget the entries from `entries` on: list those before again under their numbers, and restore the bands' covers. */
 COLD void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
 {
     struct corners c;

@@ -165,7 +165,7 @@ static const struct line_kind *draw_lines_of(const struct sheen_frame *f, struct
     return found;
 }
 
-/* 5..11: 2^whole_bits is about 1/32 of the distance at far, or of the depth from far to near if that is less. */
+/* 5..11: 2^whole_bits steps of z16 are about 1/32 of the distance at far, or of the depth from far to near if less. */
 static uint32_t whole_share_bits(const struct projection *p)
 {
     const uint32_t span = (uint32_t)p->far - (uint32_t)p->near;

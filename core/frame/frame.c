@@ -229,7 +229,7 @@ static int room_for(struct sheen_frame *f, uint32_t needed, uint32_t most, enum 
     return needed <= most ? SHEEN_OK : refuse(f, SHEEN_ERR_CAPACITY, subject, needed);
 }
 
-/* Make a draw's transform to the eye, its lights in the model's space, and the viewpoint; its a_warp 0: no test. */
+/* Make a draw's transform, its lights in the model's space, and its viewpoint (a_warp 0: no polygon is tested). */
 static APART int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
                               struct viewpoint *viewpoint)
 {
@@ -240,7 +240,7 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
     if (sheen_pose_place(view, &o->pose, &pose) < 0 || sheen_transform_begin(t, &f->projection, o->mesh, &pose) < 0)
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
-    if (o->two_sided || o->morph != NULL) /* back faces are drawn; a warp is that of one frame of the mesh */
+    if (o->two_sided || o->morph != NULL) /* back faces are wanted; a warp holds for one frame of a mesh */
         viewpoint->a_warp = 0;
     const struct sheen_light *axes = o->shader->axes;
     int error = sheen_light_begin(

@@ -40,7 +40,7 @@ struct entry {
 /* A piece of a triangle that was cut. */
 struct piece {
     struct vertex corner[3];
-    /* interpolated between the mesh's normals, unit vectors for slerp alone; or what the shader's `carry` gives */
+    /* interpolated between the mesh's, brought to unit length for slerp only; or what the shader's `carry` gives */
     int16_t normal[3][3];
     uint16_t triangle;
 };
@@ -226,7 +226,7 @@ static inline int refuse(struct sheen_frame *f, int error, enum sheen_subject su
     return error;
 }
 
-/* `needed` used vertices would do. Ends of cut lines may need more than max_vertices, which max_used is at most. */
+/* `needed` used vertices suffice. Ends of cut lines may need more than max_vertices, the most that max_used can be. */
 static inline int refuse_used(struct sheen_frame *f, uint32_t needed)
 {
     return refuse(f, SHEEN_ERR_CAPACITY,

@@ -129,7 +129,7 @@ static unsigned part_begin(const struct sheen_frame *f, unsigned worker)
     return QUOTIENT(f->bands * worker, f->config.workers);
 }
 
-/* Draw the worker's part downwards, which carries set-ups on; others' parts from the end, which they reach last. */
+/* Draw the worker's part downwards, which carries set-ups on; then others' from the end, which these reach last. */
 int sheen_bands(struct sheen_frame *f, unsigned worker)
 {
     const unsigned workers = f->config.workers;

@@ -43,7 +43,7 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
         const int32_t at = start + (steep ? place : place * pitch);
         const uint16_t *depth = t->depth + at;
         if (contour) {
-            const int inside = ((across & 0x8000) == 0) == (out < 0); /* the crossed pixel's centre is */
+            const int inside = ((across & 0x8000) == 0) == (out < 0); /* the pixel's centre is inside */
             if (inside && (uint32_t)(place + out - lowest) < (uint32_t)wide)
                 depth += out < 0 ? -next : next;
             if (depth[0] > asr32(z, 8))

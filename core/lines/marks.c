@@ -8,10 +8,10 @@
 #include "lines.h"
 
 /*
- * A mark. Bits 0 and 1: the neighbour of which the pixel takes a share; bits 2 to 6: that share in 1/64, or MOST_SHARE
- * less it; MARK_INSIDE: the pixel belongs to what the contour bounds. A pixel keeps its largest mark: an inside one
- * before others, then the one whose surface covers most, because surfaces behind others have contours too, and the
- * outermost is seen.
+ * A mark. Bits 0 and 1: the neighbour of which the pixel takes a share; bits 2 to 6: that share in 1/64, in inside
+ * marks MOST_SHARE minus it; MARK_INSIDE: the pixel belongs to what the contour bounds. A pixel keeps its largest mark:
+ * an inside one before others, then the one whose surface covers most, because surfaces behind others have contours
+ * too, and the outermost is seen.
  */
 #define FROM_LEFT 0u
 #define FROM_RIGHT 1u
