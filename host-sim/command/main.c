@@ -11,35 +11,35 @@
 
 const struct sheen_command sheen_command_table[] = {
     {"render", "MESH [options] -o OUT.png|OUT.gif",
-     "Draws a mesh with the integer core, sends it through the panel's driver to a simulated "
-     "controller, and writes what the glass shows.",
+     "Draws a mesh with the integer core, sends it through the panel's driver to a simulated controller, and writes "
+     "what its glass shows.",
      SHEEN_RENDER, sheen_cmd_render},
     {"view", "MESH [options]",
-     "Shows a mesh as it turns on a panel's glass, drawn and sent as `render` does, in a window. "
-     "Keys:\n" SHEEN_VIEW_KEYS,
+     "Shows a turning mesh on a panel's glass in a window, drawn and sent as `render` does. Keys:\n" SHEEN_VIEW_KEYS,
      SHEEN_VIEW, sheen_cmd_view},
     {"bake", "MESH [options] -o mesh.h",
-     "Makes a mesh const data for a firmware's flash, the same bits that `render` draws, and "
-     "reports what it takes. shine:N in place of a mesh makes the power table (struct sheen_shine) of "
-     "shininess N, 1 to 128; matcap:FILE, or matcap:NAME of one that --matcap knows, its texture (struct "
-     "sheen_texture); ramp:gamma or ramp:gamma:G the ramp (struct sheen_ramp) of a panel's curve.",
+     "Writes a mesh as const data for a firmware's flash, the same bits that `render` draws, and reports the memory "
+     "that it needs. Instead of a mesh: shine:N makes the power table (struct sheen_shine) of shininess N, 1 to 128; "
+     "matcap:FILE, or matcap:NAME with a name that --matcap knows, makes its texture (struct sheen_texture); "
+     "ramp:gamma "
+     "or ramp:gamma:G makes the ramp (struct sheen_ramp) of a panel's curve.",
      SHEEN_BAKE, sheen_cmd_bake},
     {"plan", "MESH [options]",
-     "Tells before anything is flashed how many frames a second a board draws of a mesh that turns, where the time "
-     "goes, what RAM and flash it takes, what limits it and what to change first. Each line says how it came about: "
-     "measured, in cycles of the emulated processor; estimated, from instructions; counted, exact.",
+     "Predicts how many frames a second of a turning mesh a board will draw, where the time goes, the RAM and flash "
+     "needed, what limits the rate, and what to change first. Each line says how its numbers were found: measured, in "
+     "cycles of the emulated processor; estimated, from instructions; counted, exact.",
      SHEEN_PLAN, sheen_cmd_plan},
     {"first-light", "[options] -o OUT.png",
-     "Sends the first picture for a new panel, border, corner marks, colour and grey bars, the "
-     "same way, and writes what the glass shows.",
+     "Sends the first picture for a new panel (border, corner marks, colour and grey bars) through the panel's driver, "
+     "and writes what the glass shows.",
      SHEEN_FIRST_LIGHT, sheen_cmd_first_light},
-    {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames a second.", SHEEN_PANELS,
+    {"panels", "", "Lists the panels: controller, glass, colours, clock, bytes and frames per second.", SHEEN_PANELS,
      sheen_cmd_panels},
     {"lecture", "-o DIR",
-     "Draws a figure for each claim of the lecture on shading that the core is built on, as PNG and SVG, and "
-     "a contact sheet of all; prints the numbers that the figures show.",
+     "Draws a figure for each claim of the lecture that the core is built on, as PNG and SVG, and a contact sheet of "
+     "them; prints the numbers that the figures show.",
      SHEEN_LECTURE, sheen_cmd_lecture},
-    {"man", "", "Prints the page of the manual: sheen man | man -l -", 0, sheen_cmd_man},
+    {"man", "", "Prints the manual page: sheen man | man -l -", 0, sheen_cmd_man},
     {NULL, NULL, NULL, 0, NULL},
 };
 

@@ -11,17 +11,17 @@
     "  arrows      turn and tilt the mesh\n"                                                                           \
     "  s           shading: flat, gouraud, phong, slerp, matcap, matcap-vertex\n"                                      \
     "  l           turn the lights by 30 degrees\n"                                                                    \
-    "  d           dither or not\n"                                                                                    \
+    "  d           dither on, off\n"                                                                                   \
     "  e           edges: smooth, outline, wire, none\n"                                                               \
-    "  a           shading linear in space, or on the screen\n"                                                        \
-    "  o           perspective or none\n"                                                                              \
+    "  a           shading linear in space, or linear on the screen\n"                                                 \
+    "  o           perspective or orthographic\n"                                                                      \
     "  r           the next orientation\n"                                                                             \
-    "  p, P        the next panel, the one before\n"                                                                   \
+    "  p, P        the next panel, the previous one\n"                                                                 \
     "  t           theme: lcd, oled, blue, ...\n"                                                                      \
     "  +, -        scale\n"                                                                                            \
     "  x           gap between the pixels\n"                                                                           \
     "  w           write sheen-NNN.png\n"                                                                              \
-    "  g           record sheen-NNN.gif, end it\n"                                                                     \
-    "  q, Esc      end"
+    "  g           start or end recording sheen-NNN.gif\n"                                                             \
+    "  q, Esc      quit"
 
 #endif
