@@ -1,5 +1,5 @@
 /*
- * bus.c - a layer that passes everything on.
+ * bus.c - a bus layer that passes on every call.
  */
 #include "sheen_bus.h"
 

@@ -11,7 +11,7 @@
 
 #define GREY_STEPS 8u
 
-/* Marks stand 1 px inside the border, and measure a sixth of the short side, 4..40 px. */
+/* Corner marks are 1 px away from the border; their size is a sixth of the picture's short side, 4..40 px. */
 #define MARK_INSET 2u
 
 static unsigned mark_size(unsigned w, unsigned h)
@@ -21,7 +21,7 @@ static unsigned mark_size(unsigned w, unsigned h)
     return size < 4 ? 4 : size > 40 ? 40 : size;
 }
 
-/* The mark of a corner at (u, v) px from the corner inwards, both below size. */
+/* The colour of a corner's mark at (u, v) px from the mark's outer corner inwards, both below size. */
 static uint32_t mark(unsigned u, unsigned v, unsigned size, int right, int bottom)
 {
     unsigned last = size - 1;
@@ -31,17 +31,17 @@ static uint32_t mark(unsigned u, unsigned v, unsigned size, int right, int botto
     if (!bottom)
         return u == 0 || v == 0 || u == last || v == last ? GREEN : BLACK;
     if (!right)
-        return u + v >= last ? BLUE : BLACK; /* its point inwards, for round glass */
+        return u + v >= last ? BLUE : BLACK; /* the right angle points inwards, where round glass shows it */
     return u == v || u + v == last ? WHITE : BLACK;
 }
 
-/* The middle half of an axis of so many pixels, where the bars are. */
+/* Whether `at` lies in the middle half, where the bars are, of an axis of `size` pixels. */
 static int in_middle(unsigned at, unsigned size)
 {
-    return at - size / 4 < size - size / 4 * 2; /* below the first quarter it is huge */
+    return at - size / 4 < size - size / 4 * 2; /* in the first quarter the difference wraps to a huge value */
 }
 
-/* The middle half of the picture: red, green, blue above, steps of grey below. */
+/* The colour at (x, y) of the bars, which are w x h px: red, green, blue above, steps of grey below. */
 static uint32_t bars(unsigned x, unsigned y, unsigned w, unsigned h)
 {
     unsigned step;
@@ -67,7 +67,7 @@ uint32_t sheen_first_light_colour(unsigned x, unsigned y, unsigned w, unsigned h
     return BLACK;
 }
 
-/* 0..255 to 0..most, rounded to the nearest. */
+/* Maps 0..255 to 0..most, rounded to nearest. */
 static unsigned scale(unsigned v, unsigned most)
 {
     return (v * most + 127) / 255;
@@ -78,13 +78,13 @@ static unsigned to_565(uint32_t colour)
     return scale(colour >> 16 & 255, 31) << 11 | scale(colour >> 8 & 255, 63) << 5 | scale(colour & 255, 31);
 }
 
-/* Luminance 0.2126, 0.7152, 0.0722 in 1/256 (their sum is 256), rounded to a level. */
+/* Luminance, with weights 0.2126, 0.7152, 0.0722 in 1/256 (their sum is 256), rounded to a level. */
 static unsigned to_level(uint32_t colour, unsigned max_level)
 {
     return scale((54 * (colour >> 16 & 255) + 183 * (colour >> 8 & 255) + 19 * (colour & 255)) / 256, max_level);
 }
 
-/* Bars keep their luminance on grey targets; marks, which say where a corner is, must be seen. */
+/* The colour on grey targets: bars keep theirs, for its luminance; corner marks become white, to be seen. */
 static uint32_t grey_colour(unsigned x, unsigned y, unsigned w, unsigned h)
 {
     uint32_t colour = sheen_first_light_colour(x, y, w, h);
@@ -92,7 +92,7 @@ static uint32_t grey_colour(unsigned x, unsigned y, unsigned w, unsigned h)
     return (in_middle(x, w) && in_middle(y, h)) || colour == BLACK ? colour : WHITE;
 }
 
-/* Pixel x of the row at `row`, in the target's format; y is for the pattern. */
+/* Writes pixel (x, y) of the picture into the row at `row`, in the target's format. */
 static void put(const struct sheen_target *target, uint8_t *row, unsigned x, unsigned y)
 {
     enum sheen_pixel pixel = (enum sheen_pixel)target->pixel;
@@ -120,7 +120,7 @@ int sheen_first_light(const struct sheen_target *target, void *buffer, size_t by
     size_t rows = bytes / row_bytes / align * align;
 
     if (rows == 0)
-        return SHEEN_ERR_MEMORY; /* a band must end on the target's alignment */
+        return SHEEN_ERR_MEMORY; /* a band must have a multiple of align_y rows */
     for (unsigned y = 0; y < target->height; y += (unsigned)rows) {
         unsigned end = target->height - y < rows ? target->height : y + (unsigned)rows;
         struct sheen_rect rect = {0, (int16_t)y, (int16_t)target->width, (int16_t)end};

@@ -1,5 +1,6 @@
 /*
- * i2c.c - see sheen_i2c.h. Each message is waited for before the next is put together; the last one may fly.
+ * i2c.c - see sheen_i2c.h. There is one buffer, so each message has left before the next is built; the last one of a
+ * call may still be under way when the call returns.
  */
 #include "sheen_i2c.h"
 

@@ -1,13 +1,13 @@
 /*
  * panel.c - what all panels share: opening, the target's push and wait, off and on, turning.
  *
- * After any error the panel counts as unknown: its next push resets and
- * initialises it, since a controller that missed bytes (or its power) shows
- * nothing that a write-only bus could notice.
+ * After any error the controller's state counts as unknown, and the next push resets
+ * and initialises it: a write-only bus cannot find out whether the controller missed
+ * bytes or lost its power.
  */
 #include "drivers/driver.h"
 
-/* The bus is given back, unless pixels still fly. A code above 0, as makers' libraries have them, is an error too. */
+/* Releases the bus, unless pixels are still under way. Codes above 0, as vendors' libraries use, are errors too. */
 int sheen_panel_give(struct sheen_panel *panel)
 {
     if (panel->error > 0)
@@ -22,7 +22,7 @@ int sheen_panel_give(struct sheen_panel *panel)
     return panel->error;
 }
 
-/* Begins anew, without error, and ends the push before. */
+/* Clears the error of earlier calls, then waits for the push under way, if any; returns its error. */
 static int end_push(struct sheen_panel *panel)
 {
     panel->error = SHEEN_OK;
@@ -40,13 +40,13 @@ int sheen_panel_take(struct sheen_panel *panel)
     return panel->error;
 }
 
-/* What the controller holds of the window is not known. */
+/* Makes the next push send the whole window. */
 static void forget_window(struct sheen_panel *panel)
 {
     panel->window[0] = panel->window[1] = UINT32_MAX;
 }
 
-/* From any state to a lit panel; the bus is held. Not after an error, as give() sees to. */
+/* Brings the panel from any state to lit; the bus is held. After an error sheen_panel_give() clears `ready` again. */
 static void initialise(struct sheen_panel *panel)
 {
     forget_window(panel);
@@ -63,7 +63,7 @@ int sheen_panel_init(struct sheen_panel *panel)
     return sheen_panel_give(panel);
 }
 
-/* A panel that was never lit, or is in an unknown state, is not spoken to. */
+/* Sends nothing to a panel that was never lit or is in an unknown state. */
 int sheen_panel_off(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
@@ -96,7 +96,7 @@ int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)
     return sheen_panel_give(panel);
 }
 
-/* Not empty, inside the picture, edges on multiples of the driver's align; a negative one is far beyond all sizes. */
+/* Not empty, inside the picture, edges on multiples of the driver's align. A negative edge becomes huge as unsigned. */
 static int rect_fits(const struct sheen_panel *panel, const struct sheen_rect *rect)
 {
     unsigned x0 = (unsigned)rect->x0, x1 = (unsigned)rect->x1, y0 = (unsigned)rect->y0, y1 = (unsigned)rect->y1;
@@ -107,7 +107,7 @@ static int rect_fits(const struct sheen_panel *panel, const struct sheen_rect *r
            ((x0 | x1 | y0 | y1) & (panel->record->driver->align - 1u)) == 0;
 }
 
-/* Collects the push before, whose buffer may be this one's; a bad rectangle leaves the panel as it is. */
+/* Waits for the previous push first, as it may use the same buffer. A bad rectangle leaves the panel as it is. */
 static int panel_push(void *ctx, struct sheen_rect rect, const void *pixels)
 {
     struct sheen_panel *panel = ctx;
@@ -136,16 +136,16 @@ void sheen_panel_size(const struct sheen_panel_record *record, unsigned orientat
     *height = orientation & 1 ? record->glass_w : record->glass_h;
 }
 
-/* Most boards hold tall glass sideways. */
+/* Most boards mount tall glass sideways. */
 unsigned sheen_panel_default_orientation(const struct sheen_panel_record *record)
 {
     return record->glass_h > record->glass_w;
 }
 
 /*
- * The glass lies inside the RAM, pixels are what the driver takes, and it never meets half a
- * byte or address: rows and columns of whole ones in every orientation, and the gap on the
- * edge of one (pixels side by side, or 8 on top of each other).
+ * The glass lies inside the RAM, the pixel format is the driver's, and no rectangle splits a
+ * byte or address: width and height are multiples of align in every orientation, and so is the
+ * gap, along x if a byte's pixels are side by side, along y if they are 8 on top of each other.
  */
 static int record_fits(const struct sheen_panel_record *record)
 {

@@ -1,7 +1,7 @@
 /*
- * settings.c - brightness and the TE output: what an initialisation adds where it was asked for.
+ * settings.c - brightness and the TE output, which each initialisation restores if they were asked for.
  *
- * Through pointers in the panel, so that a firmware which asks for neither links neither.
+ * The panel calls this file through pointers only, so that firmware which uses neither does not link it.
  */
 #include "drivers/driver.h"
 
@@ -16,10 +16,10 @@ static void set_brightness(struct sheen_panel *panel)
     record->driver->command(panel, record->brightness_command, &value, 1);
 }
 
-/* After the driver's initialisation; the bus is held. */
+/* Runs after the driver's initialisation; the bus is held. */
 static void settings(struct sheen_panel *panel)
 {
-    static const uint8_t vertical_only = 0; /* a pulse a refresh, none a line */
+    static const uint8_t vertical_only = 0; /* one pulse per refresh, none per line */
     const struct sheen_panel_driver *driver = panel->record->driver;
 
     if (panel->tearing)
@@ -38,7 +38,7 @@ int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
     panel->dimmed = 1;
     panel->settings = settings;
     if (!panel->ready)
-        return SHEEN_OK; /* the next initialisation says it */
+        return SHEEN_OK; /* the next initialisation sends it */
     sheen_panel_take(panel);
     set_brightness(panel);
     return sheen_panel_give(panel);

@@ -7,18 +7,18 @@
 #include "sheen_panel.h"
 
 /*
- * Nothing here returns an error: the first one that the bus answers stays in
- * panel->error, and from then on nothing is sent, rested or waited for.
+ * These functions return no error: the first error of the bus stays in panel->error,
+ * and from then on they send nothing and wait for nothing.
  *
- * init: from any state of the controller to a lit, oriented panel.
- * orient: tells a lit controller its orientation; NULL where the packer turns.
- * push: a rectangle that lies inside the target, aligned; may leave its last
- *   call of the bus under way (panel->flying). Pixels as in sheen_target.h.
- * reset_command: a reset by command for boards without a reset line, < 0: none.
- * command: sheen_panel_command or sheen_panel_low_command, as the controller reads parameters.
+ * init: brings the controller from any state to a lit, oriented panel.
+ * orient: sends the orientation to a lit controller; NULL: the driver rearranges pixels instead.
+ * push: sends an aligned rectangle inside the target; may leave its last call of
+ *   the bus under way (panel->flying). Pixels as in sheen_target.h.
+ * command: sheen_panel_command or sheen_panel_low_command, depending on the controller.
+ * reset_command: resets the controller on boards without a reset line; < 0: none.
  * off: the commands that darken the glass and put the controller to sleep.
- * tearing_command: takes a parameter 0 and switches the TE output on, 0: none.
- * brightness_on: before the first brightness, command and parameter; 0: nothing.
+ * tearing_command: switches the TE output on; its one parameter is 0. 0: no such command.
+ * brightness_on: command and parameter that come before a brightness; 0: none.
  */
 struct sheen_panel_driver {
     void (*init)(struct sheen_panel *panel);
@@ -29,15 +29,15 @@ struct sheen_panel_driver {
     uint8_t off[2], off_count;
     uint8_t tearing_command;
     uint8_t brightness_on[2];
-    uint8_t write_command; /* before pixels; 0: none (greys) */
-    uint8_t pixel;         /* enum sheen_pixel that it takes */
-    uint8_t align;         /* px, a power of 2, of the target on both axes; a byte's pixels, or an address's */
+    uint8_t write_command; /* sent before grey pixels; 0: none */
+    uint8_t pixel;         /* the pixel format it supports, enum sheen_pixel */
+    uint8_t align;         /* px, alignment of the target on both axes: pixels per byte or address, a power of 2 */
 };
 
 /*
- * A rectangle on the glass at rotation 0, and where its pixels stand in the
- * rectangle that the core handed over: pixel (i, j) of the glass's rectangle is
- * number start + i * right + j * down of the core's, counted along its rows.
+ * A rectangle on the glass in rotation 0, and where its pixels are in the rectangle
+ * that the core pushed: pixel (i, j) on the glass is pixel number
+ * start + i * right + j * down of the core's rectangle, counted row by row.
  */
 struct sheen_turn {
     int32_t start, right, down;
@@ -47,47 +47,49 @@ struct sheen_turn {
 void sheen_turn_of(const struct sheen_panel *panel, const struct sheen_rect *rect, struct sheen_turn *turn);
 
 /*
- * Around what is said to the panel. take begins anew, without error, ends the push
- * before and acquires the bus (after an error it is not held); give releases it,
- * unless pixels still fly. An error makes the panel unknown. Both return it.
+ * Call these before and after sending. take clears the last error, waits for the push
+ * under way and acquires the bus (on an error the bus is not held). give releases the
+ * bus, unless pixels are still under way. Both return panel->error; after an error the
+ * panel's state counts as unknown.
  */
 int sheen_panel_take(struct sheen_panel *panel);
 int sheen_panel_give(struct sheen_panel *panel);
 
-/* A call of the bus (sheen_bus.h) whose data may fly on, untouched. */
+/* Calls the bus's send (sheen_bus.h). The data may still be under way afterwards: leave them untouched. */
 void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
                         size_t count);
 
-/* Waits for the call under way, if any. */
+/* Waits for the call of the bus that is under way, if any. */
 void sheen_panel_landed(struct sheen_panel *panel);
 
-/* A command, and its parameters with D/C high. */
+/* Sends a command with D/C low and its parameters with D/C high, and waits until they have left. */
 void sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
 
-/* The same with D/C low, for controllers whose parameters are commands; at most 15. */
+/* The same, but parameters too leave with D/C low, for controllers that read them as commands; at most 15. */
 void sheen_panel_low_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
 
-/* Reset by the line, else by command, with the record's waits. */
+/* Resets the controller by the reset line, or without one by command, with the record's waits. */
 void sheen_panel_reset(struct sheen_panel *panel);
 
-/* The record's init table. */
+/* Sends the record's init table. */
 void sheen_panel_steps(struct sheen_panel *panel);
 
-/* 1, and remembers it, where axis 0 (x) or 1 (y) of the window, first << 16 | last, is not so already. */
+/* Whether axis 0 (x) or 1 (y) of the window, first << 16 | last, must be sent because it changes; remembers it. */
 static inline int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, uint32_t window)
 {
     if (panel->window[axis] == window)
         return 0;
-    panel->window[axis] = window; /* an error on the way makes all unknown again */
+    panel->window[axis] = window; /* if sending fails, the next initialisation forgets it */
     return 1;
 }
 
-/* Command, first, last (a byte each), where they differ from the last. */
+/* Sends command, first, last (one byte each), unless first and last are as sent before. */
 void sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t command, unsigned first, unsigned last);
 
 /*
- * For controllers whose parameters are commands, without a reset line: whatever they
- * still wait for from before, a harmless command sent often enough fills it in.
+ * Without a reset line, a controller that reads parameters as commands may still be
+ * waiting for parameters of an earlier command. This sends a harmless command often
+ * enough to fill them in.
  */
 void sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless);
 

@@ -1,17 +1,17 @@
 /*
- * driver_dcs.c - every MIPI-DCS colour panel on a 4-wire SPI: one driver, a record a module.
+ * driver_dcs.c - the driver of all MIPI-DCS colour panels on 4-wire SPI; modules differ by their records.
  *
- * On the wire, a call of the bus a line, D/C low for its first byte:
+ * What is sent, one call of the bus per line, D/C low for the first byte:
  *
  *   2A  x0h x0l x1h x1l     CASET, columns, ends inclusive
  *   2B  y0h y0l y1h y1l     RASET, rows
  *   2C  hi lo hi lo ...     RAMWR, from the window's top left, RGB565 high byte first;
- *                           or, where a record has bits_18, 3 bytes a pixel of which the
- *                           upper 6 bits count, a few at a time: the rest by 3C, RAMWRC
+ *                           or, if the record has bits_18, 3 bytes per pixel whose upper 6
+ *                           bits count, a few pixels per call: 2C, then 3C (RAMWRC)
  *
- * Columns and rows are the picture's: MADCTL turns them, so the offset of the
- * glass turns too. CASET and RASET are sent where they differ from the last.
- * Command codes: MIPI Alliance, Display Command Set 1.3, chapter 6.
+ * Columns and rows are those of the picture, because MADCTL turns them; so the offset
+ * of the glass depends on the orientation. CASET and RASET are sent only if they differ
+ * from the last ones. Command codes: MIPI Alliance, Display Command Set 1.3, chapter 6.
  */
 #include "driver.h"
 
@@ -32,9 +32,9 @@
 
 #define WRCTRLD_ON 0x2C /* brightness block, dimming and backlight on */
 
-#define MADCTL_BGR 0x08 /* beside scan's bits: sub-pixels of the glass are blue, green, red */
+#define MADCTL_BGR 0x08 /* sub-pixels of the glass are blue, green, red; SHEEN_SCAN_ are its other bits */
 
-/* MADCTL without the colour order. Mirrored left to right: the other end of the axis that x runs along. */
+/* MADCTL without the colour order. A mirrored picture's x counts from the other end of its RAM axis. */
 static uint8_t dcs_scan_of(const struct sheen_panel *panel)
 {
     uint8_t scan = panel->record->scan[panel->orientation & 3];
@@ -62,20 +62,20 @@ static void dcs_init(struct sheen_panel *panel)
 }
 
 /*
- * RAM pixels before the glass on an axis: gap where the axis counts upwards,
- * the rest beyond the glass where it counts downwards.
+ * RAM pixels before the glass on an axis: the gap if the axis counts upwards, the
+ * RAM's remainder beyond the glass if it counts downwards.
  */
 static unsigned offset_of(unsigned ram, unsigned glass, unsigned gap, int downwards)
 {
     return downwards ? ram - glass - gap : gap;
 }
 
-/* An axis (0 x, 1 y) of the window, first..end - 1 in the picture's own coordinates. */
+/* Sets one axis (0 x, 1 y) of the window to first..end - 1, in the picture's coordinates. */
 static void set_axis(struct sheen_panel *panel, unsigned axis, int first, int end)
 {
     const struct sheen_panel_record *record = panel->record;
     uint8_t scan = dcs_scan_of(panel);
-    unsigned offset = axis == !(scan & SHEEN_SCAN_MV) /* along the RAM's columns of pixels */
+    unsigned offset = axis == !(scan & SHEEN_SCAN_MV) /* the axis selects RAM rows */
                           ? offset_of(record->ram_h, record->glass_h, record->gap_y, scan & SHEEN_SCAN_MY)
                           : offset_of(record->ram_w, record->glass_w, record->gap_x, scan & SHEEN_SCAN_MX);
     uint32_t window = ((unsigned)first + offset) << 16 | ((unsigned)end + offset - 1);
@@ -85,7 +85,7 @@ static void set_axis(struct sheen_panel *panel, unsigned axis, int first, int en
         sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
 }
 
-/* 5 or 6 bits to the upper 6 of a byte: the low bits repeat the high ones, so that white stays white. */
+/* RGB565 to three bytes whose upper 6 bits count. 5 bits become 6 by repeating the high ones, so white stays white. */
 static void expand(uint8_t *to, const uint8_t *pixel)
 {
     unsigned g = (pixel[0] & 7u) << 3 | pixel[1] >> 5, b = pixel[1] & 31u;
@@ -95,7 +95,7 @@ static void expand(uint8_t *to, const uint8_t *pixel)
     to[2] = (uint8_t)(b << 3 | b >> 2);
 }
 
-/* Pixels as 3 bytes each, a pack buffer at a time; the last one flies. */
+/* Sends pixels as 3 bytes each, one pack buffer at a time; the last buffer may stay under way. */
 static void send_18(struct sheen_panel *panel, const uint8_t *pixels, const uint8_t *end)
 {
     for (uint8_t command = RAMWR; pixels != end; command = RAMWRC) {

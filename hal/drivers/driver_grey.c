@@ -1,20 +1,21 @@
 /*
- * driver_grey.c - 16 grey levels, two pixels a byte: SSD0323, SSD1325, SSD1327; and SSD1322.
+ * driver_grey.c - 16 grey levels, two pixels per byte: SSD0323, SSD1325, SSD1327; and SSD1322.
  *
- * On the wire, a call of the bus a line:
+ * What is sent, one call of the bus per line:
  *
- *   15 c0 c1         columns, ends inclusive, an address 2 px; on the SSD1322 4 px
+ *   15 c0 c1         columns, ends inclusive, 2 px per address; on the SSD1322 4 px
  *   75 r0 r1         rows
  *   high|low ...     pixels from the window's top left, left pixel in the high nibble
  *
- * Parameters leave with D/C low as their commands do, and pixels have no command; on
- * the SSD1322 parameters leave with D/C high, and pixels are those of command 5C.
+ * Parameters are sent with D/C low, like their commands, and pixels have no command.
+ * On the SSD1322 parameters are sent with D/C high, and pixels follow command 5C.
  *
- * Setting either end of the window sets the address back to its start, and a
- * window that was filled leaves it there (SSD1325 data sheet, "Set Column
- * Address" and "Set Row Address"): a repeated window needs no command at all.
+ * Setting the columns or rows moves the RAM address to the window's start, and filling
+ * the window returns it there (SSD1325 data sheet, "Set Column Address" and "Set Row
+ * Address"): pixels for the same window again need no command at all.
  *
- * The remap stays as the module needs it upright; the packer turns.
+ * The controller's remap is always that of the upright module; for other orientations
+ * the driver rearranges the pixels.
  */
 #include "driver.h"
 
@@ -28,7 +29,7 @@
 static void grey_init(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
-    int low = driver->write_command == 0; /* parameters leave with D/C low */
+    int low = driver->write_command == 0; /* parameters are sent with D/C low */
 
     sheen_panel_reset(panel);
     if (low)
@@ -38,7 +39,7 @@ static void grey_init(struct sheen_panel *panel)
     driver->command(panel, DISPLAY_ON, NULL, 0);
 }
 
-/* Pixels in the controller's order; they may fly on. */
+/* Sends pixels in the controller's order; they may stay under way. */
 static void launch(struct sheen_panel *panel, const uint8_t *bytes, size_t count)
 {
     const uint8_t *write = &panel->record->driver->write_command;
@@ -46,7 +47,7 @@ static void launch(struct sheen_panel *panel, const uint8_t *bytes, size_t count
     sheen_panel_launch(panel, write, *write != 0, bytes, count);
 }
 
-/* The nibble of pixel `index` of the rectangle. */
+/* The 4 bits of the rectangle's pixel number `index`. */
 static unsigned nibble(const uint8_t *pixels, int32_t index)
 {
     unsigned byte = pixels[(uint32_t)index / 2];
@@ -54,7 +55,7 @@ static unsigned nibble(const uint8_t *pixels, int32_t index)
     return index & 1 ? byte & 15u : byte >> 4;
 }
 
-/* Sends the rectangle byte by byte of the glass, a pack buffer at a time; the last one flies. */
+/* Sends the rectangle in the glass's order, one pack buffer at a time; the last buffer may stay under way. */
 static void send_turned(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels)
 {
     unsigned used = 0;
@@ -84,7 +85,7 @@ static void grey_push(struct sheen_panel *panel, const struct sheen_rect *rect, 
     unsigned column = (record->gap_x + (unsigned)turn.x) >> shift, row = record->gap_y + (unsigned)turn.y;
     sheen_panel_set_window(panel, 0, SET_COLUMN, column, column + ((unsigned)turn.w >> shift) - 1);
     sheen_panel_set_window(panel, 1, SET_ROW, row, row + (unsigned)turn.h - 1);
-    if (panel->orientation == 0) /* as the core packs it */
+    if (panel->orientation == 0) /* the core's order is the controller's */
         launch(panel, pixels, (size_t)turn.w * (size_t)turn.h / 2);
     else
         send_turned(panel, &turn, pixels);

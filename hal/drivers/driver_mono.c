@@ -2,14 +2,15 @@
  * driver_mono.c - black and white in pages: SSD1306 and SH1106.
  *
  * A byte is a column of 8 pixels, the top one in bit 0; a page is a row of bytes.
- * Commands and their parameters leave with D/C low, pixels with D/C high:
+ * Commands and their parameters are sent with D/C low, pixels with D/C high:
  *
  *   SSD1306   21 c0 c1   columns, 22 p0 p1   pages (ends inclusive), then bytes
- *   SH1106    B0+page, 00+low nibble, 10+high nibble of the column: once a page
+ *   SH1106    B0+page, 00+low nibble, 10+high nibble of the column: once per page
  *
- * Both are kept as their modules need it upright (A1, C8 of the init table); the
- * packer turns. The SSD1306 goes back to the window's start once it was filled
- * (data sheet, "Horizontal addressing mode"): a repeated window needs no command.
+ * The controllers always stay set up for the upright module (A1 and C8 of the init
+ * table); for other orientations the driver rearranges the pixels. When a window is
+ * full, the SSD1306 returns to its start (data sheet, "Horizontal addressing mode"):
+ * pixels for the same window again need no command.
  */
 #include "driver.h"
 
@@ -29,7 +30,7 @@ static void mono_init(struct sheen_panel *panel)
     sheen_panel_low_command(panel, DISPLAY_ON, NULL, 0);
 }
 
-/* The byte of 8 pixels downwards from pixel `index` of the rectangle; a step up is 2^32 - down. */
+/* The byte of 8 pixels from number `index` of the rectangle on, `down` apart; negative steps are modulo 2^32. */
 static uint8_t column_of_8(const uint8_t *pixels, uint32_t index, uint32_t down)
 {
     unsigned byte = 0;
@@ -39,7 +40,7 @@ static uint8_t column_of_8(const uint8_t *pixels, uint32_t index, uint32_t down)
     return (uint8_t)byte;
 }
 
-/* Bytes of one page, a pack buffer at a time; the last one flies. */
+/* Sends the bytes of one page, one pack buffer at a time; the last buffer may stay under way. */
 static void send_page(struct sheen_panel *panel, const struct sheen_turn *turn, const uint8_t *pixels, int16_t row)
 {
     int32_t index = turn->start + row * turn->down;

@@ -1,15 +1,15 @@
 /*
- * turn.c - from the picture's pixels to the glass's, for controllers that cannot turn by themselves.
+ * turn.c - finds the picture's pixels in the glass's order, for controllers that cannot turn by themselves.
  *
- * In all eight orientations, going one pixel right or down on the glass moves by
- * a constant number of pixels in the rectangle that the core handed over: the
- * packers of driver_grey.c and driver_mono.c need a start and two steps.
+ * In all eight orientations, one pixel right or down on the glass is a constant
+ * number of pixels further in the rectangle that the core pushed. So a start and two
+ * steps are all that driver_grey.c and driver_mono.c need to rearrange pixels.
  */
 #include "driver.h"
 
 /*
- * As in orientation 0 or 4, then a quarter turn at a time: what was up is then right,
- * what was right is down, and the bottom left corner comes first.
+ * Begins with orientation 0 or 4 and adds one quarter turn at a time. In each, up becomes
+ * right, right becomes down, and the pixel that was at the bottom left comes first.
  */
 void sheen_turn_of(const struct sheen_panel *panel, const struct sheen_rect *rect, struct sheen_turn *turn)
 {
@@ -18,7 +18,7 @@ void sheen_turn_of(const struct sheen_panel *panel, const struct sheen_rect *rec
     struct sheen_turn now = {.right = 1, .down = w, .x = rect->x0, .y = rect->y0, .w = w, .h = h};
 
     sheen_panel_size(panel->record, panel->orientation, &width, &height);
-    if (panel->orientation & 4) { /* mirrored: along the picture's x from the right end */
+    if (panel->orientation & 4) { /* mirrored: the picture's x counts from the right end */
         now.start = w - 1;
         now.right = -1;
         now.x = (int16_t)(width - rect->x1);

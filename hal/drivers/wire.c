@@ -1,15 +1,15 @@
 /*
- * wire.c - what drivers say to their bus: calls that are waited for, reset, init tables, windows.
+ * wire.c - how drivers use their bus: commands, reset, init tables, windows.
  *
- * The bus may send from the caller's memory while it goes on (DMA), so each call
- * is waited for before the next and before its bytes leave scope. The one
- * exception is a push's last, its pixels: sheen_panel_launch leaves it under way.
+ * The bus may read the caller's memory after send has returned (DMA). So each call is
+ * waited for before the next call, and before its bytes go out of scope. The exception
+ * is the last call of a push, with its pixels: sheen_panel_launch leaves it under way.
  */
 #include "driver.h"
 
 #include <string.h>
 
-/* A bus without wait has sent everything when send returns: then nothing is in flight. */
+/* A bus without wait has sent everything when send returns, so nothing is flying then. */
 void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
                         size_t count)
 {
@@ -21,7 +21,7 @@ void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_
     panel->flying = panel->error == SHEEN_OK && bus->wait != NULL;
 }
 
-/* Whatever wait answers, the call is over: a second wait for it would be for the next one. */
+/* Whatever wait returns, the call is over and must not be waited for again. */
 void sheen_panel_landed(struct sheen_panel *panel)
 {
     if (!panel->flying)
@@ -61,8 +61,8 @@ static void drive_reset(struct sheen_panel *panel, int level)
 }
 
 /*
- * Starts with the falling edge, since the line may have been left low by a reset
- * that failed half-way: the pulse then is only longer.
+ * Drives the line low first. If an earlier reset failed half-way and left it low, the
+ * pulse is only longer.
  */
 void sheen_panel_reset(struct sheen_panel *panel)
 {
@@ -74,7 +74,7 @@ void sheen_panel_reset(struct sheen_panel *panel)
         rest(panel, record->reset_low_us);
         drive_reset(panel, 1);
     } else if (record->driver->reset_command >= 0) {
-        /* The power may have come up just now: that is a reset too, with its own rest. */
+        /* The power may have come up only now, which is a reset too and needs the same wait before any command. */
         rest(panel, rest_us);
         sheen_panel_command(panel, (uint8_t)record->driver->reset_command, NULL, 0);
     }
@@ -103,7 +103,7 @@ void sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t co
 
 void sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
 {
-    uint8_t bytes[8]; /* parameters at most, of any command that is sent (B8, the SSD1325's grey table) */
+    uint8_t bytes[8]; /* as many as the most parameters of any command sent (B8, the SSD1325's grey table) */
 
     if (panel->bus->reset)
         return;
