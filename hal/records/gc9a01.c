@@ -1,17 +1,16 @@
 /*
  * gc9a01.c - the record of the round GC9A01.
  *
- * Most of its registers are not in the data sheet; makers of the glass hand out a
- * table, and public drivers carry it along (values as in LovyanGFX,
- * Panel_GC9A01.hpp, and TFT_eSPI). Two quirks seen there: the chip must not get
- * a NOP (00) at the end, which this driver never sends; and LovyanGFX sends
- * RASET FF FF FF FF before each new window in quarter turns, which others do
- * without, and so does this one.
+ * Most of its registers are not in the data sheet. Makers of the glass hand out an
+ * init table, which public drivers copy (values as in LovyanGFX, Panel_GC9A01.hpp,
+ * and TFT_eSPI). Those drivers show two quirks. The chip must not get a NOP (00) at
+ * the end; this driver never sends one. And LovyanGFX sends RASET FF FF FF FF before
+ * each new window in quarter turns; other drivers do not, and neither does this one.
  */
 #include "record.h"
 
 static const struct sheen_panel_step init_gc9a01[] = {
-    {0xEF, 0, BARE}, /* opens the register pages, with FE */
+    {0xEF, 0, BARE}, /* EF and FE open the register pages */
     {0xEB, 0, BYTES(0x14)},
     {0xFE, 0, BARE},
     {0xEF, 0, BARE},
@@ -29,7 +28,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
     {0x8E, 0, BYTES(0xFF)},
     {0x8F, 0, BYTES(0xFF)},
     {0xB6, 0, BYTES(0x00, 0x20)}, /* display function: scan directions */
-    {COLMOD, 0, BYTES(0x05)},     /* 16 bits a pixel */
+    {COLMOD, 0, BYTES(0x05)},     /* 16 bits per pixel */
     {0x90, 0, BYTES(0x08, 0x08, 0x08, 0x08)},
     {0xBD, 0, BYTES(0x06)},
     {0xBC, 0, BYTES(0x00)},
@@ -59,7 +58,7 @@ static const struct sheen_panel_step init_gc9a01[] = {
     {SLPOUT, 120, BARE}, /* sleep out; 120 ms as in record.h */
 };
 
-/* The rating is not published; 40 to 80 MHz are in use, so the lower end. */
+/* Clock: no rating is published; 40 to 80 MHz are in use, and this is the lower end. */
 const struct sheen_panel_record sheen_panel_gc9a01 = {
     .name = TEXT("gc9a01-240x240"),
     .controller = TEXT("GC9A01"),

@@ -1,8 +1,8 @@
 /*
- * ili9341.c - records of the ILI9341 and of its larger kin, the ILI9488.
+ * ili9341.c - records of the ILI9341 and of its larger relative, the ILI9488.
  *
- * The shortest init tables that bring the glass to life: supply and gamma stay as
- * they power on, as in the driver collection mipidsi.
+ * The init tables are the shortest that light the glass: supply and gamma keep
+ * their power-on values, as in the driver collection mipidsi.
  */
 #include "record.h"
 
@@ -26,13 +26,13 @@ const struct sheen_panel_record sheen_panel_ili9341 = {
     .bgr = 1,
 };
 
-/* On SPI it has 18 bits a pixel, or 8 colours, but not 16 bits (ILI9488 data sheet, "4-line serial interface"). */
+/* On SPI it has 18 bits per pixel or 8 colours, not 16 bits (ILI9488 data sheet, "4-line serial interface"). */
 static const struct sheen_panel_step init_ili9488[] = {
     {SLPOUT, 120, BARE},
     {COLMOD, 0, BYTES(0x66)},
 };
 
-/* Clock: write cycle 66 ns is the ILI9486's, the nearest that is published. */
+/* Clock: write cycle 66 ns; this is the ILI9486's, the nearest controller with a published value. */
 const struct sheen_panel_record sheen_panel_ili9488 = {
     .name = TEXT("ili9488-320x480"),
     .controller = TEXT("ILI9488"),

@@ -1,16 +1,16 @@
 /*
- * record.h - private to hal/records: how the records are written down.
+ * record.h - private to hal/records: short forms for writing records.
  */
 #ifndef SHEEN_RECORD_H
 #define SHEEN_RECORD_H
 
 #include "sheen_panel.h"
 
-/* The last two fields of a step: no parameters, or these. */
+/* The last two fields of a step: no parameters, or the bytes given. */
 #define BARE 0, NULL
 #define BYTES SHEEN_BYTES
 
-/* A string of its own section: string literals of a file are linked together, whichever of its records is named. */
+/* An array instead of a string literal: literals of a file are linked all together, even if one record is named. */
 #define TEXT(string) ((const char[]){string})
 
 #define INIT(table) .init = table, .steps = sizeof table / sizeof table[0]
@@ -27,16 +27,16 @@
 #define COLMOD 0x3A
 
 /*
- * MIPI-DCS. Reset: low for 10 us at least, then 120 ms before sleep out, the longer of
- * the two rests since the state before is unknown (ILI9341 data sheet, reset timing,
- * tRW and tRT; ST7789V data sheet likewise). Sleep out: 120 ms before display on
- * (ibid., SLPOUT). COLMOD: 16 bits a pixel (ibid., COLMOD).
+ * MIPI-DCS. Reset: low for at least 10 us, then 120 ms before sleep out: the longer of
+ * the two waits given, because the state before the reset is unknown (ILI9341 data sheet,
+ * reset timing, tRW and tRT; ST7789V data sheet likewise). Sleep out: 120 ms before
+ * display on (ibid., SLPOUT). COLMOD: 16 bits per pixel (ibid., COLMOD).
  */
 #define DCS .driver = &sheen_driver_dcs, .pixel = SHEEN_RGB565_BE, .reset_low_us = 10, .reset_ms = 120
 
 /*
  * OLED. Reset: the data sheets ask for 2 to 100 us low ("Power ON and OFF sequence",
- * t1), u8g2 rests 100 ms after it, since some modules' supplies need it.
+ * t1); u8g2 waits 100 ms after it, because the supply of some modules needs that.
  */
 #define I2C .i2c_address = 0x3C
 #define OLED .reset_low_us = 100, .reset_ms = 100

@@ -1,8 +1,8 @@
 /*
  * sh1106.c - records of the SH1106: black and white.
  *
- * A1 and C8 in the init table stand the module upright; the packer does all
- * turning. Values as in u8g2, registers of the data sheet (reset: 10 us).
+ * A1 and C8 in the init table make the picture upright; all other orientations are
+ * the driver's work. Values as in u8g2, registers as in the data sheet (reset: 10 us).
  */
 #include "record.h"
 
@@ -19,11 +19,11 @@ static const struct sheen_panel_step init_sh1106[] = {
     {0x81, 0, BYTES(0xCF)}, /* contrast */
     {0xD9, 0, BYTES(0xF1)}, /* precharge */
     {0xDB, 0, BYTES(0x40)}, /* VCOMH */
-    {0xA4, 0, BARE},        /* shows the RAM, */
+    {0xA4, 0, BARE},        /* show the RAM, */
     {0xA6, 0, BARE},        /* not inverted */
 };
 
-/* Clock: u8g2 drives it at 4 MHz (the Linux driver at 2). */
+/* Clock: u8g2 uses 4 MHz (the Linux driver 2 MHz). */
 #define SH1106                                                                                                         \
     .controller = TEXT("SH1106"), .driver = &sheen_driver_sh1106, .brightness_command = 0x81, .pixel = SHEEN_GREY2,    \
     OLED, I2C, INIT(init_sh1106), .clock_hz = 4000000, GLASS(128, 64), RAM(132, 64)

@@ -1,12 +1,12 @@
 /*
  * ssd1306.c - records of the SSD1306: black and white.
  *
- * A1 and C8 in the init tables stand these modules upright; the packer does all
- * turning. Values as in u8g2, registers of the data sheet (reset: 8.9, t1, 3 us).
+ * A1 and C8 in the init tables make the picture upright; all other orientations are the
+ * driver's work. Values as in u8g2, registers as in the data sheet (reset: 8.9, t1, 3 us).
  */
 #include "record.h"
 
-/* lines: multiplex ratio - 1. pins: DA, how COM lines are wired (12 alternating, 02 in sequence). */
+/* lines: multiplex ratio - 1. pins: parameter of DA, how the COM lines are wired (12 alternating, 02 in sequence). */
 /* clang-format off */
 #define INIT_SSD1306(lines, pins, contrast, precharge, vcomh)    \
     {0xAE, 0, BARE},         /* off */                           \
@@ -23,7 +23,7 @@
     {0xD9, 0, BYTES(precharge)},                                 \
     {0xDB, 0, BYTES(vcomh)},                                     \
     {0x2E, 0, BARE},         /* no scrolling */                  \
-    {0xA4, 0, BARE},         /* shows the RAM, */                \
+    {0xA4, 0, BARE},         /* show the RAM, */                 \
     {0xA6, 0, BARE}          /* not inverted */
 /* clang-format on */
 
@@ -32,7 +32,7 @@ static const struct sheen_panel_step init_128x32[] = {INIT_SSD1306(0x1F, 0x02, 0
 static const struct sheen_panel_step init_64x48[] = {INIT_SSD1306(0x2F, 0x12, 0xCF, 0x22, 0x00)};
 static const struct sheen_panel_step init_72x40[] = {
     INIT_SSD1306(0x27, 0x12, 0xAF, 0x22, 0x20),
-    {0xAD, 0, BYTES(0x30)}, /* the module has no resistor for the segments' current: the chip's own */
+    {0xAD, 0, BYTES(0x30)}, /* internal current reference: the module has no resistor for the segments' current */
 };
 
 /* Clock: cycle 100 ns (SSD1306 data sheet, table 13-4). */

@@ -1,10 +1,11 @@
 /*
  * ssd1322.c - the record of the SSD1322: 256x64, 16 greys.
  *
- * Values as in u8g2 (glass of Newhaven), which has driven many of these; the data
- * sheet was not at hand. RAM is 480 columns wide, the glass begins at column address
- * 1C of 4 px each, in the middle. Remap 06 11 stands it upright: segments from the
- * last, first nibble left, COM lines in pairs; 14 11 would be upside down.
+ * Values as in u8g2 (for Newhaven's glass), which has driven many of these modules; the
+ * data sheet was not at hand. The RAM is 480 columns wide; the glass is in its middle,
+ * from column address 1C on (4 px per address). Remap 06 11 makes the picture upright:
+ * segments count from the last, the first nibble is the left pixel, COM lines are in
+ * pairs; 14 11 would be upside down.
  */
 #include "record.h"
 
@@ -25,11 +26,11 @@ static const struct sheen_panel_step init_ssd1322[] = {
     {0xBB, 0, BYTES(0x1F)},       /* precharge, */
     {0xB6, 0, BYTES(0x08)},       /* second precharge */
     {0xBE, 0, BYTES(0x07)},       /* VCOMH */
-    {0xA6, 0, BARE},              /* shows the RAM, */
+    {0xA6, 0, BARE},              /* show the RAM, */
     {0xA9, 0, BARE},              /* all of it */
 };
 
-/* Clock: cycle 100 ns, as u8g2 has it from the data sheet. */
+/* Clock: cycle 100 ns, which u8g2 quotes from the data sheet. */
 const struct sheen_panel_record sheen_panel_ssd1322 = {
     .name = TEXT("ssd1322-256x64"),
     .controller = TEXT("SSD1322"),

@@ -1,17 +1,17 @@
 /*
- * ssd1325.c - records of the SSD0323 and SSD1325, one chip: 16 greys.
+ * ssd1325.c - records of the SSD0323 and SSD1325, which are one chip: 16 greys.
  *
- * Values as in u8g2 and TFT_eSPI where the data sheet leaves them to the module's
- * maker. Multiplex ratio, offset and remap are set so that RAM column gap_x, row
- * gap_y is the upright glass's top left.
+ * Values that the data sheet leaves to the module's maker are those of u8g2 and TFT_eSPI.
+ * Multiplex ratio, offset and remap are such that RAM column gap_x, row gap_y is the top
+ * left pixel of the upright glass.
  *
- * u8g2 sends E3, no operation, after the last pixel and before chip select rises. A bus
- * ends its calls there, so the next window's commands follow instead; on SPI it was not
- * seen on glass whether the last pixels wait for those.
+ * u8g2 sends E3 (no operation) after the last pixel, before chip select rises. Here a call
+ * of the bus ends with the last pixel, and the next bytes are the next window's commands.
+ * Whether the last pixels appear only with those bytes on SPI was not tested on glass.
  */
 #include "record.h"
 
-/* B8: grey table that is linear to the eye; offset A2 as the glass's COM lines are wired. */
+/* B8: a grey table that looks linear to the eye. offset: parameter of A2, depends on how the COM lines are wired. */
 /* clang-format off */
 #define INIT_SSD1325(offset) {                                        \
     {0xAE, 0, BARE},          /* off */                               \
@@ -28,14 +28,14 @@
     {0xBC, 0, BYTES(0x10)},   /* precharge */                         \
     {0xBE, 0, BYTES(0x1C)},   /* VCOMH */                             \
     {0xBF, 0, BYTES(0x0F)},   /* VSL */                               \
-    {0xA4, 0, BARE},          /* shows the RAM */                     \
+    {0xA4, 0, BARE},          /* show the RAM */                      \
 }
 /* clang-format on */
 
 static const struct sheen_panel_step init_ssd0323[] = INIT_SSD1325(0x40);
 static const struct sheen_panel_step init_ssd1325[] = INIT_SSD1325(0x4C);
 
-/* Clock: cycle 250 ns (SSD1325 data sheet, serial interface). Remap 52: high nibble left, COM from the last, split. */
+/* Clock: cycle 250 ns (SSD1325 data sheet, serial interface). Remap 52: left pixel high, COM from the last, split. */
 #define SSD1325                                                                                                        \
     .driver = &sheen_driver_grey, .brightness_command = 0x81, .brightness_shift = 1, .pixel = SHEEN_GREY16,            \
     .clock_hz = 4000000, RAM(128, 80), GLASS(128, 64), OLED, .scan = {0x52}

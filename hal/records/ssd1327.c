@@ -1,9 +1,9 @@
 /*
  * ssd1327.c - records of the SSD1327: 16 greys.
  *
- * Values as in u8g2 and TFT_eSPI where the data sheet leaves them to the module's
- * maker. Multiplex ratio, offset and remap are set so that RAM column gap_x, row
- * gap_y is the upright glass's top left.
+ * Values that the data sheet leaves to the module's maker are those of u8g2 and TFT_eSPI.
+ * Multiplex ratio, offset and remap are such that RAM column gap_x, row gap_y is the top
+ * left pixel of the upright glass.
  */
 #include "record.h"
 
@@ -23,7 +23,7 @@
     {0xBE, 0, BYTES(0x07)},   /* VCOMH */                       \
     {0xB6, 0, BYTES(0x01)},   /* second precharge: strength, */ \
     {0xD5, 0, BYTES(0x62)},   /* and on */                      \
-    {0xA4, 0, BARE},          /* shows the RAM */               \
+    {0xA4, 0, BARE},          /* show the RAM */                \
 }
 /* clang-format on */
 
@@ -31,8 +31,8 @@ static const struct sheen_panel_step init_ssd1327[] = INIT_SSD1327(0x7F, 0x00);
 static const struct sheen_panel_step init_ssd1327_96[] = INIT_SSD1327(0x5F, 0x20);
 
 /*
- * Clock: u8g2 drives it at 4 MHz. Remap 51: columns and COM lines from the last, so
- * that the left pixel is the high nibble; COM split.
+ * Clock: u8g2 uses 4 MHz. Remap 51: columns and COM lines count from the last, so that
+ * the left pixel is the high nibble; COM split.
  */
 #define SSD1327                                                                                                        \
     .controller = TEXT("SSD1327"), .driver = &sheen_driver_grey, .brightness_command = 0x81, .pixel = SHEEN_GREY16,    \

@@ -1,14 +1,14 @@
 /*
  * ssd1351.c - records of the colour OLED SSD1351.
  *
- * Values as in u8g2 and TFT_eSPI where the data sheet leaves them to the module's
- * maker. Multiplex ratio, offset and remap are set so that RAM column gap_x, row
- * gap_y is the upright glass's top left.
+ * Values that the data sheet leaves to the module's maker are those of u8g2 and TFT_eSPI.
+ * Multiplex ratio, offset and remap are such that RAM column 0, row 0 is the top left
+ * pixel of the upright glass.
  */
 #include "record.h"
 
 static const struct sheen_panel_step init_ssd1351[] = {
-    {0xFD, 0, BYTES(0x12)},             /* unlock, */
+    {0xFD, 0, BYTES(0x12)},             /* unlock commands, */
     {0xFD, 0, BYTES(0xB1)},             /* also A2, B1, B3, BE, C1 */
     {0xAE, 0, BARE},                    /* off */
     {0xB3, 0, BYTES(0xF1)},             /* clock */
@@ -26,8 +26,9 @@ static const struct sheen_panel_step init_ssd1351[] = {
 };
 
 /*
- * Clock: cycle 50 ns (SSD1351 data sheet, table 13-4). Remap 60: 65k colours, COM
- * split; + 01 vertical, 02 columns and 10 COM lines from the last (ibid., A0h).
+ * Clock: cycle 50 ns (SSD1351 data sheet, table 13-4). scan: remap 60 is 65k colours and
+ * COM split; + 01 vertical addresses, + 02 columns from the last, + 10 COM lines from the
+ * last (ibid., A0h).
  */
 #define SSD1351                                                                                                        \
     .controller = TEXT("SSD1351"), .driver = &sheen_driver_ssd1351, .brightness_command = 0xC7, .brightness_shift = 4, \

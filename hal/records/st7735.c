@@ -1,17 +1,17 @@
 /*
- * st7735.c - records of the ST7735 modules, told apart by the colour of their film's tab.
+ * st7735.c - records of the ST7735 modules, told apart by the colour of the tab on their protective film.
  *
- * One chip, strapped to RAM sizes of its own by the module's maker: black and red
- * tab 128x160, green tab the whole 132x162 or 132x132. What looks like an offset
- * of the glass is that choice. The module that is said to break the gap rule of
- * sheen_panel.h, the green-tab 128x128 (rows 3 from one end, 1 from the other), keeps it
- * once its RAM is taken as 132x132, which is how its mode pins are strapped.
+ * All have the same chip, but the module's maker straps it to a RAM size: 128x160 with
+ * a black or red tab, the whole 132x162 or 132x132 with a green tab. This choice is what
+ * looks like an offset of the glass. The green-tab 128x128 is said to break the gap rule
+ * of sheen_panel.h (3 rows from one end, 1 from the other). It keeps the rule if its RAM
+ * is taken as 132x132, which is how its mode pins are strapped.
  */
 #include "record.h"
 
 /*
- * Frame rate, power and gamma as in Adafruit's ST7735R tables, which all libraries
- * took over; registers B1..C5, E0, E1 of the ST7735R data sheet. Waits as in
+ * Frame rate, power and gamma are from Adafruit's ST7735R tables, which all libraries
+ * have copied; registers B1..C5, E0, E1 of the ST7735R data sheet. Waits are those of
  * record.h (ST7735R data sheet, reset timing and SLPOUT: 10 us, 120 ms, 120 ms).
  */
 static const struct sheen_panel_step init_st7735[] = {
@@ -28,7 +28,7 @@ static const struct sheen_panel_step init_st7735[] = {
     {0xC5, 0, BYTES(0x0E)},                               /* VCOM */
     {0xE0, 0, BYTES(0x02, 0x1C, 0x07, 0x12, 0x37, 0x32, 0x29, 0x2D, 0x29, 0x25, 0x2B, 0x39, 0x00, 0x01, 0x03, 0x10)},
     {0xE1, 0, BYTES(0x03, 0x1D, 0x07, 0x06, 0x2E, 0x2C, 0x29, 0x2D, 0x2E, 0x2E, 0x37, 0x3F, 0x00, 0x00, 0x02, 0x10)},
-    {0x3A, 0, BYTES(0x05)}, /* 16 bits a pixel */
+    {0x3A, 0, BYTES(0x05)}, /* 16 bits per pixel */
 };
 
 /* Clock: write cycle 66 ns (ST7735R data sheet, 4-line serial interface, TSCYCW). */

@@ -1,13 +1,13 @@
 /*
  * st7789.c - records of the ST7789 modules.
  *
- * Supply and gamma stay as they power on, as in the driver collection mipidsi.
+ * Supply and gamma keep their power-on values, as in the driver collection mipidsi.
  */
 #include "record.h"
 
 /*
- * RAMCTRL B0 = 00 C0: the low bit of red and blue is copied from the high one when
- * 5 bits become 6 (Pimoroni pimoroni-pico issue 1040: else greys show bands).
+ * RAMCTRL B0 = 00 C0: when red and blue grow from 5 bits to 6, their high bit is copied
+ * to the low one; otherwise greys show bands (Pimoroni pimoroni-pico issue 1040).
  */
 static const struct sheen_panel_step init_st7789[] = {
     {SLPOUT, 120, BARE},
@@ -23,7 +23,7 @@ static const struct sheen_panel_step init_st7789[] = {
 const struct sheen_panel_record sheen_panel_st7789_240x320 = {
     .name = TEXT("st7789-240x320"), ST7789, GLASS(240, 320), .note = TEXT("TN glass (2.8 in) is not inverted")};
 
-/* Modules without CS hold the clock high between bytes, else they lose count: mode 3. It suits those with CS too. */
+/* Modules without CS lose count of bits unless the clock is high between bytes: mode 3, which suits all modules. */
 const struct sheen_panel_record sheen_panel_st7789_240x240 = {.name = TEXT("st7789-240x240"),
                                                               ST7789,
                                                               GLASS(240, 240),

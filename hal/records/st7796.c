@@ -1,5 +1,6 @@
 /*
- * st7796.c - the record of the ST7796S. Supply and gamma stay as they power on, as in the driver collection mipidsi.
+ * st7796.c - the record of the ST7796S. Supply and gamma keep their power-on values, as in the driver collection
+ * mipidsi.
  */
 #include "record.h"
 

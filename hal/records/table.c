@@ -3,7 +3,7 @@
  */
 #include "sheen_panel.h"
 
-/* The first record of a controller is what its plain name means. */
+/* The plain name of a controller, such as "st7789", means its first record here. */
 static const struct sheen_panel_record *const table[] = {
     &sheen_panel_ili9341,
     &sheen_panel_st7789_240x320,
@@ -45,13 +45,13 @@ const struct sheen_panel_record *sheen_panel_at(size_t index)
     return index < sizeof table / sizeof table[0] ? table[index] : NULL;
 }
 
-/* Of a letter of ASCII; the table's names have small ones only. */
+/* ASCII upper case to lower case, which all names in the table are in. */
 static char small(char c)
 {
     return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
 }
 
-/* 2: name is the record's whole name; 1: the record's name goes on with a dash; 0: neither. */
+/* 2: name is the record's whole name; 1: the record's name continues after it with a dash; 0: neither. */
 static int matches(const char *record, const char *name)
 {
     while (*name && *record == small(*name))
