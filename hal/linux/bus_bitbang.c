@@ -1,15 +1,15 @@
 /*
- * bus_bitbang.c - SPI on GPIO lines, one ioctl a change, for boards without spidev.
+ * bus_bitbang.c - SPI on GPIO lines, for boards without spidev: one ioctl per change of a line.
  *
- *   mode 0   MOSI ==<  b7  ><  b6  >      the bit stands before its clock's first edge;
- *            SCLK ____/--\____/--\__      the panel reads at that edge (CPHA 0)
+ *   mode 0   MOSI ==<  b7  ><  b6  >      a bit is set before its clock's first edge;
+ *            SCLK ____/--\____/--\__      the panel reads it at that edge (CPHA 0)
  *
- *   mode 3   SCLK ---\___/---\___/--      the bit is put after the first edge, read
- *            MOSI ====<  b7  ><  b6       at the second (CPHA 1)
+ *   mode 3   SCLK ---\___/---\___/--      a bit is set after its clock's first edge;
+ *            MOSI ====<  b7  ><  b6       the panel reads it at the second (CPHA 1)
  *
- * The kernel needs about a microsecond for a change, longer than any panel's
- * set-up and hold times (ST7789V data sheet, table 6: 10 ns each), so nothing is
- * waited for.
+ * The kernel needs about a microsecond per change, more than the set-up and hold
+ * times of any panel (ST7789V data sheet, table 6: 10 ns each), so no delays are
+ * needed.
  */
 #include "sheen_linux_bus.h"
 

@@ -1,5 +1,5 @@
 /*
- * bus_i2cdev.c - I2C through /dev/i2c-N: each call of the bus below sheen_i2c.h is one write message.
+ * bus_i2cdev.c - I2C through /dev/i2c-N: each send from the layer of sheen_i2c.h is one write message.
  */
 #include "sheen_linux_bus.h"
 
@@ -11,14 +11,14 @@
 #include <string.h>
 #include <sys/ioctl.h>
 
-/* Of 7 bits, those that are not reserved (I2C specification UM10204, 3.1.12). */
+/* The range of 7-bit addresses that are not reserved (I2C specification UM10204, 3.1.12). */
 #define ADDRESS_FIRST 0x08u
 #define ADDRESS_LAST 0x77u
 
 static int message_fail(struct sheen_linux_bus *bus, int error)
 {
     switch (error) {
-    case ENXIO: /* which of these, is up to the adapter's driver */
+    case ENXIO: /* nobody acknowledged; which of these three codes comes depends on the adapter's driver */
     case EREMOTEIO:
     case EIO:
         return sheen_failed(
@@ -33,11 +33,11 @@ static int message_fail(struct sheen_linux_bus *bus, int error)
     }
 }
 
-/* A message goes as a whole or not at all: what is left of one would lack the control byte. */
+/* A message must be sent as a whole: the rest of a cut message would lack its control byte. */
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_linux_bus *bus = ctx;
-    uint8_t bytes[SHEEN_I2C_MESSAGE]; /* the kernel's struct takes no const */
+    uint8_t bytes[SHEEN_I2C_MESSAGE]; /* a copy, because the kernel's struct has no const pointer */
     struct i2c_msg message = {.addr = bus->address, .len = (uint16_t)count, .buf = bytes};
     struct i2c_rdwr_ioctl_data messages = {.msgs = &message, .nmsgs = 1};
 

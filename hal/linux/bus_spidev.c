@@ -1,11 +1,11 @@
 /*
  * bus_spidev.c - SPI through /dev/spidevB.C.
  *
- * spidev copies a transfer through a buffer of its own, 4096 bytes unless the
- * module is told otherwise, and refuses longer ones (EMSGSIZE): bytes go out in
- * chunks of that size. Between chunks, and between a command and its data, the
- * controller is asked to keep its chip select low (cs_change on a message's last
- * transfer, which the kernel calls a hint); panels take it as well where it rises
+ * spidev copies each transfer into a buffer of its own (4096 bytes unless a module
+ * parameter says otherwise) and refuses longer ones with EMSGSIZE, so bytes are sent
+ * in chunks of that size. Between chunks, and between a command and its data, the SPI
+ * controller is asked to keep chip select low: cs_change on a message's last transfer,
+ * which the kernel calls a hint. Panels also accept it if chip select rises there
  * (ST7789V data sheet, "data transfer pause").
  */
 #include "sheen_linux_bus.h"
@@ -19,9 +19,9 @@
 
 #define BUFSIZ_PATH "/sys/module/spidev/parameters/bufsiz"
 #define BUFSIZ_DEFAULT 4096u /* B; spidev.c */
-#define CHUNK_MAX 65536u     /* B; more gains nothing, and some controllers' DMA ends there */
+#define CHUNK_MAX 65536u     /* B; longer chunks gain nothing, and the DMA of some controllers ends here */
 
-/* What spidev's buffer holds. Built into the kernel it may show no parameter: then its default. */
+/* The size of spidev's buffer; the default if the parameter cannot be read, as may be if spidev is not a module. */
 static size_t chunk_size(void)
 {
     FILE *file = fopen(BUFSIZ_PATH, "re");
@@ -44,7 +44,7 @@ static int transfer_fail(struct sheen_linux_bus *bus, int error)
                         strerror(error));
 }
 
-/* A transfer that moved fewer bytes goes on where it stopped; one that moved none, so often, is an error. */
+/* A short transfer continues where it stopped; SHEEN_TRIES transfers in a row that send nothing are an error. */
 static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more)
 {
     int idle = 0;
@@ -69,7 +69,7 @@ static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, 
     return 0;
 }
 
-/* A message of nothing, after which the controller's chip select rises. Whatever it answers, an error came before. */
+/* Sends an empty message, so that the controller's chip select rises. Its result is ignored: an error came before. */
 static void deselect(struct sheen_linux_bus *bus)
 {
     struct spi_ioc_transfer nothing = {.speed_hz = bus->clock_hz, .bits_per_word = 8};
@@ -77,13 +77,13 @@ static void deselect(struct sheen_linux_bus *bus)
     (void)sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &nothing);
 }
 
-/* Mode, word size, clock. Where a line of our own selects the panel, the controller is asked to keep its own still. */
+/* Sets mode, word size and clock. own_cs: a GPIO line selects the panel, so the controller's CS should not move. */
 static int set_up(struct sheen_linux_bus *bus, int own_cs)
 {
     uint8_t mode = bus->spi_mode, quiet = (uint8_t)(mode | SPI_NO_CS), bits = 8;
     int result = sheen_ioctl_again(bus->fd, SPI_IOC_WR_MODE, own_cs ? &quiet : &mode);
 
-    /* Controllers that cannot, refuse; theirs then moves on a pin that is not wired. */
+    /* A controller that cannot keep its CS still refuses; then that CS moves on a pin that is not wired. */
     if (result < 0 && own_cs && errno == EINVAL)
         result = sheen_ioctl_again(bus->fd, SPI_IOC_WR_MODE, &mode);
     if (result < 0 && (errno == ENOTTY || errno == ENODEV))

@@ -1,8 +1,8 @@
 /*
- * linux_bus.c - what the kinds share: D/C, chip select, reset, TE and time.
+ * linux_bus.c - what spidev, bit-banged SPI and I2C share: D/C, chip select, reset, TE and delays.
  *
- * D/C changes only here, before the first bit of a part; the kinds' put() returns
- * when the last bit has left.
+ * D/C changes only here, before the first bit of command or data, because put()
+ * of spidev and of bit-banged SPI returns when the last bit has left.
  */
 #include "sheen_linux_bus.h"
 
@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Bytes of one D/C level. */
+/* Sends bytes with D/C at level dc. */
 static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t count, int more)
 {
     int error = sheen_pin_set(&bus->dc, dc, bus->why);
@@ -24,8 +24,9 @@ static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t co
 }
 
 /*
- * A clock that we drive and that stands wrong after an error. It comes to rest while
- * the panel is not selected, or before it is reset: else it would count a bit.
+ * Puts a bit-banged clock back to its idle level, in case an error left it elsewhere. This
+ * must happen while the panel is not selected, or before it is reset: otherwise the panel
+ * would count the edge as a bit.
  */
 static int rest_clock(struct sheen_linux_bus *bus)
 {
@@ -44,7 +45,7 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
         error = put(bus, 0, command, commands, count != 0);
     if (error == 0 && count)
         error = put(bus, 1, data, count, 0);
-    /* After an error too: nothing on a shared bus may go on speaking to the panel. */
+    /* Deselect after an error too: later traffic on a shared bus must not reach the panel. */
     if (own_cs) {
         int released = sheen_pin_set(&bus->cs, 1, error ? NULL : bus->why);
 
@@ -63,7 +64,7 @@ static int reset(void *ctx, int level)
     return error < 0 ? error : sheen_pin_set(&bus->reset, level, bus->why);
 }
 
-/* A signal shortens no delay: the end is an absolute time. */
+/* The end of the delay is an absolute time, so a signal does not change it. */
 static int delay(void *ctx, uint32_t us)
 {
     struct sheen_linux_bus *bus = ctx;
@@ -83,8 +84,7 @@ static int delay(void *ctx, uint32_t us)
     return error ? sheen_failed(bus->why, SHEEN_ERR_BUS, "clock_nanosleep: %s", strerror(error)) : 0;
 }
 
-/* A panel refreshes its glass 40 to 120 times a second. */
-#define TE_TIMEOUT_US 1000000u
+#define TE_TIMEOUT_US 1000000u /* ample: panels refresh their glass 40 to 120 times a second */
 
 static int tearing(void *ctx)
 {
@@ -137,7 +137,7 @@ static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
 {
     int error = 0;
 
-    /* CS first: from here on the panel hears nothing by mistake. */
+    /* CS first, so that the panel does not take changes of the other lines for data. */
     if (wiring->cs)
         error = sheen_pin_output(&bus->cs, wiring->cs, 1, bus->why);
     if (error == 0 && wiring->dc)
@@ -149,7 +149,7 @@ static int open_lines(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
     return error;
 }
 
-/* The device, or the lines in its place. */
+/* Opens the device, or the lines of bit-banged SPI. */
 static int open_kind(struct sheen_linux_bus *bus, const struct sheen_wiring *wiring)
 {
     int error;

@@ -1,5 +1,5 @@
 /*
- * pins.c - taking, driving and giving back a line, and saying what is wrong with it.
+ * pins.c - requesting, driving and releasing a line, with messages for what can go wrong.
  */
 #include "sheen_pins.h"
 
@@ -12,9 +12,9 @@
 #include <string.h>
 #include <time.h>
 
-#define EDGES_QUEUED 16 /* the kernel keeps that many of a line (gpiolib-cdev.c: 16 a requested line) */
+#define EDGES_QUEUED 16 /* edges that the kernel queues per requested line (gpiolib-cdev.c) */
 
-/* The kernel would not give the line; says who has it. */
+/* Explains why the kernel refused the line; if the line is in use, by whom. */
 static int request_fail(struct sheen_pin *pin, unsigned offset, int error, struct sheen_failure *why)
 {
     struct sheen_pin_info info = {.consumer = ""};
@@ -77,7 +77,7 @@ int sheen_pin_set(struct sheen_pin *pin, int level, struct sheen_failure *why)
     if (pin->level == level)
         return 0;
     if (sheen_gpiod_set(pin, level)) {
-        pin->level = -1; /* unknown: the next call drives it whatever it asks for */
+        pin->level = -1; /* unknown, so that the next call drives the line whichever level it asks for */
         return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", pin->name, strerror(errno));
     }
     pin->level = level;
@@ -92,7 +92,7 @@ static int64_t now_us(void)
     return now.tv_sec * (int64_t)1000000 + now.tv_nsec / 1000;
 }
 
-/* As sheen_gpiod_edge, but for signals: what is left of the time after one, none at last. */
+/* As sheen_gpiod_edge, but after a signal it waits for the time that is left, and returns 0 when none is left. */
 static int next_edge(struct sheen_pin *pin, uint32_t timeout_us)
 {
     const int64_t end = now_us() + timeout_us;

@@ -1,5 +1,5 @@
 /*
- * pins_find.c - the chips of this machine, and finding a line by what people call it.
+ * pins_find.c - lists the GPIO chips of this machine, and finds a line by what people call it.
  */
 #include "pins_gpiod.h"
 #include "sheen_target.h"
@@ -47,7 +47,7 @@ int sheen_chip_open(struct gpiod_chip **chip, const char *path, struct sheen_fai
     return code;
 }
 
-/* Calls each() for the lines of one chip, as sheen_pins_each. */
+/* Does for one chip what sheen_pins_each does for all. */
 static int chip_each(struct gpiod_chip *chip, const char *path,
                      int (*each)(void *ctx, const struct sheen_pin_info *info), void *ctx, struct sheen_failure *why)
 {
@@ -81,12 +81,12 @@ int sheen_pins_each(int (*each)(void *ctx, const struct sheen_pin_info *info), v
         struct gpiod_chip *chip;
         struct stat about;
 
-        /* Some systems link an old number to the chip's new one: its lines would come twice. */
+        /* Some systems keep a link from a chip's old number to its new one; its lines would be listed twice. */
         if (lstat(paths.gl_pathv[i], &about) == 0 && S_ISLNK(about.st_mode))
             continue;
         chips++;
         if (sheen_chip_open(&chip, paths.gl_pathv[i], opened ? NULL : why) < 0) {
-            /* Forbidden chips are not ours to judge; any other reason is a fault. */
+            /* Skip chips that this user may not open; any other reason is an error. */
             if (errno != EACCES && errno != EPERM)
                 result = sheen_chip_fail(why, paths.gl_pathv[i], errno);
             continue;
@@ -101,13 +101,13 @@ int sheen_pins_each(int (*each)(void *ctx, const struct sheen_pin_info *info), v
     return result == 0 && opened == 0 ? SHEEN_ERR_BUS : result;
 }
 
-/* A line that is looked for by its name, or by a chip's label and its offset there. */
+/* A search for a line by its name, or by a chip's label and the line's offset in that chip. */
 struct search {
     const char *name;
     char label[64];
-    struct sheen_pin_place place; /* the first hit's */
+    struct sheen_pin_place place; /* of the first hit */
     unsigned hits;
-    char places[96]; /* of all hits */
+    char places[96]; /* text: where all hits are */
 };
 
 static int compare(void *ctx, const struct sheen_pin_info *info)
@@ -127,7 +127,7 @@ static int compare(void *ctx, const struct sheen_pin_info *info)
     return 0;
 }
 
-/* "GPIO25" is left as a name; of "chip:25" the chip is copied to search->label (or path) and the offset read. */
+/* "GPIO25" remains a name. "chip:25" is split: the chip goes to search->label or, if it is a device, to place.path. */
 static void split(struct search *search, const char *line)
 {
     const char *colon = strrchr(line, ':');

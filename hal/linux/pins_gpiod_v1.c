@@ -1,8 +1,8 @@
 /*
  * pins_gpiod_v1.c - libgpiod 1.6 (Debian 12, Raspberry Pi OS of 2023).
  *
- * A line's handle lives inside its chip, so the chip stays open as long as the
- * line is used; gpiod_chip_close releases the line.
+ * A line's handle is part of its chip, so the chip must stay open as long as the
+ * line is used; gpiod_chip_close would release the line.
  */
 #include "pins_gpiod.h"
 
@@ -23,7 +23,7 @@ int sheen_gpiod_describe(struct gpiod_chip *chip, char *label, size_t size, unsi
     return 0;
 }
 
-/* The first look at a line asks the kernel about it. */
+/* The first call for a line asks the kernel about it, so it can be interrupted. */
 static struct gpiod_line *line_of(struct gpiod_chip *chip, unsigned offset)
 {
     struct gpiod_line *line;

@@ -58,7 +58,7 @@ static int request(struct sheen_pin *pin, unsigned offset, struct gpiod_line_set
             pin->request = gpiod_chip_request_lines(pin->chip, config, lines);
         while (!pin->request && sheen_again(errno, &tries));
     }
-    kept = errno; /* over the frees */
+    kept = errno; /* the calls below may change errno */
     gpiod_request_config_free(config);
     gpiod_line_config_free(lines);
     errno = kept;
@@ -96,7 +96,7 @@ int sheen_gpiod_rising(struct sheen_pin *pin, unsigned offset)
     return error;
 }
 
-/* A request of one line: its offset need not be kept, all values are that line's. */
+/* The request has one line only, so set_values needs no offset. */
 int sheen_gpiod_set(struct sheen_pin *pin, int level)
 {
     const enum gpiod_line_value value = level ? GPIOD_LINE_VALUE_ACTIVE : GPIOD_LINE_VALUE_INACTIVE;

@@ -1,5 +1,5 @@
 /*
- * sender.c - see sheen_sender.h. One call at a time: the driver waits between any two.
+ * sender.c - see sheen_sender.h. There is at most one call at a time, because the driver waits between any two.
  */
 #include "sheen_sender.h"
 
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <time.h>
 
-#define HAND_OVER_BYTES 64 /* waking a thread takes 5..50 us, 64 bytes at 20 MHz 26 us */
+#define HAND_OVER_BYTES 64 /* waking a thread takes 5..50 us, sending 64 bytes at 20 MHz takes 26 us */
 
 static uint64_t now_ns(void)
 {
@@ -19,7 +19,7 @@ static uint64_t now_ns(void)
     return (uint64_t)now.tv_sec * 1000000000u + (uint64_t)now.tv_nsec;
 }
 
-/* Sends on this thread; the lock is not held. */
+/* Sends on the calling thread; the caller must not hold the lock. */
 static int send_now(struct sheen_sender *sender, const uint8_t *command, size_t commands, const void *data,
                     size_t count, uint64_t *spent_ns)
 {
@@ -74,7 +74,7 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
 {
     struct sheen_sender *sender = ctx;
     uint64_t spent_ns = 0;
-    int error = wait(sender); /* nothing is under way where the driver keeps the bus's rules */
+    int error = wait(sender); /* returns at once if the driver keeps the bus's rules */
 
     if (error == 0 && commands > SHEEN_BUS_COMMANDS)
         error = SHEEN_ERR_ARGUMENT;
@@ -107,7 +107,7 @@ int sheen_sender_open(struct sheen_sender *sender, const struct sheen_bus *to)
     sender->layer.bus.wait = wait;
     pthread_mutex_init(&sender->lock, NULL);
     pthread_cond_init(&sender->changed, NULL);
-    /* Signals are the program's: none may interrupt a transfer. */
+    /* The thread blocks all signals, so that none interrupts a transfer; the program's own threads get them. */
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     error = pthread_create(&sender->thread, NULL, run, sender);
