@@ -5,8 +5,8 @@
 #include "sheen_panel.h"
 
 /*
- * The bus, yours: three short functions. Here an SPI of the kind PL022 and a pin for D/C; the
- * board's start-up code has set up clocks, pins and SPI.
+ * The bus is the part that you write: three short functions. Here it is a PL022 SPI and a pin for
+ * D/C; the board's start-up code has set up clocks, pins and SPI.
  */
 #define SPI ((volatile uint32_t *)0x40008000)
 #define SPI_DATA SPI[2]
@@ -35,12 +35,12 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
 static int delay(void *ctx, uint32_t us)
 {
     (void)ctx;
-    for (uint32_t turns = us * 10; turns; turns--) /* of at least 5 clocks of 50 MHz */
+    for (uint32_t turns = us * 10; turns; turns--) /* each turn takes at least 5 clocks at 50 MHz */
         (void)SPI_STATUS;
     return SHEEN_OK;
 }
 
-/* A corner of the cube at distance 1: 32767 / sqrt(3). */
+/* The cube's corners are at distance 1 from its centre, so each coordinate is +-32767 / sqrt(3). */
 #define C 18918
 static const int16_t corners[] = {-C, -C, -C, C, -C, -C, -C, C, -C, C, C, -C, -C, -C, C, C, -C, C, -C, C, C, C, C, C};
 static const uint8_t triangles[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6, 0, 6, 2,
