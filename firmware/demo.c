@@ -1,5 +1,6 @@
 /*
- * demo.c - the scene: the command's default picture but for edges (no crease), turning by 6 degrees a frame.
+ * demo.c - the scene: the default picture of `sheen render`, but with --edges none and --crease 180, turning by 6
+ * degrees per frame.
  */
 #include "demo.h"
 
@@ -9,7 +10,7 @@
 
 #define DISTANCE 3.0 /* units; the teapot's farthest vertex lies at 1 */
 
-/* Lights point to where they stand, any length. */
+/* A light's vector points towards the light and may have any length. */
 #define LIGHT(x, y, z, i)                                                                                              \
     {                                                                                                                  \
         .to = {SHEEN_Q30(x), SHEEN_Q30(y), SHEEN_Q30(z)}, .intensity = SHEEN_Q16(i)                                    \
@@ -32,9 +33,9 @@ enum {
     LIGHTINGS = sizeof lightings / sizeof lightings[0],
     SHADINGS = sizeof shadings / sizeof shadings[0],
     TURN = 60,       /* frames */
-    MAX_FRONT = 512, /* of the teapot 508 triangles face the eye at most, */
-    MAX_USED = 380,  /* and 353 vertices are used at most, from any side; */
-    MAX_CARRIED = 76 /* set-ups across a band's edge, as the LM3S6965 has room for: more would save time only */
+    MAX_FRONT = 512, /* from any side, at most 508 triangles of the teapot face the eye, */
+    MAX_USED = 380,  /* and at most 353 vertices are used */
+    MAX_CARRIED = 76 /* set-ups carried to the next band: what the LM3S6965 has room for; more would only save time */
 };
 
 const char *demo_shading_name(const struct demo *demo)
@@ -97,7 +98,7 @@ static void set_scene(struct demo *demo)
                                              .diffuse = SHEEN_Q16(0.8),
                                              .specular = SHEEN_Q16(0.35),
                                              .shine = &sheen_shine_32};
-    if (!colour) /* white is as bright as a panel of greys can be */
+    if (!colour) /* white, so that grey panels use their full brightness */
         memset(demo->material.base, 255, sizeof demo->material.base);
     demo->view = (struct sheen_view){.fov = SHEEN_DEGREES(40),
                                      .z_near = SHEEN_Q24(DISTANCE - 1.05),

@@ -1,7 +1,7 @@
 /*
- * main.c - the demo on a board: frames until the power goes, keys, errors, faults.
+ * main.c - the demo on a board: draws frames for ever, reads keys, logs errors and faults.
  *
- * Keys beside the demo's (demo.h): f shows the first-light pattern, at a clock that any wiring takes.
+ * One key more than in demo.h: f shows the first-light picture, at a bus clock that works with any wiring.
  */
 #include "board.h"
 #include "demo.h"
@@ -13,13 +13,13 @@
 #define FIRST_LIGHT_HZ 1000000u
 
 static uint64_t arena[BOARD_ARENA_BYTES / 8];
-static uint8_t line[BOARD_LINE_BYTES]; /* first light's: a row of the panel's longer side, of greys two */
+static uint8_t line[BOARD_LINE_BYTES]; /* first light's buffer: a row of the panel's longer side, on greys two rows */
 
 static struct sheen_panel panel;
 static struct sheen_target panel_target, target;
 static struct demo demo;
 
-/* What start.c calls on a fault. The watchdog is fed no more: it restarts the board. */
+/* start.c calls this on a fault. Nothing feeds the watchdog any more, so it restarts the board. */
 void start_fault(uint32_t pc, uint32_t lr)
 {
     log_text("\nHardFault at ");
@@ -32,22 +32,23 @@ void start_fault(uint32_t pc, uint32_t lr)
         ;
 }
 
-/* Since when, and what has happened since. */
+/* A lap of about a second, over which the log averages. */
 static struct {
-    uint32_t clocks, bytes;
-    uint32_t waited; /* clocks of core 0, with the bus or for the other core instead of drawing */
+    uint32_t clocks, bytes; /* ticks() and board_bus_bytes at its start */
+    uint32_t waited; /* clocks in which core 0 waited for the bus or the other core, or sent, instead of drawing */
     unsigned frames;
-    unsigned tenths; /* frames a second, times ten, of the last second that ran through */
+    unsigned tenths; /* frames per second, times ten, in the last complete lap */
 } lap;
 static uint32_t bus_hz;
 
+/* Counts the clocks from `since` until now as waiting, on core 0. */
 static void waited(uint32_t since)
 {
     if (board_core() == 0)
         lap.waited += ticks() - since;
 }
 
-/* Every band feeds the watchdog on its way to the panel. */
+/* The panel's push, which also feeds the watchdog, once per band. */
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
 {
     uint32_t since = ticks();
@@ -75,7 +76,7 @@ static void join(void)
     waited(since);
 }
 
-/* The board's, with the time counted that core 0 waits for it. */
+/* The board's crew, with a join that counts the time that core 0 waits in it. */
 static const struct demo_crew *open_crew(void)
 {
     static struct demo_crew crew;
@@ -119,7 +120,7 @@ static void log_error(const char *what, int error)
 
 static void first_light(void)
 {
-    (void)sheen_wait(demo.frame); /* a band may still fly, at the other clock; after its error all begins anew too */
+    (void)sheen_wait(demo.frame); /* end a band that is under way at the old clock; ignore errors, as all begins anew */
     board_bus_clock(FIRST_LIGHT_HZ);
     int error = sheen_panel_init(&panel);
 
@@ -142,8 +143,8 @@ static void lap_begin(void)
 }
 
 /*
- * "phong, light 0: 1840000 clocks, bus 115200 B, 14745 us, drawing 1750000, waiting 90000, 67.9 frames/s": a frame, in
- * the mean of the lap. Where two buffers overlap, the bus is busy while the processor draws.
+ * "phong, light 0: 1840000 clocks, bus 115200 B, 14745 us, drawing 1750000, waiting 90000, 67.9 frames/s": values per
+ * frame, averaged over the lap. With two buffers the bus sends while the processor draws, so their times overlap.
  */
 static void lap_report(uint32_t clocks)
 {
@@ -193,7 +194,7 @@ static void draw(void)
     lap_report(clocks);
 }
 
-/* About once a second: the frame rate, on the line and in the picture. */
+/* About once a second, logs the lap and updates the frame rate that the picture shows. */
 static void lap_end(uint32_t hz)
 {
     uint32_t clocks = ticks() - lap.clocks;
@@ -240,9 +241,9 @@ int main(void)
     log_text(board_crew() != NULL ? " Hz, two cores\n" : " Hz\n");
     int error = open_all();
     if (error == SHEEN_OK) {
-        error = sheen_panel_init(&panel); /* else the first frame would pay for it */
+        error = sheen_panel_init(&panel); /* here, so that it does not count as the first frame's time */
         if (error < 0)
-            log_error("panel", error); /* its next push tries again */
+            log_error("panel", error); /* the first push tries again */
         run(hz);
     }
     log_error("demo", error);

@@ -6,13 +6,13 @@
 
 #include <stdint.h>
 
-/* A bus's delay (sheen_bus.h) that feeds the watchdog once a millisecond. */
+/* The function delay of a bus (sheen_bus.h); feeds the watchdog once a millisecond. */
 int both_delay(void *ctx, uint32_t us);
 
 /*
- * down: a bit a key, 1 while it is pressed. Returns the letter in keys of the
- * lowest bit that was 0 at the last call, or -1. What is down at the first call
- * does not count.
+ * down: one bit per key, 1 while the key is pressed; keys: one letter per bit, from bit
+ * 0. Returns the letter of the lowest bit that is 1 and was 0 at the last call, or -1.
+ * Keys that are down at the first call do not count.
  */
 int both_pressed(uint8_t down, const char *keys);
 

@@ -8,7 +8,7 @@
 #define LINE_8_BITS_FIFO 0x70u
 #define CONTROL_ON 0x301u /* UARTEN, TXE, RXE */
 
-/* divide = input / (16 baud), in 64ths, rounded (TRM 3.3.6). */
+/* The divisor is input_hz / (16 baud), rounded to 1/64 (TRM 3.3.6). */
 void pl011_open(struct pl011 *uart, uint32_t input_hz, uint32_t baud)
 {
     uint32_t divide_64ths = (input_hz * 4u + baud / 2u) / baud;
@@ -16,7 +16,7 @@ void pl011_open(struct pl011 *uart, uint32_t input_hz, uint32_t baud)
     uart->control = 0;
     uart->divide = divide_64ths / 64u;
     uart->divide_64ths = divide_64ths % 64u;
-    uart->line = LINE_8_BITS_FIFO; /* takes the divisors over */
+    uart->line = LINE_8_BITS_FIFO; /* this write makes the UART use the new divisor */
     uart->control = CONTROL_ON;
 }
 

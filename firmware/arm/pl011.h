@@ -11,7 +11,7 @@ struct pl011 {
         control;
 };
 
-/* input_hz: the block's own clock. */
+/* input_hz: the clock of the UART block. */
 void pl011_open(struct pl011 *uart, uint32_t input_hz, uint32_t baud);
 
 void pl011_put(struct pl011 *uart, char c);

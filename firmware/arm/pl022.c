@@ -9,8 +9,9 @@
 #define CONTROL1_ENABLE 2u
 
 /*
- * clock = input / (prescale * (1 + rate)), prescale even in 2..254, rate 0..255
- * (SSPCPSR and SSPCR0.SCR). The smallest prescale that reaches gives the finest steps.
+ * clock = input / (prescale * (1 + rate)), prescale even, 2..254, rate 0..255
+ * (SSPCPSR and SSPCR0.SCR). The smallest prescale that can divide down far enough
+ * gives the finest steps.
  */
 uint32_t pl022_open(struct pl022 *spi, uint32_t input_hz, uint32_t clock_hz, unsigned mode)
 {

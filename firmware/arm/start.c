@@ -1,18 +1,18 @@
 /*
  * start.c - from reset to main on a Cortex-M, and what happens on a fault.
  *
- * The linker script (sections.ld) places the vector table first in flash and
- * gives the addresses below. No interrupt is used: 16 system vectors suffice.
+ * The linker script (sections.ld) places the vector table first in flash and defines
+ * the addresses below. No interrupts are used, so the 16 system vectors suffice.
  */
 #include "start.h"
 
-/* Addresses by the linker script; what they hold is not looked at. */
+/* Addresses from the linker script; the symbols stand for nothing else. */
 extern uint32_t link_stack_bottom[], link_stack_top[], link_data_load[], link_data_start[], link_data_end[],
     link_bss_start[], link_bss_end[];
 
 int main(void);
 
-/* A program that can print has a better one. */
+/* The default; a program that can print defines a better one. */
 __attribute__((weak, noreturn)) void start_fault(uint32_t pc, uint32_t lr)
 {
     (void)pc;
@@ -26,10 +26,10 @@ __attribute__((weak)) void start_board(void)
 }
 
 /*
- * The processor has stacked r0-r3, r12, lr, pc, xpsr (Armv6-M manual, B1.5.6),
- * unless the stack had run over: then pc and lr are reported as 0. The report
- * gets the whole stack, which nothing will use again; another core's, which lies
- * above it, goes on where it is.
+ * The processor has pushed r0-r3, r12, lr, pc, xpsr (Armv6-M manual, B1.5.6), unless
+ * the stack has overflowed: then pc and lr are reported as 0. start_fault() never
+ * returns, so it gets the whole stack, from the top. If the fault is on another core,
+ * whose stack lies above this one, the stack pointer stays as it is.
  */
 __attribute__((naked)) static void on_fault(void)
 {
@@ -63,7 +63,7 @@ __attribute__((noreturn)) void start(void)
         ;
 }
 
-/* Reset, then NMI, HardFault and, on an M3, the faults that escalate to it unless enabled. */
+/* Stack, reset, NMI, HardFault and, on an M3, the faults that become HardFaults unless they are enabled. */
 __attribute__((section(".vectors"), used)) static const union {
     const void *stack;
     void (*code)(void);

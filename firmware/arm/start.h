@@ -1,5 +1,5 @@
 /*
- * start.h - what start.c calls, and is called by.
+ * start.h - the reset code of start.c, and the functions that it calls.
  */
 #ifndef START_H
 #define START_H
@@ -9,12 +9,12 @@
 /* The reset vector. */
 __attribute__((noreturn)) void start(void);
 
-/* Called before main, after memory is set up: clocks and pins. start.c's own does nothing; a board defines one. */
+/* Called after memory is set up and before main, for clocks and pins. A board defines it; the default is empty. */
 void start_board(void);
 
 /*
- * After a fault: pc of the instruction and lr of the code around it; both 0 after
- * a stack that ran over. start.c's own only stops; a program may define one.
+ * Called after a fault, with the pc of the instruction and the lr at that point; both
+ * are 0 after a stack overflow. A program may define it; the default only stops.
  */
 __attribute__((noreturn)) void start_fault(uint32_t pc, uint32_t lr);
 

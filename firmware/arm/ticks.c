@@ -15,7 +15,7 @@ void ticks_open(uint32_t hz)
     clocks_per_us = hz / 1000000u;
     total = 0;
     SYST_RVR = SYST_MASK;
-    SYST_CVR = 0; /* a write of anything clears it: it starts from the reload value */
+    SYST_CVR = 0; /* any write clears it, so that it starts from the reload value */
     SYST_CSR = 5;
     last = SYST_CVR & SYST_MASK;
 }
@@ -36,7 +36,7 @@ uint32_t ticks_of_us(uint32_t us)
 
 void ticks_delay_us(uint32_t us)
 {
-    /* In pieces, so that clocks stay within 32 bits. */
+    /* In pieces, so that the number of clocks fits into 32 bits. */
     while (us > 0) {
         uint32_t piece = us < 1000 ? us : 1000, start = ticks();
 

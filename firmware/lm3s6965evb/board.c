@@ -10,9 +10,9 @@
 #include "ticks.h"
 
 /*
- * For room in a FIFO of 8 bytes: at 100 kHz they take 0.64 ms, 32,000 clocks. In turns of the loop that waits, of
- * at least 10 clocks (it reads two registers beyond the bus bridge): a timer would also count what an emulator's
- * machine does meanwhile, and call a bus dead that was never asked.
+ * How long to wait for room in a FIFO of 8 bytes, which take 0.64 ms at 100 kHz, 32,000 clocks. The unit is a turn of
+ * the waiting loop, at least 10 clocks, because it reads two registers beyond the bus bridge. A timer would not do: in
+ * an emulator it goes on while the host does something else, and would report a timeout of a bus that is not late.
  */
 #define BUS_PATIENCE 50000u
 
@@ -32,7 +32,7 @@ uint32_t board_bus_clock(uint32_t clock_hz)
     return pl022_open(SSI0, CLOCK_HZ, clock_hz, bus_mode);
 }
 
-/* Waits until the status bits in mask are as in value, emptying the receive FIFO. Late: the SSI starts anew. */
+/* Waits until the status bits in mask are as in value, emptying the receive FIFO. On a timeout the SSI is restarted. */
 static int await(uint32_t mask, uint32_t value)
 {
     for (uint32_t turns = 0; (SSI0->status & mask) != value; turns++) {
@@ -45,7 +45,7 @@ static int await(uint32_t mask, uint32_t value)
     return SHEEN_OK;
 }
 
-/* The OLED takes D/C with each byte's last bit: it stands until what was sent before has left. */
+/* The OLED reads D/C with the last bit of each byte, so D/C must not change until all bytes before have left. */
 static int put(uint32_t dc, const uint8_t *bytes, size_t count)
 {
     int error = await(PL022_BUSY, 0);
@@ -71,11 +71,11 @@ static int bus_send(void *ctx, const uint8_t *command, size_t commands, const vo
 static int bus_wait(void *ctx)
 {
     (void)ctx;
-    (void)ticks(); /* which has to be called now and then (ticks.h) */
+    (void)ticks(); /* must be called now and then (ticks.h) */
     return await(PL022_BUSY, 0);
 }
 
-/* The board resets the OLED with the processor: there is no line of its own. */
+/* No reset: the board resets the OLED together with the processor, and there is no line for it. */
 const struct sheen_bus board_bus = {.send = bus_send, .delay = both_delay, .wait = bus_wait};
 
 /* ---- one core, serial line, keys, watchdog ---- */
@@ -99,7 +99,7 @@ int board_open(uint32_t clock_hz, unsigned spi_mode)
     pl011_open(UART0, CLOCK_HZ, 115200);
     bus_mode = spi_mode;
     board_bus_clock(clock_hz);
-    WATCHDOG_LOAD = CLOCK_HZ / 1000000u * (BOARD_WATCHDOG_US / 2); /* the second time-out resets */
+    WATCHDOG_LOAD = CLOCK_HZ / 1000000u * (BOARD_WATCHDOG_US / 2); /* half, because the second time-out resets */
     WATCHDOG_CTL = 3;
     return restarted;
 }

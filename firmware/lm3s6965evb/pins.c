@@ -18,7 +18,7 @@ static void clock_open(void)
 {
     uint32_t rcc = RCC_USESYSDIV | RCC_SYSDIV_4 | RCC_XTAL_8MHZ | RCC_BYPASS | RCC_PWRDN;
 
-    SYSCTL_RCC = rcc; /* on the crystal; then the PLL's power, its lock, and the PLL */
+    SYSCTL_RCC = rcc; /* run on the crystal; then power up the PLL, wait for its lock, and switch to it */
     rcc &= ~RCC_PWRDN;
     SYSCTL_RCC = rcc;
     while (!(SYSCTL_RIS & 0x40u))
@@ -32,11 +32,11 @@ void start_board(void)
     SYSCTL_RCGC0 |= 0x08u;
     SYSCTL_RCGC1 |= 0x11u;
     SYSCTL_RCGC2 |= 0x3Du;
-    (void)SYSCTL_RCGC2; /* a gate takes three clocks to open (data sheet, 5.1.5) */
+    (void)SYSCTL_RCGC2; /* a clock gate needs three clocks to open (data sheet, 5.1.5) */
     (void)SYSCTL_RCGC2;
 
     GPIO_AFSEL(PORT_A) = GPIO_DEN(PORT_A) = 0x3Fu; /* UART0: 0, 1; SSI0: clock 2, select 3, in 4, out 5 */
-    GPIO_DIR(PORT_C) |= PIN_DC;                    /* pins 0..3 are the debugger's */
+    GPIO_DIR(PORT_C) |= PIN_DC;                    /* |=, because pins 0..3 are the debugger's */
     GPIO_DEN(PORT_C) |= PIN_DC;
     GPIO_DIR(PORT_D) = GPIO_DEN(PORT_D) = PIN_SELECT;
     GPIO_DATA(PORT_D, PIN_SELECT) = PIN_SELECT;
