@@ -10,13 +10,13 @@
 #include "registers.h"
 #include "ticks.h"
 
-/* Channel 0: bytes, memory to SPI0 as its FIFO asks for them (TREQ 16), chained to none. */
+/* DMA channel 0: bytes from memory to SPI0, whenever its FIFO asks for one (TREQ 16); not chained to a channel. */
 #define DMA_SPI0_BYTES (16u << 15 | 1u << 4 | 1u)
 #define DMA_BUSY (1u << 24)
-#define BUS_SLACK_US 1000u /* beyond twice the time that the bytes take */
+#define BUS_SLACK_US 1000u /* added to twice the time that the bytes need */
 #define WATCHDOG_ENABLE (1u << 30)
-#define WATCHDOG_RESETS 0x1FFFCu  /* all but the two oscillators */
-#define WATCHDOG_OURS 0x73686565u /* the boot ROM restarts by it too, when a UF2 has been dragged */
+#define WATCHDOG_RESETS 0x1FFFCu  /* all blocks except the two oscillators */
+#define WATCHDOG_OURS 0x73686565u /* marks our restarts: the boot ROM too restarts by the watchdog, after a UF2 */
 
 const char board_name[] = "rp2040";
 const struct sheen_panel_record *const board_panel = &BOARD_PANEL;
@@ -24,8 +24,8 @@ const uint8_t board_buffers = 2;
 uint32_t board_bus_bytes;
 
 static struct {
-    uint32_t hz, clocks_a_byte; /* asked for; of the processor, at the clock that came of it */
-    uint32_t since, patience;   /* of the call under way, clocks */
+    uint32_t hz, clocks_a_byte; /* bus clock asked for; processor clocks per byte at the clock that resulted */
+    uint32_t since, patience;   /* start of the call under way and its time limit, clocks */
     unsigned mode;
 } bus;
 
@@ -41,13 +41,13 @@ uint32_t board_bus_clock(uint32_t clock_hz)
     return hz;
 }
 
-/* Past the patience of the call under way. */
+/* Whether the call under way has exceeded its time limit. */
 static int late(void)
 {
     return ticks() - bus.since > bus.patience;
 }
 
-/* The channel stopped, the SPI out of a reset: as after power-on. */
+/* Stops the DMA channel and resets the SPI, so that both are as after power-on. */
 static void bus_restart(void)
 {
     DMA_ABORT = 1;
@@ -60,7 +60,7 @@ static void bus_restart(void)
     board_bus_clock(bus.hz);
 }
 
-/* The panel goes on listening to nobody, and what was sent is lost. */
+/* Drops the call under way and deselects the panel. */
 static int bus_give_up(void)
 {
     bus_restart();
@@ -68,7 +68,7 @@ static int bus_give_up(void)
     return SHEEN_ERR_TIMEOUT;
 }
 
-/* Until the last bit has left: the panel takes D/C with each byte's. */
+/* Waits until the last bit has left, because the panel reads D/C with the last bit of each byte. */
 static int bus_idle(void)
 {
     while (DMA_TRIGGER & DMA_BUSY || SPI0->status & PL022_BUSY)
@@ -78,8 +78,9 @@ static int bus_idle(void)
 }
 
 /*
- * The channel reads memory behind the compiler's back: what was written there must be
- * there before it starts, and stays until it has ended. The processor itself writes in order.
+ * The DMA channel reads memory without the compiler's knowledge. The compiler must finish all
+ * writes before the transfer starts and begin no others until it has ended. The processor
+ * itself writes in order.
  */
 static inline void memory_barrier(void)
 {
@@ -95,7 +96,7 @@ static void dma_start(const void *bytes, size_t count)
     DMA_TRIGGER = DMA_SPI0_BYTES;
 }
 
-/* The command by hand, the data by DMA. */
+/* The processor sends the command, DMA the data. */
 static int bus_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     int error = SHEEN_OK;

@@ -1,8 +1,8 @@
 /*
- * cores.c - the RP2040's second core, by the FIFOs between the two (data sheet, 2.3.1.4 and 2.8.2).
+ * cores.c - runs work on the RP2040's second core, through the FIFOs between the two (data sheet, 2.3.1.4 and 2.8.2).
  *
- * Core 0 sends a function and its argument, core 1 sends a word when it has returned. A core that waits sleeps until
- * the other one's SEV. Of the core and the panel nothing else is shared but what the lock guards.
+ * Core 0 sends a function and its argument; core 1 sends a word when the function has returned. A core that waits for
+ * a word sleeps until the other core's SEV. Otherwise the two share only what the lock guards in sheen.
  */
 #include "cores.h"
 
@@ -10,17 +10,17 @@
 #include "registers.h"
 #include "ticks.h"
 
-#define FIFO_VALID 1u /* of the status: there is a word to read, */
-#define FIFO_READY 2u /* and room for one to write */
+#define FIFO_VALID 1u /* status bit: there is a word to read */
+#define FIFO_READY 2u /* status bit: there is room to write a word */
 #define FIFO_DEPTH 8
 #define VTOR REG(0xE000ED08u)
-#define STACK_BYTES 1536u  /* tests/boards/sizes: what a band takes, with its push */
-#define PATIENCE_US 10000u /* the boot ROM answers within a few */
+#define STACK_BYTES 1536u  /* enough for a band and its push (tests/boards/sizes) */
+#define PATIENCE_US 10000u /* ample: the boot ROM answers within a few microseconds */
 
 static uint64_t core_1_stack[STACK_BYTES / 8];
 static int started;
 
-/* What was written before is there for the other core, what is read after comes from it. */
+/* Orders memory accesses: earlier writes reach the other core, and later reads see what that core has written. */
 static inline void fence(void)
 {
     __asm volatile("dmb" ::: "memory");
@@ -57,7 +57,7 @@ __attribute__((noreturn)) static void run_core_1(void)
 
 /* ---- start ---- */
 
-/* Whether that is the next word that core 1 sends. */
+/* Whether the next word from core 1 is `word`; 0 also if none comes in time. */
 static int answers(uint32_t word, uint32_t since)
 {
     while (!(SIO_FIFO_STATUS & FIFO_VALID))
@@ -66,14 +66,14 @@ static int answers(uint32_t word, uint32_t since)
     return SIO_FIFO_READ == word;
 }
 
-/* What core 1 has sent. */
+/* Discards the words that core 1 has sent. */
 static void drop_words(void)
 {
     for (int i = 0; i < FIFO_DEPTH && (SIO_FIFO_STATUS & FIFO_VALID); i++)
         (void)SIO_FIFO_READ;
 }
 
-/* Off since start_board; out of its reset core 1 empties its own FIFO and sends 0. */
+/* Core 1 has been held in reset since start_board(). When released, it empties its own FIFO and sends 0. */
 static int release_core_1(uint32_t since)
 {
     while (!(REG(PSM_FRCE_OFF) & PSM_PROC1))
@@ -84,7 +84,7 @@ static int release_core_1(uint32_t since)
     return answers(0, since);
 }
 
-/* The boot ROM has core 1 answer each word with the same; where it does not, the words begin anew. */
+/* In the boot ROM core 1 answers each of these words by the same word; after a wrong answer they start again. */
 void cores_open(void)
 {
     const uint32_t words[] = {
@@ -104,7 +104,7 @@ void cores_open(void)
     started = sent == count;
 }
 
-/* ---- what the board gives ---- */
+/* ---- the functions of board.h ---- */
 
 static void crew_start(void (*work)(void *ctx), void *ctx)
 {

@@ -4,20 +4,20 @@
 #include "registers.h"
 #include "start.h"
 
-#define SRC_XOSC 2u          /* of CLK_REF_CTRL */
-#define SRC_AUX 1u           /* of CLK_SYS_CTRL; aux source 0 is the PLL */
-#define PERI_ENABLE 0x800u   /* aux source 0 is the system's clock */
-#define XOSC_1_15_MHZ 0xAA0u /* the range of crystals, and the word that switches it on */
+#define SRC_XOSC 2u          /* for CLK_REF_CTRL */
+#define SRC_AUX 1u           /* for CLK_SYS_CTRL; aux source 0 is the PLL */
+#define PERI_ENABLE 0x800u   /* for CLK_PERI_CTRL; aux source 0 is the system clock */
+#define XOSC_1_15_MHZ 0xAA0u /* for XOSC_CTRL: the crystal's range, and below the code that enables the oscillator */
 #define XOSC_ENABLE 0xFAB000u
 #define XOSC_STABLE 0x80000000u
 #define PLL_LOCK 0x80000000u
-#define PLL_PD 0x01u /* bits of PWR: power down of the PLL, its dividers, its VCO */
+#define PLL_PD 0x01u /* bits of PLL_SYS_PWR: power down the PLL, its post dividers, its VCO */
 #define PLL_POSTDIVPD 0x08u
 #define PLL_VCOPD 0x20u
-#define TICK_1_US (0x200u | 12u) /* the watchdog's tick: on, 12 clocks of the crystal */
+#define TICK_1_US (0x200u | 12u) /* the watchdog's tick: enabled, every 12 clocks of the crystal */
 
-#define PAD_OUTPUT 0x73u /* fast, 12 mA: SPI at 62.5 MHz over a hand's breadth of wire */
-#define PAD_SLOW 0x56u   /* 4 mA, as after reset */
+#define PAD_OUTPUT 0x73u /* fast, 12 mA: for SPI at 62.5 MHz over 10 cm of wire */
+#define PAD_SLOW 0x56u   /* 4 mA, the reset value */
 #define PAD_KEY 0x4Au    /* input, pulled up */
 
 static void unreset(uint32_t blocks)
@@ -35,7 +35,7 @@ static void clock_open(void)
     SET(XOSC_CTRL) = XOSC_ENABLE;
     while (!(XOSC_STATUS & XOSC_STABLE))
         ;
-    /* Nobody may run on the PLL while it is set up. A SELECTED register has one bit a source. */
+    /* No clock may run on the PLL while it is set up. A SELECTED register has one bit per source. */
     CLEAR(CLK_SYS_CTRL) = SRC_AUX;
     while (CLK_SYS_SELECTED != 1u)
         ;
@@ -67,7 +67,7 @@ static void pin_open(unsigned pin, uint32_t function, uint32_t pad)
 
 void start_board(void)
 {
-    SET(PSM_FRCE_OFF) = PSM_PROC1; /* a debugger that restarts core 0 alone leaves it running */
+    SET(PSM_FRCE_OFF) = PSM_PROC1; /* stop core 1, which still runs if a debugger has restarted core 0 alone */
     clock_open();
     unreset(RESET_IO_BANK0 | RESET_PADS_BANK0 | RESET_DMA | RESET_SPI0 | RESET_TIMER | RESET_UART0);
     SIO_OUT_SET = 1u << PIN_CS | 1u << PIN_RESET | 1u << PIN_DC;

@@ -1,5 +1,5 @@
 /*
- * registers.h - of the RP2040 (data sheet, chapters 2 and 4), those that are used.
+ * registers.h - the registers of the RP2040 that are used (data sheet, chapters 2 and 4).
  */
 #ifndef REGISTERS_H
 #define REGISTERS_H
@@ -8,11 +8,11 @@
 
 #define REG(address) (*(volatile uint32_t *)(address))
 
-/* Writes at these aliases set or clear bits of the register (2.1.2). */
+/* Writes to these aliases set or clear bits of the register (2.1.2). */
 #define SET(address) REG((address) + 0x2000u)
 #define CLEAR(address) REG((address) + 0x3000u)
 
-#define RESETS 0x4000C000u /* 2.14.3: a bit a block; done at + 8 */
+#define RESETS 0x4000C000u /* 2.14.3: one bit per block; RESET_DONE is at + 8 */
 #define RESETS_DONE REG(RESETS + 8u)
 #define RESET_DMA (1u << 2)
 #define RESET_IO_BANK0 (1u << 5)
@@ -40,11 +40,11 @@
 #define PSM_FRCE_OFF 0x40010004u /* 2.13.5 */
 #define PSM_PROC1 (1u << 16)
 #define PSM_WDSEL REG(0x40010008u)
-#define TIMER_RAW_LOW REG(0x40054028u) /* 4.6.5: microseconds, by the watchdog's tick */
+#define TIMER_RAW_LOW REG(0x40054028u) /* 4.6.5: counts microseconds, with the watchdog's tick */
 #define WATCHDOG_CTRL 0x40058000u      /* 4.7.6 */
-#define WATCHDOG_LOAD REG(0x40058004u) /* counts down by 2 a tick (erratum RP2040-E1) */
+#define WATCHDOG_LOAD REG(0x40058004u) /* counts down by 2 per tick (erratum RP2040-E1) */
 #define WATCHDOG_REASON REG(0x40058008u)
-#define WATCHDOG_SCRATCH0 REG(0x4005800Cu) /* 0 after power-on, kept by the watchdog's restart */
+#define WATCHDOG_SCRATCH0 REG(0x4005800Cu) /* 0 after power-on; survives a restart by the watchdog */
 #define WATCHDOG_TICK REG(0x4005802Cu)
 
 #define GPIO_CTRL(pin) REG(0x40014004u + 8u * (pin)) /* 2.19.6 */
@@ -53,7 +53,7 @@
 #define FUNCTION_UART 2u
 #define FUNCTION_SIO 5u
 
-#define SIO_CPUID REG(0xD0000000u) /* 2.3.1.7: which core reads it */
+#define SIO_CPUID REG(0xD0000000u) /* 2.3.1.7: the number of the core that reads it */
 #define SIO_IN REG(0xD0000004u)
 #define SIO_OUT_SET REG(0xD0000014u)
 #define SIO_OUT_CLEAR REG(0xD0000018u)
@@ -61,7 +61,7 @@
 #define SIO_FIFO_STATUS REG(0xD0000050u) /* each core has its own */
 #define SIO_FIFO_WRITE REG(0xD0000054u)
 #define SIO_FIFO_READ REG(0xD0000058u)
-#define SIO_LOCK REG(0xD0000100u) /* spinlock 0: what is read is not 0 for the one who got it; a write lets it go */
+#define SIO_LOCK REG(0xD0000100u) /* spinlock 0: a read that is not 0 has taken the lock; any write releases it */
 
 #define DMA_READ REG(0x50000000u) /* channel 0, 2.5.7 */
 #define DMA_WRITE REG(0x50000004u)
@@ -74,7 +74,7 @@
 
 #define CLOCK_HZ 125000000u
 
-/* The Pico's wiring, as that of the usual display packs. */
+/* Pin numbers, as on the usual display packs for the Pico. */
 #define PIN_UART_TX 0u
 #define PIN_UART_RX 1u
 #define PIN_KEYS 12u /* four of them, 12..15, to ground */

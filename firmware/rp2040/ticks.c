@@ -1,6 +1,6 @@
 /*
- * ticks.c - clocks by the RP2040's timer, in steps of a microsecond: the same for both cores, where each core's SysTick
- * is its own.
+ * ticks.c - processor clocks from the RP2040's timer, in steps of a microsecond. Both cores share the timer, but each
+ * has a SysTick of its own, so SysTick would not do.
  */
 #include "ticks.h"
 
