@@ -105,7 +105,7 @@ int board_pace(struct board *board, double fps, uint64_t *due_ns)
         uint64_t now = now_ns();
         struct timespec until = {.tv_sec = (time_t)(*due_ns / 1000000000u), .tv_nsec = (long)(*due_ns % 1000000000u)};
 
-        /* A frame that came late moves the beat: no burst to catch up. */
+        /* After a late frame, count from now: do not catch up with a burst of frames. */
         if (*due_ns < now)
             *due_ns = now;
         else

@@ -1,5 +1,5 @@
 /*
- * board.h - what sheen-panel opens: bus, sending thread, panel, backlight; and closes again, in order.
+ * board.h - opens what sheen-panel needs (bus, sending thread, panel, backlight) and closes it again, in order.
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -10,8 +10,8 @@
 #include "sheen_sender.h"
 
 struct board {
-    struct sheen_failure sending;     /* of the bus: the sending thread's while a write is under way */
-    struct sheen_panel_record record; /* of the module, which the panel borrows */
+    struct sheen_failure sending; /* the bus's messages; only the sending thread uses it while a write is under way */
+    struct sheen_panel_record record; /* the module's record, which the panel borrows */
     struct sheen_linux_bus bus;
     struct sheen_sender sender;
     struct sheen_panel panel;
@@ -20,16 +20,16 @@ struct board {
     int has_sender;
 };
 
-/* 0, or a negative code and *why; then nothing is open. The panel has not been spoken to yet. */
+/* Returns 0, or a negative code and *why; then nothing is open. Nothing is sent to the panel yet. */
 int board_open(struct board *board, const struct options *options, struct sheen_failure *why);
 
-/* Gives everything back; before that, if dark, panel and backlight go off. The first error of these, if any. */
+/* Releases everything. If dark, it first switches panel and backlight off. Returns the first error of that, or 0. */
 int board_close(struct board *board, int dark, struct sheen_failure *why);
 
 /*
- * Frame by frame: waits for what --fps asks; the frame's first push will wait for the TE line, if there is one.
- * due_ns: when the next frame may begin, kept by this function, 0 at first.
- * 1: go on; 0: the program was told to stop.
+ * Call this before each frame: it waits as long as --fps asks. If there is a TE line, the frame's first push then waits
+ * for that. due_ns: when the next frame may begin; this function updates it, start with 0.
+ * Returns 1: go on; 0: a signal has asked the program to stop.
  */
 int board_pace(struct board *board, double fps, uint64_t *due_ns);
 

@@ -1,5 +1,5 @@
 /*
- * list.h - what can be chosen from: GPIO lines and panels, on standard output.
+ * list.h - prints the GPIO lines and the panels that there are.
  */
 #ifndef LIST_H
 #define LIST_H

@@ -1,5 +1,5 @@
 /*
- * man.c - the page of the manual of sheen-panel, from the tables that make --help.
+ * man.c - prints the manual page of sheen-panel, from the same tables as --help.
  */
 #include "options_table.h"
 #include "roff.h"

@@ -1,8 +1,8 @@
 /*
  * meter.c - see meter.h.
  *
- * Render time is processor time of the thread that draws, without what it waits
- * for; bus time is what the writes took, on whichever thread.
+ * Render time is the processor time of the drawing thread, so it does not include
+ * waiting; bus time is the time that writes took, on either thread.
  */
 #include "meter.h"
 

@@ -1,5 +1,5 @@
 /*
- * meter.h - once a second on standard error: how long drawing and sending take, and how many frames come of it.
+ * meter.h - prints once a second, on standard error, how long drawing and sending take, and the frame rate.
  */
 #ifndef METER_H
 #define METER_H
@@ -7,14 +7,14 @@
 #include "sheen_sender.h"
 
 struct meter {
-    uint64_t since_ns; /* of this second */
-    uint64_t draw_ns;  /* processor time of the drawing thread at its start */
-    unsigned frames;   /* in it */
+    uint64_t since_ns; /* when this second began */
+    uint64_t draw_ns;  /* processor time of the drawing thread when this second began */
+    unsigned frames;   /* in this second */
 };
 
 void meter_start(struct meter *meter);
 
-/* A frame is done. */
+/* Call this after each frame. */
 void meter_frame(struct meter *meter, struct sheen_sender *sender);
 
 #endif

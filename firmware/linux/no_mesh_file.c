@@ -1,5 +1,5 @@
 /*
- * no_mesh_file.c - in place of what host-sim/import/mesh.cmake lists, where its libraries are not there.
+ * no_mesh_file.c - replaces the sources that host-sim/import/mesh.cmake lists, if their libraries are missing.
  */
 #include "../../host-sim/import/mesh_file.h"
 #include "../../host-sim/import/simplify.h"

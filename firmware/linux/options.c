@@ -1,5 +1,5 @@
 /*
- * options.c - the command line: defaults, getopt_long, what must be there, the help text.
+ * options.c - the command line: defaults, getopt_long, checks of what is missing, the help text.
  */
 #include "options.h"
 
@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define VIEW 1000 /* getopt_long's value of an option: its row, or VIEW and its place in the command's table */
+#define VIEW 1000 /* getopt_long returns an option's row, or VIEW + its place in the command's table */
 #define MAX_OPTIONS 96
 
 static void long_options(struct option table[MAX_OPTIONS])
@@ -30,7 +30,7 @@ static void long_options(struct option table[MAX_OPTIONS])
     table[count] = (struct option){0};
 }
 
-/* After getopt_long returned '?': optopt is a letter, the value of an option that takes no argument, or 0. */
+/* After getopt_long has returned '?', optopt is a letter, the value of an option that accepts no argument, or 0. */
 static int unknown(char **argv, struct sheen_failure *why)
 {
     if (optopt < VIEW && isgraph(optopt))
@@ -41,7 +41,7 @@ static int unknown(char **argv, struct sheen_failure *why)
     return sheen_failed(why, 2, "unknown or ambiguous option %s", argv[optind - 1]);
 }
 
-/* The whole command line; of --config the value is left in *config. */
+/* Reads the whole command line; puts the value of --config into *config. */
 static int read_arguments(struct options *options, int argc, char **argv, const char **config,
                           struct sheen_failure *why)
 {
@@ -50,7 +50,7 @@ static int read_arguments(struct options *options, int argc, char **argv, const 
     int value, error;
 
     long_options(table);
-    optind = 0; /* GNU: start anew, so that it can be read twice */
+    optind = 0; /* GNU: start again, because the command line is read twice */
     opterr = 0;
     while ((value = getopt_long(argc, argv, ":", table, NULL)) != -1) {
         if (value == ':')
@@ -88,7 +88,7 @@ static int set_defaults(struct options *options, struct sheen_failure *why)
     return 0;
 }
 
-/* What belongs to the view and is written elsewhere. */
+/* Copies the values that the view has too but that are stored elsewhere. */
 static void complete(struct options *options)
 {
     options->view.mesh = options->mesh;
@@ -100,7 +100,7 @@ int options_read(struct options *options, int argc, char **argv, struct sheen_fa
     const char *config = NULL;
     int error = set_defaults(options, why);
 
-    /* Once for --config and for faults, then over what the file says. */
+    /* First read it to find --config and mistakes; then once more, to override what the file says. */
     if (!error)
         error = read_arguments(options, argc, argv, &config, why);
     if (!error && config) {
@@ -114,7 +114,7 @@ int options_read(struct options *options, int argc, char **argv, struct sheen_fa
     return error;
 }
 
-/* One bus, and what it needs. */
+/* Checks that exactly one bus is named, with the options it needs. */
 static int check_bus(const struct options *options, struct sheen_failure *why)
 {
     if (options->i2c[0]) {

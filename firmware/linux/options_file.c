@@ -1,5 +1,5 @@
 /*
- * options_file.c - options from a file: a line `name = value` each, '#' begins a comment.
+ * options_file.c - reads options from a file: one line `name = value` per option; '#' begins a comment.
  *
  *   panel = st7789-240x240
  *   spi = /dev/spidev0.0
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LONGEST 4094 /* characters of a line */
+#define LONGEST 4094 /* characters per line */
 
 /* Cuts blanks off both ends, in place. */
 static char *trim(char *text)
@@ -27,7 +27,7 @@ static char *trim(char *text)
     return text;
 }
 
-/* A line of a file: an option, a comment or nothing. */
+/* Reads one line: an option, a comment or nothing. */
 static int read_line(struct options *options, char *line, struct sheen_failure *why)
 {
     char *equals, *name, *comment = strchr(line, '#');
@@ -45,7 +45,7 @@ static int read_line(struct options *options, char *line, struct sheen_failure *
     return options_set(options, name, trim(equals + 1), why);
 }
 
-/* All of a file, to be freed; NULL and *why. It holds no zero byte. */
+/* Returns the text of a file, to be freed, or NULL and *why. A file with a zero byte is refused. */
 static char *read_all(const char *path, struct sheen_failure *why)
 {
     FILE *file = fopen(path, "re");

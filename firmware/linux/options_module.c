@@ -1,11 +1,11 @@
 /*
- * options_module.c - a module of one's own: the record of --panel, and what was said to differ.
+ * options_module.c - makes the module's record: that of --panel, with what other options change in it.
  */
 #include "options.h"
 
 #include "../../host-sim/import/nearest.h"
 
-/* The gap's columns (axis 0) and rows (1) come in steps where pixels share a byte or an address. */
+/* Where pixels share a byte or an address, the gap in columns (axis 0) or rows (1) must be a multiple of this. */
 static unsigned gap_step(const struct sheen_panel_record *record, unsigned axis)
 {
     if (record->pixel == SHEEN_GREY16 && axis == 0)

@@ -1,5 +1,5 @@
 /*
- * options_table.c - the options, and a value into its field.
+ * options_table.c - the table of options, and storing a value in its field.
  */
 #include "options_table.h"
 
@@ -50,7 +50,7 @@ const struct option_row option_rows[] = {
     {NULL, TEXT, 0, 0, 0, NULL, NULL},
 };
 
-/* Of the command's table, what the panel itself, the file and the rows above decide. */
+/* All options of `sheen render`, except those that the panel or the rows above decide. */
 int option_is_view(const struct sheen_option *option)
 {
     static const char *const others[] = {"output", "panel", "size", "orientation", "buffers", "frames", "stats"};

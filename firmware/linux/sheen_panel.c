@@ -3,8 +3,8 @@
  *
  *   options -> board (bus, sending thread, panel, lines) -> scene -> frames
  *
- * Exit status 0: the frames are done, or a signal asked to stop; 2: a wrong
- * command line; 1: anything else, with one line on standard error that says what.
+ * Exit status 0: the frames are done, or a signal asked to stop; 2: a wrong command
+ * line; 1: any other error. After an error one line on standard error explains it.
  */
 #include "board.h"
 #include "list.h"
@@ -21,9 +21,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BAND_ROWS 16 /* of the test picture */
+#define BAND_ROWS 16 /* for the test picture */
 
-/* An error of the frame: what the bus said, if it was the bus. */
+/* Reports a frame's error, with the bus's message if the bus has failed. */
 static int frame_failed(struct board *board, int error, struct sheen_failure *why)
 {
     if (board->sending.text[0])
@@ -31,7 +31,7 @@ static int frame_failed(struct board *board, int error, struct sheen_failure *wh
     return sheen_failed(why, error, "the frame: %s", sheen_strerror(error));
 }
 
-/* Frames until there are enough, a signal comes or one fails. */
+/* Draws frames until there are enough, a signal comes or a frame fails. */
 static int run_frames(struct board *board, struct sheen_scene *scene, const struct options *options,
                       struct sheen_failure *why)
 {
@@ -68,7 +68,7 @@ static int show_mesh(struct board *board, const struct options *options, struct 
     return error;
 }
 
-/* The test picture: once with --frames, and it stays; else until a signal comes. */
+/* Shows the test picture. With --frames it returns at once and the picture stays; otherwise it waits for a signal. */
 static int show_first_light(struct board *board, const struct options *options, struct sheen_failure *why)
 {
     size_t bytes = (size_t)board->target.width * BAND_ROWS * 2;
@@ -93,7 +93,7 @@ static int run(const struct options *options, struct sheen_failure *why)
     if (error < 0)
         return error;
     error = options->first_light ? show_first_light(&board, options, why) : show_mesh(&board, options, why);
-    /* What was asked for stays on the glass; a panel that nobody draws on any more goes dark. */
+    /* After a signal the panel goes dark, because nobody draws on it any more; otherwise the last picture stays. */
     closing = board_close(&board, stop_asked(), error < 0 ? NULL : why);
     return error < 0 ? error : closing;
 }
@@ -122,7 +122,7 @@ int main(int argc, char **argv)
     if (status == 0 && (fflush(stdout) != 0 || ferror(stdout)))
         status = sheen_failed(&why, 1, "standard output: %s", strerror(errno));
     if (status) {
-        struct sheen_problem line; /* what a file or a command line holds does not reach a terminal as it is */
+        struct sheen_problem line; /* makes text from a file or the command line safe to print on a terminal */
         sheen_problem(&line, status, "%s", why.text);
         fprintf(stderr, "sheen-panel: %s\n", line.text);
     }

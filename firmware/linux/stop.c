@@ -16,13 +16,13 @@ static void ask(int signal)
 
 void stop_watch(void)
 {
-    /* SA_RESETHAND: the second signal has its default effect, for a bus that hangs. No SA_RESTART: sleeps end. */
+    /* SA_RESETHAND: a second signal has its default effect, if the bus hangs. No SA_RESTART, so that sleeps end. */
     struct sigaction action = {.sa_handler = ask, .sa_flags = SA_RESETHAND}, before;
 
     sigemptyset(&action.sa_mask);
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* nohup's stays ignored */
+    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* under nohup, go on ignoring it */
         sigaction(SIGHUP, &action, NULL);
 }
 
@@ -35,7 +35,7 @@ void stop_wait(void)
 {
     sigset_t watched, before;
 
-    /* Blocked until sigsuspend lets them in: a signal between the question and the sleep is not lost. */
+    /* Signals are blocked except in sigsuspend, so that one between the test of `asked` and the sleep is not lost. */
     sigemptyset(&watched);
     sigaddset(&watched, SIGINT);
     sigaddset(&watched, SIGTERM);

@@ -1,14 +1,14 @@
 /*
- * stop.h - SIGINT, SIGTERM and SIGHUP ask the program to end after the frame that it is in.
+ * stop.h - SIGINT, SIGTERM and SIGHUP ask the program to end after the current frame.
  */
 #ifndef STOP_H
 #define STOP_H
 
-/* From here on the signals set a flag; a second one ends the program at once. */
+/* After this call the first of these signals sets a flag; a second one ends the program at once. */
 void stop_watch(void);
-int stop_asked(void);
+int stop_asked(void); /* whether the flag is set */
 
-/* Sleeps until one comes. */
+/* Sleeps until the flag is set. */
 void stop_wait(void);
 
 #endif
