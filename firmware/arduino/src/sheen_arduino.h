@@ -1,8 +1,8 @@
 /*
  * sheen_arduino.h - sheen in a sketch: a panel on SPI.h, or a display library's own object as the target.
  *
- * SheenSPI drives a panel of sheen_panel.h. With a display library that drives the glass already, sheen_push_image()
- * (TFT_eSPI, LovyanGFX) or sheen_draw_bitmap() (Adafruit GFX) fill in the target, and no driver of sheen is linked.
+ * SheenSPI drives a panel of sheen_panel.h. If a display library drives the panel already, sheen_push_image()
+ * (TFT_eSPI, LovyanGFX) or sheen_draw_bitmap() (Adafruit GFX) fills in the target, and no driver of sheen is linked.
  */
 #ifndef SHEEN_ARDUINO_H
 #define SHEEN_ARDUINO_H
@@ -14,19 +14,19 @@
 #include "sheen.h"
 #include "sheen_panel.h"
 
-/* A panel on hardware SPI. It must not be moved once begin() was called. */
+/* A panel on hardware SPI. Do not move the object after begin(). */
 class SheenSPI
 {
   public:
     sheen_panel panel;   /* for sheen_panel_brightness() and the like */
     sheen_target target; /* for sheen_config */
 
-    /* Pins; cs and reset are -1 where the module has none. */
+    /* Pin numbers; cs and reset: -1 if the module has no such pin. */
     SheenSPI(int dc, int cs, int reset, SPIClass &spi = SPI) : dc_(dc), cs_(cs), reset_(reset), spi_(spi)
     {
     }
 
-    /* orientation: 0..7 (sheen_panel.h); clock: Hz, 0: the record's. 0 or a code of enum sheen_error. */
+    /* orientation: 0..7 (sheen_panel.h); clock: Hz, 0: the record's. Returns 0 or a code of enum sheen_error. */
     int begin(const sheen_panel_record &record, unsigned orientation = 0, uint32_t clock = 0)
     {
         clock_ = clock ? clock : record.clock_hz;
@@ -49,7 +49,7 @@ class SheenSPI
     }
 
   private:
-    /* SPI.transfer() writes what it receives over what it sends. */
+    /* Sends from a copy, because SPI.transfer() overwrites its buffer with what it receives. */
     void put(int dc, const void *bytes, size_t count)
     {
         uint8_t part[64];
@@ -80,7 +80,7 @@ class SheenSPI
     static int wait_us(void *, uint32_t us)
     {
         if (us >= 1000)
-            delay(us / 1000 + 1); /* of ticks, whose first may come at once */
+            delay(us / 1000 + 1); /* one more, because delay() counts ticks and the first may come at once */
         delayMicroseconds(us % 1000);
         return SHEEN_OK;
     }
@@ -97,7 +97,7 @@ class SheenSPI
     SPIClass &spi_;
 };
 
-/* What both functions below fill in. */
+/* Fills in a target; used by sheen_push_image() and sheen_draw_bitmap(). */
 template <class Display>
 void sheen_display_target(sheen_target *target, Display &display, uint8_t pixel,
                           int (*push)(void *, sheen_rect, const void *))
@@ -124,13 +124,13 @@ template <class Display> int sheen_draws_bitmap(void *display, sheen_rect r, con
     return SHEEN_OK;
 }
 
-/* TFT_eSPI and LovyanGFX, after setRotation(). Their setSwapBytes() MUST be false, as it is to begin with. */
+/* Target for TFT_eSPI and LovyanGFX, after setRotation(). Their setSwapBytes() MUST be false, which is the default. */
 template <class Display> void sheen_push_image(sheen_target *target, Display &display)
 {
     sheen_display_target(target, display, SHEEN_RGB565_BE, sheen_pushes_image<Display>);
 }
 
-/* Adafruit GFX and what is derived from it for colour, after setRotation(): values of the processor's byte order. */
+/* Target for colour displays of Adafruit GFX, after setRotation(). Its pixels are in the processor's byte order. */
 template <class Display> void sheen_draw_bitmap(sheen_target *target, Display &display)
 {
     sheen_display_target(target, display, SHEEN_RGB565_LE, sheen_draws_bitmap<Display>);

@@ -1,7 +1,7 @@
-// CubeAdafruitGFX: sheen draws, a colour driver on Adafruit GFX sends it: ILI9341, ST7735, SSD1351 alike.
+// CubeAdafruitGFX: sheen draws, a colour driver of Adafruit GFX sends. ILI9341, ST7735, SSD1351 work the same way.
 #include <Adafruit_ST7789.h>
 #include <sheen_arduino.h>
-#include "example.h" // and cube.c beside it: what is drawn
+#include "example.h" // with cube.c beside it: draws the cube
 
 Adafruit_ST7789 tft(10, 9, 8); // CS, D/C, reset
 sheen_target target;

@@ -1,7 +1,7 @@
-// CubeLovyanGFX: sheen draws, LovyanGFX drives the panel. LGFX is your class for it, or LGFX_AUTODETECT's.
+// CubeLovyanGFX: sheen draws, LovyanGFX drives the panel. LGFX is your class for the panel, or LGFX_AUTODETECT's.
 #include <LovyanGFX.hpp>
 #include <sheen_arduino.h>
-#include "example.h" // and cube.c beside it: what is drawn
+#include "example.h" // with cube.c beside it: draws the cube
 
 LGFX lcd;
 sheen_target target;

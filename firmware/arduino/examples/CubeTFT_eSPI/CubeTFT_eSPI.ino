@@ -1,7 +1,7 @@
-// CubeTFT_eSPI: sheen draws, TFT_eSPI drives the panel, whichever it is set up for.
+// CubeTFT_eSPI: sheen draws, TFT_eSPI drives the panel that it is set up for.
 #include <TFT_eSPI.h>
 #include <sheen_arduino.h>
-#include "example.h" // and cube.c beside it: what is drawn
+#include "example.h" // with cube.c beside it: draws the cube
 
 TFT_eSPI tft;
 sheen_target target;

@@ -1,4 +1,4 @@
-// Teapot: a teapot turns on a panel that hangs on hardware SPI. Put your record, pins and orientation below.
+// Teapot: a teapot turns on a panel on hardware SPI. Fill in your panel's record, pins and orientation below.
 #include <sheen_arduino.h>
 #include "teapot.h" // made by: sheen bake builtin:teapot
 
@@ -7,7 +7,8 @@ const sheen_panel_record &record = sheen_panel_ssd0323;
 const unsigned orientation = 0;
 const sheen_shader &shading = sheen_phong;
 
-// 128 x 64 greys, bands of 16 rows, this mesh; for others: sheen_arena_size(), or SHEEN_ARENA_BYTES() in sheen_arena.h.
+// Enough for 128 x 64 greys, bands of 16 rows and this mesh. For others: sheen_arena_size(), or SHEEN_ARENA_BYTES()
+// in sheen_arena.h.
 uint64_t arena[32000 / 8];
 sheen_frame *frame;
 sheen_material gold;
@@ -49,7 +50,7 @@ void setup()
     teapot_object.shader = &shading;
     teapot_object.lights = &lamp;
     teapot_object.light_count = 1;
-    teapot_object.two_sided = 1; // one sees into it
+    teapot_object.two_sided = 1; // because one can see into it
     Serial.println(sheen_strerror(error));
 }
 
