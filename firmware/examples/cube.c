@@ -1,5 +1,5 @@
 /*
- * cube.c - a cube that turns, Phong shaded: the least there is to write.
+ * cube.c - a turning cube, Phong shaded: the smallest example.
  */
 #include "meshes/cube.h"
 #include "example.h"

@@ -1,8 +1,8 @@
 /*
- * example.h - what each example is: a function that draws to a target, whatever that is.
+ * example.h - the function that each example defines; it draws to any target.
  *
- * A board's program opens its panel and calls example(); the doors beside this file do that for other projects'
- * displays. Colour targets of 240x240 are what the sizes below were chosen for.
+ * A board's program opens its panel and calls example(); the doors in the folders beside this file do so for other
+ * projects' displays. The examples' arenas and sizes are meant for colour targets of 240x240.
  */
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
@@ -13,12 +13,12 @@
 extern "C" {
 #endif
 
-/* Draws so many frames, and waits for the last one. 0 or a code of enum sheen_error. */
+/* Draws `frames` frames and waits until the last one has been sent. Returns 0 or a code of enum sheen_error. */
 int example(const struct sheen_target *target, unsigned frames);
 
-/* The board's part where an example asks for it: steps that a knob was turned since the last call (input.c); */
+/* The board defines these for the examples that use them. input.c: steps that a knob was turned since the last call. */
 int board_turned(void);
-/* runs work(ctx) on the other core, once, and comes back at once; tells whether it has ended; a lock (two_cores.c). */
+/* two_cores.c: runs work(ctx) once on the other core and returns at once; whether that has ended; a lock. */
 void board_start(void (*work)(void *ctx), void *ctx);
 int board_ended(void);
 void board_lock(void *ctx);

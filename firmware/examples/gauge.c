@@ -1,12 +1,12 @@
 /*
- * gauge.c - a dial: eleven marks and a needle of one mesh, each with a pose of its own; the value in figures.
+ * gauge.c - a dial: eleven marks and a needle, made of one mesh in many poses, and the value in digits.
  */
 #include "example.h"
 #include "meshes/cube.h"
 #include "sheen_canvas.h"
 
 #define MARKS 11
-#define LOWEST (-120) /* degrees from the top, clockwise; the highest is its mirror image */
+#define LOWEST (-120) /* the lowest mark, degrees clockwise from the top; the highest is at +120 */
 
 static const struct sheen_material ivory = {
     .base = {230, 225, 205}, .ambient = SHEEN_Q16(.3), .diffuse = SHEEN_Q16(.7)};
@@ -29,7 +29,7 @@ static void over(void *ctx, const struct sheen_canvas *canvas)
     sheen_canvas_text(canvas, canvas->pixel, &figures->text);
 }
 
-/* A small cube at `distance` from the middle, in the direction of that many degrees, clockwise from the top. */
+/* Poses the object, a small cube, at `distance` from the middle, `degrees` clockwise from the top. */
 static int put_cube(struct sheen_object *object, sheen_q16_t size, sheen_q24_t distance, int32_t degrees)
 {
     int error;
@@ -49,7 +49,7 @@ static int pose_all(struct sheen_object *marks, struct sheen_object *needle, uns
 
     for (int32_t i = 0; i < MARKS && !error; i++)
         error = put_cube(&marks[i], i % 5 ? SHEEN_Q16(.06) : SHEEN_Q16(.11), SHEEN_Q24(1), LOWEST + 24 * i);
-    for (unsigned i = 0; i < needles && !error; i++) /* a row of cubes that overlap and become smaller */
+    for (unsigned i = 0; i < needles && !error; i++) /* overlapping cubes, each smaller than the last */
         error = put_cube(&needle[i], SHEEN_Q16(.14) - (sheen_q16_t)i * SHEEN_Q16(.008),
                          (sheen_q24_t)i * SHEEN_Q24(.052), degrees);
     return error;

@@ -1,7 +1,7 @@
 /*
- * input.c - a knob, or a finger on the glass, turns the model: it goes on turning and comes to rest.
+ * input.c - a knob, or a finger on the glass, turns the model, which then turns on by itself and comes to rest.
  *
- * board_turned() is an encoder's count since the last call, or pixels that a finger moved.
+ * board_turned() returns an encoder's count since the last call, or the pixels that a finger has moved.
  */
 #include "example.h"
 #include "meshes/teapot.h"
@@ -23,7 +23,7 @@ int example(const struct sheen_target *target, unsigned frames)
     struct sheen_object object = {
         .mesh = &teapot, .material = &jade, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
     struct sheen_frame *frame;
-    int32_t yaw = 30 * 16, speed = 0; /* 1/16 degree; and a frame */
+    int32_t yaw = 30 * 16, speed = 0; /* 1/16 degree, 1/16 degree per frame */
     int error = sheen_init(&frame, arena, &size, &config);
 
     for (unsigned i = 0; i < frames && !error; i++) {

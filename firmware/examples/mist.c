@@ -1,6 +1,6 @@
 /*
- * mist.c - textures, light and fog: a colonnade that goes over into the mist, and an eye that sways before it. The
- * scene is one OBJ whose materials became the parts of a header (host-sim/pictures/mist, `sheen bake --groups`).
+ * mist.c - textures, light and fog: a colonnade that fades into the mist, seen by an eye that sways in front of it. The
+ * scene is one OBJ; `sheen bake --groups` made a mesh from each of its materials (host-sim/pictures/mist).
  */
 #include "meshes/mist.h"
 #include "example.h"
@@ -20,7 +20,7 @@ static const struct sheen_material glaze = {.base = {40, 128, 140},
                                             .specular = SHEEN_Q16(.75),
                                             .shine = &sheen_shine_32};
 
-/* Texels as they come where there is no light to add: the floor has its own, shadows are of one colour. */
+/* Parts that are not lit show their colours as they are: the floor's texture contains its light; shadows need none. */
 static void make_part(struct sheen_object *object, struct sheen_material *material, size_t i)
 {
     const struct sheen_texture *texture = mist_groups[i].texture;
@@ -36,12 +36,12 @@ static void make_part(struct sheen_object *object, struct sheen_material *materi
                                     .shader = texture != NULL ? &sheen_textured : &sheen_flat,
                                     .lights = &sun,
                                     .light_count = 1};
-    if (texture == NULL) { /* what lies on the floor, half of it seen through */
+    if (texture == NULL) { /* shadows on the floor, half transparent */
         object->depth_bias = 16;
         object->stipple = &sheen_stipple;
         object->transparency = 32;
     }
-    sheen_pose_identity(&object->pose); /* bake tells a unit's size and where the origin went */
+    sheen_pose_identity(&object->pose); /* sheen bake printed the numbers below: a unit's size, and the origin */
     sheen_pose_scale(&object->pose, SHEEN_Q16(10.9910191));
     sheen_pose_translate(&object->pose, 0, SHEEN_Q24(1.95), SHEEN_Q24(-5));
 }

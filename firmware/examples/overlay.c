@@ -1,7 +1,7 @@
 /*
  * overlay.c - text and 2D: a sky under the triangles, a line of text and a bar over them.
  *
- * What changes is marked, so that it is sent: here the text's line and the bar.
+ * 2D areas that change must be marked (sheen_mark), so that they are sent: here the text and the bar.
  */
 #include "example.h"
 #include "meshes/cube.h"

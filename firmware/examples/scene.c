@@ -42,7 +42,7 @@ int example(const struct sheen_target *target, unsigned frames)
     for (unsigned i = 0; i < frames && !error; i++) {
         sheen_angle_t at = sheen_degrees(20 + 5 * (int32_t)i);
         sheen_q24_t eye[3] = {sheen_sin(at) / 64 * 5, SHEEN_Q24(2),
-                              sheen_cos(at) / 64 * 5}; /* Q1.30 to Q7.24, times 5 */
+                              sheen_cos(at) / 64 * 5}; /* sines from Q1.30 to Q7.24, times radius 5 */
 
         error = sheen_pose_look_at(&view.pose, eye, centre, up);
         if (!error)

@@ -1,13 +1,13 @@
 /*
  * two_cores.c - two workers share the bands of a frame, one on this core, one on the other.
  *
- * The board starts work on the other core and has a lock (example.h): on a Pico multicore_fifo and a mutex, on an ESP32
- * a task pinned to core 1, elsewhere a thread.
+ * The board provides functions that start work on the other core, and a lock (example.h): on a Pico with multicore_fifo
+ * and a mutex, on an ESP32 with a task pinned to core 1, elsewhere with a thread.
  */
 #include "example.h"
 #include "meshes/teapot.h"
 
-/* An error ends the frame for both; sheen_finish() returns it. */
+/* An error ends the frame for both workers; sheen_finish() returns it. */
 static void draw_other_share(void *frame)
 {
     (void)sheen_bands(frame, 1);

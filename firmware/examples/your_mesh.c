@@ -1,12 +1,12 @@
 /*
- * your_mesh.c - your own model turns. `sheen bake model.stl -o mesh.h` writes what is included here; the arena is
- * asked for its size, so that any mesh will do.
+ * your_mesh.c - your own model turns. `sheen bake model.stl -o mesh.h` writes the header to include here. The program
+ * asks for the size of the arena, so that it works with any mesh.
  */
 #include <stdlib.h>
 
 #include "example.h"
 #ifndef MESH
-#include "meshes/teapot.h" /* yours */
+#include "meshes/teapot.h" /* replace this by your header, and teapot by its name */
 #define MESH teapot
 #endif
 
@@ -19,14 +19,14 @@ int example(const struct sheen_target *target, unsigned frames)
 {
     struct sheen_config config = {.target = target, .max_vertices = MESH.vertices, .max_triangles = MESH.triangles};
     size_t size = sheen_arena_size(&config);
-    void *arena = malloc(size); /* aligned to 8, as malloc's is */
+    void *arena = malloc(size); /* an arena must be aligned to 8, and malloc does that */
     struct sheen_frame *frame;
     struct sheen_object object = {.mesh = &MESH,
                                   .material = &clay,
                                   .shader = &sheen_gouraud,
                                   .lights = &lamp,
                                   .light_count = 1,
-                                  .two_sided = 1}; /* one may see into it */
+                                  .two_sided = 1}; /* in case one can see into it */
     int error = arena ? sheen_init(&frame, arena, &size, &config) : SHEEN_ERR_MEMORY;
 
     for (unsigned i = 0; i < frames && !error; i++) {

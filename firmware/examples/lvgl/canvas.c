@@ -1,7 +1,7 @@
 /*
- * canvas.c - sheen on an LVGL 9 canvas: each rectangle goes into its draw buffer and invalidates that area alone.
+ * canvas.c - sheen on an LVGL 9 canvas: copies each rectangle into the canvas's draw buffer and invalidates its area.
  *
- * Call it from the task that runs LVGL. The canvas has a draw buffer of LV_COLOR_FORMAT_RGB565.
+ * Call sheen_on_canvas() from the task that runs LVGL. The draw buffer must be in LV_COLOR_FORMAT_RGB565.
  */
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /*
- * main.c - sheen into memory: a part of a framebuffer whose rows are longer than what is drawn. Prints it as PPM.
+ * main.c - sheen draws into memory: a part of a framebuffer, whose rows are longer than the picture's. Prints a PPM.
  */
 #include <stdio.h>
 
@@ -12,7 +12,7 @@ static uint16_t screen[SCREEN_HEIGHT * SCREEN_WIDTH];
 
 int main(void)
 {
-    /* 240 x 240 of it, from column 40 and row 16 on. */
+    /* 240 x 240 pixels of the screen, from column 40 and row 16 on. */
     struct sheen_memory memory = {.pixels = &screen[16 * SCREEN_WIDTH + 40], .stride = 2 * SCREEN_WIDTH};
     const uint16_t probe = 1;
     struct sheen_target target;

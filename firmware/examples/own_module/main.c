@@ -1,9 +1,9 @@
 /*
- * main.c - first light on a module of one's own, wired to a Linux board.
+ * main.c - first light on a module of your own, wired to a Linux board.
  *
  *   own_module /dev/spidev0.0 GPIO25 GPIO27      SPI device, D/C line, reset line
  *
- * On a microcontroller the bus is another (sheen_bus.h); the rest is the same.
+ * On a microcontroller only the bus is different (sheen_bus.h).
  */
 #include "record.h"
 #include "sheen_first_light.h"

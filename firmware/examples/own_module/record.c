@@ -1,18 +1,18 @@
 /*
- * record.c - a module that sheen has no record of, from its data sheet and a look at first light.
+ * record.c - a record for a module that sheen does not know, made from its data sheet and by a look at first light.
  *
- * Here 1.69 inch of IPS glass, 240x280, on an ST7789, whose maker hands out an init
- * table. What you see in first light says which field to change: hal/README.md.
+ * This one is an IPS glass of 1.69 inch, 240x280, on an ST7789; its maker supplies an
+ * init table. What you see in first light tells which field to change: hal/README.md.
  */
 #include "record.h"
 
-/* Command, ms of rest after it, parameters; sent after the reset, before orientation, inversion and display on. */
+/* Command, wait after it in ms, parameters; sent after the reset, before orientation, inversion and display on. */
 static const struct sheen_panel_step init[] = {
     {.command = 0x11, .wait_ms = 120},                    /* sleep out */
-    {0x3A, 0, SHEEN_BYTES(0x55)},                         /* 16 bits a pixel */
-    {0xB0, 0, SHEEN_BYTES(0x00, 0xC0)},                   /* the low bit of red and blue as the high one */
+    {0x3A, 0, SHEEN_BYTES(0x55)},                         /* 16 bits per pixel */
+    {0xB0, 0, SHEEN_BYTES(0x00, 0xC0)},                   /* copy the high bit of red and blue to the low one */
     {0xB2, 0, SHEEN_BYTES(0x0C, 0x0C, 0x00, 0x33, 0x33)}, /* porches, */
-    {0xC6, 0, SHEEN_BYTES(0x0F)},                         /* 60 pictures a second: the maker's */
+    {0xC6, 0, SHEEN_BYTES(0x0F)},                         /* and 60 frames per second, both the maker's values */
 };
 
 const struct sheen_panel_record own_module = {
@@ -21,7 +21,7 @@ const struct sheen_panel_record own_module = {
     .driver = &sheen_driver_dcs,
     .init = init,
     .steps = sizeof init / sizeof init[0],
-    .clock_hz = 40000000, /* the wires' limit here; the controller's is 62.5 MHz */
+    .clock_hz = 40000000, /* as much as the wires allow here; the controller's limit is 62.5 MHz */
     .reset_low_us = 10,
     .reset_ms = 120,
     .pixel = SHEEN_RGB565_BE,

@@ -1,5 +1,5 @@
 /*
- * record.h - the module that record.c describes.
+ * record.h - the module's record (record.c).
  */
 #ifndef RECORD_H
 #define RECORD_H

@@ -1,7 +1,7 @@
 /*
- * main.c - sheen with the pico-sdk: an ST7789 on SPI0, pixels by DMA while the next band is drawn (two buffers).
+ * main.c - sheen with the pico-sdk: an ST7789 on SPI0. DMA sends a band while the next one is drawn (two buffers).
  *
- * The wires are those of firmware/README.md. CMakeLists.txt beside this file makes the program.
+ * The wiring is that of firmware/README.md. CMakeLists.txt beside this file builds the program.
  */
 #include "example.h"
 #include "hardware/dma.h"
@@ -20,7 +20,7 @@ enum {
 
 static int channel;
 
-/* The command has left on return; the pixels fly. */
+/* When this returns, the command has left, and DMA is sending the pixels. */
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     dma_channel_config config = dma_channel_get_default_config((uint)channel);

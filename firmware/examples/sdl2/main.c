@@ -2,7 +2,7 @@
  * main.c - sheen in an SDL2 window: it draws into a surface of 565 pixels, with the surface's pitch.
  *
  *   cc main.c ../cube.c ... $(pkg-config --cflags --libs sdl2)
- *   main [FILE.bmp]      the last frame as a file, too
+ *   main [FILE.bmp]      FILE.bmp: also writes the last frame to this file
  */
 #include <SDL.h>
 

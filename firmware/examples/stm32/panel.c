@@ -1,15 +1,15 @@
 /*
- * panel.c - sheen with STM32Cube's HAL: SPI by DMA, its callback says that the pixels have left.
+ * panel.c - sheen with STM32Cube's HAL: DMA sends the pixels by SPI, and its callback says when they have left.
  *
- * CubeMX makes hspi1 (transmit only, 8 bits, high bit first, CPOL high, CPHA 2nd edge, which modules without CS need,
- * at most 62.5 MHz, a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
+ * In CubeMX set up hspi1 (transmit only, 8 bits, high bit first, CPOL high and CPHA 2nd edge, which modules without CS
+ * need, at most 62.5 MHz, with a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
  * Call show_on_panel() from main(), after the MX_..._Init() calls.
  */
 #include "example.h"
 #include "main.h"
 #include "sheen_panel.h"
 
-#define LONGEST_DMA 65535u /* its counter has 16 bits; a band of 240 x 16 px is 7680 bytes */
+#define LONGEST_DMA 65535u /* the DMA counter has 16 bits; a band of 240 x 16 px has 7680 bytes */
 #define TIMEOUT_MS 200u
 
 extern SPI_HandleTypeDef hspi1;
@@ -22,7 +22,7 @@ void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi)
         flying = 0;
 }
 
-/* The panel is left alone on the bus, and the next transfer finds it free. */
+/* Stops the transfer and deselects the panel, so that the next transfer finds the bus free. */
 static int give_up(int error)
 {
     HAL_SPI_Abort(&hspi1);

@@ -1,7 +1,7 @@
 /*
- * main.c - sheen with ESP-IDF: a bus over esp_lcd's panel IO; pixels by DMA, its callback says that they have left.
+ * main.c - sheen with ESP-IDF: a bus on top of esp_lcd's panel IO. DMA sends pixels; a callback says when they left.
  *
- * Pins are of a common ESP32 wiring. Everything below a bus is ESP-IDF's: clock, chip select, DMA, D/C.
+ * The pins are those of a common ESP32 wiring. ESP-IDF takes care of clock, chip select, DMA and D/C.
  */
 #include "driver/spi_master.h"
 #include "esp_lcd_panel_io.h"
@@ -11,7 +11,7 @@
 #include "freertos/semphr.h"
 #include "sheen_panel.h"
 
-#define PARAMETERS 16 /* what is longer goes by DMA */
+#define PARAMETERS 16 /* more data than this are sent by DMA */
 #define BUS_ERROR(code) ((code) == ESP_OK ? SHEEN_OK : SHEEN_ERR_BUS)
 
 struct lcd {
@@ -35,9 +35,9 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     struct lcd *lcd = ctx;
     int lcd_command = commands ? command[0] : -1;
 
-    if (commands > 1) /* greys and black and white: the IO has dc_low_on_param */
+    if (commands > 1) /* black and white, and most greys: for these, set dc_low_on_param of the IO */
         return BUS_ERROR(esp_lcd_panel_io_tx_param(lcd->io, lcd_command, command + 1, commands - 1));
-    if (commands && count <= PARAMETERS) /* without a command these are pixels, however few */
+    if (commands && count <= PARAMETERS) /* data without a command are pixels, however few */
         return BUS_ERROR(esp_lcd_panel_io_tx_param(lcd->io, lcd_command, data, count));
     lcd->flying = esp_lcd_panel_io_tx_color(lcd->io, lcd_command, data, count) == ESP_OK;
     return lcd->flying ? SHEEN_OK : SHEEN_ERR_BUS;
@@ -57,7 +57,8 @@ static int delay(void *ctx, uint32_t us)
 {
     (void)ctx;
     if (us >= 10000)
-        vTaskDelay(pdMS_TO_TICKS(us / 1000) + 2); /* the first tick may come at once, and a part of one was cut off */
+        vTaskDelay(pdMS_TO_TICKS(us / 1000) +
+                   2); /* +2: the first tick may come at once, and the division rounds down */
     else
         esp_rom_delay_us(us);
     return SHEEN_OK;

@@ -1,7 +1,7 @@
 /*
- * main.c - sheen with Zephyr: whatever display the board's devicetree chooses, by display_write().
+ * main.c - sheen with Zephyr: draws with display_write() on whatever display the board's devicetree chooses.
  *
- * The module's manifest is zephyr/module.yml of sheen; CONFIG_SHEEN=y, CONFIG_DISPLAY=y.
+ * sheen is a Zephyr module (zephyr/module.yml). Set CONFIG_SHEEN=y and CONFIG_DISPLAY=y.
  */
 #include <zephyr/device.h>
 #include <zephyr/drivers/display.h>
@@ -34,8 +34,8 @@ int main(void)
     target.width = caps.x_resolution;
     target.height = caps.y_resolution;
     /*
-     * Before Zephyr 4.4 the second is called PIXEL_FORMAT_BGR_565, and before 4.3 the two meant each other in most
-     * drivers: where the colours are wrong, exchange them.
+     * Before Zephyr 4.4, PIXEL_FORMAT_RGB_565X is called PIXEL_FORMAT_BGR_565. Before 4.3, most drivers exchange the
+     * two formats: if the colours are wrong, exchange them here.
      */
     if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565)
         target.pixel = SHEEN_RGB565_LE;
