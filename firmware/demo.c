@@ -8,7 +8,7 @@
 
 #include "meshes/teapot.h"
 
-#define DISTANCE 3.0 /* units; the teapot's farthest vertex lies at 1 */
+#define DISTANCE 3.0 /* in units; the teapot's farthest vertex is 1 unit from its origin */
 
 /* A light's vector points towards the light and may have any length. */
 #define LIGHT(x, y, z, i)                                                                                              \
@@ -169,7 +169,7 @@ int demo_due(const struct demo *demo)
 
 static void draw_other_share(void *frame)
 {
-    (void)sheen_bands(frame, 1); /* its error is the frame's */
+    (void)sheen_bands(frame, 1); /* sheen_finish() returns its error too */
 }
 
 static int end_frame(struct demo *demo)

@@ -1,6 +1,6 @@
 /*
- * i2c.c - see sheen_i2c.h. There is one buffer, so each message has left before the next is built; the last one of a
- * call may still be under way when the call returns.
+ * i2c.c - see sheen_i2c.h. There is one buffer, so a message is built only after the one before has left; the last one
+ * of a call may still be under way when the call returns.
  */
 #include "sheen_i2c.h"
 

@@ -40,7 +40,7 @@ int sheen_panel_take(struct sheen_panel *panel)
     return panel->error;
 }
 
-/* Makes the next push send the whole window. */
+/* Forgets the window that was last sent, so that the next push sends both of its axes. */
 static void forget_window(struct sheen_panel *panel)
 {
     panel->window[0] = panel->window[1] = UINT32_MAX;

@@ -3,7 +3,7 @@
  */
 #include "pl022.h"
 
-#define CONTROL0_BYTES 7u /* 8 bits a frame, Motorola SPI */
+#define CONTROL0_BYTES 7u /* 8 bits per frame, Motorola SPI */
 #define CONTROL0_SPO 0x40u
 #define CONTROL0_SPH 0x80u
 #define CONTROL1_ENABLE 2u

@@ -6,7 +6,7 @@
  */
 #include "start.h"
 
-/* Addresses from the linker script; the symbols stand for nothing else. */
+/* Symbols of the linker script; only their addresses mean something. */
 extern uint32_t link_stack_bottom[], link_stack_top[], link_data_load[], link_data_start[], link_data_end[],
     link_bss_start[], link_bss_end[];
 

@@ -1,8 +1,8 @@
 /*
  * linux_bus.c - what spidev, bit-banged SPI and I2C share: D/C, chip select, reset, TE and delays.
  *
- * D/C changes only here, before the first bit of command or data, because put()
- * of spidev and of bit-banged SPI returns when the last bit has left.
+ * D/C changes only here, before the first bit of a command or of data. All earlier bits
+ * have left by then, because put() of spidev and of bit-banged SPI waits for the last.
  */
 #include "sheen_linux_bus.h"
 

@@ -68,10 +68,10 @@ int sheen_linux_bus_open(struct sheen_linux_bus *bus, const struct sheen_wiring 
 void sheen_linux_bus_close(struct sheen_linux_bus *bus);
 
 /*
- * Private: the three kinds of bus. Each fills in put, which sends bytes of one D/C level
- * and returns when they have left; more: the controller's own chip select stays low after
- * them. sheen_device_open() sets bus->fd; its error message names the group that may open
- * the device, or what to switch on.
+ * Private: the three kinds of bus. SPI of either kind fills in put, which sends bytes of
+ * one D/C level and returns when they have left; more: the controller's own chip select
+ * stays low after them. I2C fills in wire.send. sheen_device_open() sets bus->fd; its
+ * error message names the group that may open the device, or what to switch on.
  */
 int sheen_ioctl_again(int fd, unsigned long request, void *value);
 int sheen_device_open(struct sheen_linux_bus *bus, const char *path, const char *group, const char *what);

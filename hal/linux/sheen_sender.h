@@ -4,8 +4,8 @@
  * A sender is a bus around another bus. Calls with much data are handed to the
  * thread and return at once; wait waits for the thread and returns its error.
  * Commands and short data are sent by the calling thread, because handing them over
- * would take longer. Between such a call and its wait, only the thread may use the
- * inner bus and its struct sheen_failure.
+ * would take longer. From the hand-over of a call until wait has returned, only the
+ * thread may use the inner bus and its struct sheen_failure.
  */
 #ifndef SHEEN_SENDER_H
 #define SHEEN_SENDER_H

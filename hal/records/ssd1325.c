@@ -35,7 +35,10 @@
 static const struct sheen_panel_step init_ssd0323[] = INIT_SSD1325(0x40);
 static const struct sheen_panel_step init_ssd1325[] = INIT_SSD1325(0x4C);
 
-/* Clock: cycle 250 ns (SSD1325 data sheet, serial interface). Remap 52: left pixel high, COM from the last, split. */
+/*
+ * Clock: cycle 250 ns (SSD1325 data sheet, serial interface). Remap 52: the left pixel is the high nibble, COM lines
+ * count from the last; COM split.
+ */
 #define SSD1325                                                                                                        \
     .driver = &sheen_driver_grey, .brightness_command = 0x81, .brightness_shift = 1, .pixel = SHEEN_GREY16,            \
     .clock_hz = 4000000, RAM(128, 80), GLASS(128, 64), OLED, .scan = {0x52}
