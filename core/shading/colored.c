@@ -1,12 +1,12 @@
 /*
- * colored.c - flat and Gouraud shading with colours of vertices and lights, and with point lights: three channels a
- * corner, multiplied before they are brought over the triangle.
+ * colored.c - flat and Gouraud shading with colours of vertices and lights, and with point lights: light and colour are
+ * multiplied at each corner, which gives three channels, and these are interpolated over the triangle.
  */
 #include "../triangle/glow.h"
 #include "../triangle/quotient.h"
 #include "shading.h"
 
-/* Of a corner whose place in the mesh is `at` / 3. */
+/* The channels of vertex `at` / 3 of the mesh. */
 static void vertex_channels(const struct draw *d, ptrdiff_t at, const struct glow *glow, uint32_t channel[3])
 {
     const uint8_t *color = d->mesh->colors;
@@ -119,7 +119,7 @@ static void gouraud_colored_carry(const struct draw *d, uint16_t triangle, int b
     }
 }
 
-/* White light alone: what has colours does not fit a vertex. */
+/* Keeps white light only: the three channels of coloured light do not fit in a vertex. */
 static void gouraud_colored_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
     struct lit lit = {0, 0};

@@ -1,5 +1,5 @@
 /*
- * gouraud.c - intensities at the corners to planes or quadrics, and the choice
+ * gouraud.c - makes planes or quadrics from intensities at the corners, and chooses
  * among linear on the screen, quadratic, and Blinn's quotient.
  */
 #include "../triangle/quadric.h"
@@ -8,9 +8,9 @@
 
 SETUP_FITS(struct quadric_setup);
 
-#define GOURAUD_LEAN 65536 /* 1/m over an edge in the ratio of 1 1/4 at most */
+#define GOURAUD_LEAN 65536 /* 1/m changes along an edge by at most 1/4 of its mean */
 
-/* The largest difference between the corners in the channel that changes most, 1/1024 of 1.0, 0xffff at the most. */
+/* The largest difference between corners in the channel that changes most, in 1/1024 of 1.0, at most 0xffff. */
 static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[2])
 {
     uint32_t most = magnitude32(d[0]);
@@ -22,8 +22,8 @@ static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[
 }
 
 /*
- * Through the edges' middles quadratic is off by about dI (q - 1)^2 / 32, q - 1 the lean. Range: difference < 2^16 in
- * 1/1024 of 1.0, lean <= 2^16.
+ * A quadric through the edges' middles is off by about dI (q - 1)^2 / 32, where dI is the difference and q - 1 the
+ * lean. Range: difference < 2^16 in 1/1024 of 1.0, lean <= 2^16.
  */
 static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
 {
@@ -33,8 +33,8 @@ static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
 }
 
 /*
- * Returns 0 where the triangle is too small or a needle, or 1/m too uneven. difference: between corners, 1/1024 of
- * 1.0.
+ * Returns 0 if planes need steps of 31 bits (wide), the triangle is too small or a needle, or 1/m is too uneven.
+ * difference: as difference_of returns it.
  */
 static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
                            const struct lit lit[3], uint32_t difference)
@@ -56,8 +56,8 @@ static APART int quadratic(struct setup *s, const struct surface_corners *c, con
 }
 
 /*
- * Channels at the corners, and d: differences of the one that changes most over the triangle, or of their sum on grey,
- * of corners 1 and 2 to 0, in 2^16 steps. A highlight's may be another than the diffuse part's.
+ * The channels at the corners, and in d the differences of corners 1 and 2 to corner 0, in steps of 2^16: of the
+ * channel that changes most, which with a highlight may be another than for diffuse light alone; on grey of their sum.
  */
 static void corner_channels(const struct draw *draw, const struct lit lit[3], uint32_t channel[3][3], int32_t d[2])
 {
@@ -82,7 +82,7 @@ static void corner_channels(const struct draw *draw, const struct lit lit[3], ui
     }
 }
 
-/* With a highlight, without shades, or where one number alone does not do. */
+/* Interpolates channels: for a highlight, or if neither shades nor the diffuse intensity alone suffice. */
 static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
 {
     const struct draw *draw = s->draw;

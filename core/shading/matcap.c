@@ -1,10 +1,10 @@
 /*
  * matcap.c - a picture of a lit sphere in place of light: a pixel takes the texel where the sphere has its normal.
  *
- * Texel coordinates are (1 + x) / 2 and (1 - y) / 2 of the unit normal before the eye, and x and y are what L.N is of
- * two lights along the eye's axes: as Phong's they are quadratic over a triangle whose corner normals nearly agree,
- * linear where they are closer still, else the normal itself is linear and a root is taken at the ends of blocks. By
- * vertex the coordinates are linear in space.
+ * Texel coordinates are (1 + x) / 2 and (1 - y) / 2 of the unit normal in eye space; x and y are L.N of two lights
+ * along the eye's axes. Like Phong's cosines they are quadratic over a triangle whose corner normals nearly agree, and
+ * linear if the normals are closer still; otherwise the normal itself is linear, and a root is taken at the ends of
+ * blocks. In sheen_matcap_vertex the coordinates are linear in space.
  */
 #include "matcap.h"
 #include "../triangle/normal.h"
@@ -12,13 +12,13 @@
 
 SETUP_FITS(struct matcap_setup);
 
-#define MATCAP_LEAN 32768   /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
-#define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px and more what a quadric is off by is that of many pixels */
+#define MATCAP_LEAN 32768   /* 1/m changes along an edge by at most 1/8 of its mean */
+#define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px or more, too many pixels would share a quadric's error */
 
-/* |Ni - Nj|^2, UQ2.30, up to which quadratic is within 1/24 step, of 64 steps a side or less, 128 and so on. */
+/* |Ni - Nj|^2, UQ2.30, up to which a quadric is within 1/24 step: for up to 64 steps a side, 128, 256, 512 and 1024. */
 static const uint32_t widest_quadratic[5] = {189000000u, 119000000u, 75000000u, 47000000u, 29000000u};
 
-/* The material's colour is all the light that there is. */
+/* There are no lights: ambient light of 1.0 shows the base colour as it is. */
 static void matcap_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                          const struct sheen_object *object, const struct sheen_pose *view)
 {
@@ -31,7 +31,7 @@ static void matcap_begin(struct draw *d, const struct sheen_material *material, 
     sheen_texel_begin(&d->texel, format, &unlit, 0, 0);
 }
 
-/* A vertex keeps x and y of its normal, 1.0 added so that pieces may be between: UQ1.15. */
+/* A vertex keeps x and y of its normal, UQ1.15: 1.0 is added because pieces interpolate unsigned numbers. */
 static void matcap_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
     SHEEN_TAP(COSINES, 1);
@@ -58,7 +58,7 @@ static unsigned size_of(const struct draw *d, int i)
     return i == 0 ? t->width_log2 : t->height_log2;
 }
 
-/* The logarithm of the steps a side that coordinates have to be right by: texels, or to bilinear halves of them. */
+/* The logarithm of the steps a side to which coordinates have to be exact: texels, or half texels if bilinear. */
 static unsigned steps_of(const struct draw *d)
 {
     const unsigned width = size_of(d, 0), height = size_of(d, 1);
@@ -66,7 +66,7 @@ static unsigned steps_of(const struct draw *d)
     return (width > height ? width : height) + (d->texel.texture->bilinear ? 1 : 0);
 }
 
-/* Texels of x and -y, `edge` from the picture's edges or more, and light. */
+/* Texel coordinates from x and -y, at least `edge` from the picture's edges, and light. */
 static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t edge, struct at_corners at[4])
 {
     for (int i = 0; i < 2; i++)
@@ -80,7 +80,7 @@ static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t ed
 
 /* ---- quadratic ---- */
 
-/* 1 where the quadric might come near the edges: in the triangle it is less than a sixth of k above the corners. */
+/* 1 if the quadric might come near the picture's edges: inside it rises by less than k / 6 above the corners. */
 static int may_leave(const int32_t f[3], const int32_t k[3], int32_t most_cosine)
 {
     const int32_t most = max32(max32(f[0], f[1]), f[2]), least = min32(min32(f[0], f[1]), f[2]);
@@ -89,7 +89,7 @@ static int may_leave(const int32_t f[3], const int32_t k[3], int32_t most_cosine
     return max32(most, -least) + (int32_t)(bend >> 1) > most_cosine;
 }
 
-/* About the largest block whose length squared times `rate` stays below 2^bits, bits <= 29. */
+/* About the longest block whose length squared times `rate` stays below 2^bits, bits <= 29. */
 static uint8_t block_of(uint32_t rate, unsigned bits)
 {
     const unsigned drop = bits > 21 ? bits - 21 : 0; /* LARGEST_BLOCK squared is 2^10 */
@@ -103,7 +103,7 @@ static uint8_t block_of(uint32_t rate, unsigned bits)
     return (uint8_t)count;
 }
 
-/* A block's middle is off by 1/8 of its length squared times the second difference: within 1/32 step. */
+/* A block's middle is off by its length squared times 1/8 of the second difference: at most 1/32 step. */
 static uint8_t quadric_block(const struct quadric quadric[2], unsigned steps)
 {
     const uint32_t u = magnitude32((int32_t)quadric[0].dxx), v = magnitude32((int32_t)quadric[1].dxx);
@@ -111,7 +111,7 @@ static uint8_t quadric_block(const struct quadric quadric[2], unsigned steps)
     return block_of(u > v ? u : v, 29 - steps);
 }
 
-/* 0: normals or weights are too far apart, the triangle is a needle or too small, or the picture might be left. */
+/* 0: the triangle is too large, too small or a needle, weights are too far apart, or it might leave the picture. */
 static APART int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
                                   const uint32_t h[3])
 {
@@ -149,9 +149,9 @@ static uint32_t part_square(int32_t x)
 }
 
 /*
- * N.N over the triangle is at least the least one of a corner less a quarter of the largest |Ni - Nj|^2, where that
- * lies across an obtuse angle, else a third. At that length the normal turns by |Nx| / |N| a px, whose square bounds
- * its second difference.
+ * The block length by normals. Over the triangle N.N is at least the smallest N.N of a corner less a quarter of the
+ * largest |Ni - Nj|^2, if that edge lies across an obtuse angle, else less a third. At that length the normal turns by
+ * |Nx| / |N| per pixel, and the square of that bounds the second difference of the coordinates.
  */
 static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsigned steps)
 {
@@ -210,13 +210,13 @@ static void matcap_vertex_setup(struct setup *s, struct surface_corners *c, cons
     sheen_setup_textured(s, c, g, at, 1);
 }
 
-/* An arc's middle lies t^2 / 8 above its chord: 1/32 step. */
+/* The largest |Ni - Nj|^2, UQ2.30, for linear: the middle of an arc t lies t^2 / 8 above its chord, here 1/32 step. */
 static uint32_t widest_linear(unsigned steps)
 {
     return 1u << (29 - steps);
 }
 
-/* How its texels are put; the coordinates of both other ways keep from the edges. */
+/* Chooses how texels are drawn for quadrics or normals, both of which keep coordinates off the picture's edges. */
 static APART void choose_pixels(struct setup *s, const struct surface_corners *c)
 {
     struct at_corners at[4];
@@ -227,11 +227,11 @@ static APART void choose_pixels(struct setup *s, const struct surface_corners *c
     s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
 }
 
-/* 0: linear is good enough. Apart, as what it calls: there is no stack to spare. */
+/* 0: linear is good enough. APART, like the functions that it calls, because there is no stack to spare. */
 static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const unsigned steps = steps_of(s->draw);
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* between its corners it keeps what is linear */
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* its corners' cosines are interpolated */
     uint32_t h[3], apart = sheen_normals_apart(c->at.normal, h);
 
     if (apart <= widest_linear(steps) && !piece)

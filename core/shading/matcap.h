@@ -1,5 +1,5 @@
 /*
- * matcap.h - private to the room of matcaps: their set-up and how its rows are drawn.
+ * matcap.h - private to the room of matcaps: their set-up and the functions that draw its rows.
  */
 #ifndef SHEEN_MATCAP_H
 #define SHEEN_MATCAP_H
@@ -8,31 +8,34 @@
 #include "../triangle/textured.h"
 #include "shading.h"
 
-/* Along a row texel coordinates are linear over blocks of `detail` px, whose ends are those of the triangle's way. */
+/*
+ * Along a row texel coordinates are linear over blocks of `detail` px. At a block's ends they come from the quadrics or
+ * from the normal, according to the triangle's way.
+ */
 struct matcap_setup {
     struct setup s; /* fast: enum textured_pixels; detail: 1..LARGEST_BLOCK */
     union {
-        struct quadric quadric[2]; /* (1 + x of the normal) / 2 and (1 - y) / 2, UQ1.31: within the picture */
-        struct plane normal[3];    /* the normal before the eye times 1/m, Q1.30 */
+        struct quadric quadric[2]; /* (1 + x of the normal) / 2 and (1 - y) / 2, UQ1.31, within the picture */
+        struct plane normal[3];    /* the normal in eye space times 1/m, Q1.30 */
     };
     int16_t x, y; /* the pixel that quadrics count from */
 };
 
 #define LARGEST_BLOCK 32 /* px */
 
-/* What L.N of two lights would be x and y of the normal before the eye for. */
+/* Two lights along the eye's x and y axes: their L.N are x and y of the normal in eye space. */
 static const struct sheen_light eye_axes[2] = {{.to = {1 << 30, 0, 0}, .with_eye = 1},
                                                {.to = {0, 1 << 30, 0}, .with_eye = 1}};
 
-/* (1 + x) / 2 of the picture's 2^size texels, Q16.16, within its edges; x: Q0.15. */
+/* (1 + x) / 2 of the picture's 2^size texels, Q16.16, held at least `edge` inside the picture; x: Q0.15. */
 static inline int32_t texel_at_cosine(int32_t x, unsigned size, int32_t edge)
 {
     return max32(edge, min32((x + 32768) * (1 << size) + BORDER_BIAS, (1 << (16 + size)) - edge));
 }
 
 /*
- * x and y of a normal of any length brought to 1.0, Q0.15; 0 where it has none. Range: parts are below
- * 2^15, the largest 2^14 or more, so a part times half of the root is at most 2^30.
+ * x and y, Q0.15, of a normal of any length after it is normalised; 0 if it is too short to have a direction. Range:
+ * parts are below 2^15, the largest is 2^14 or more, so a part times half of the root is at most 2^30.
  */
 static inline void cosines_of(const uint32_t normal[3], int32_t *x, int32_t *y)
 {

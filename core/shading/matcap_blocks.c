@@ -1,11 +1,11 @@
 /*
- * matcap_blocks.c - rows of matcaps by blocks: between its ends texel coordinates are linear.
+ * matcap_blocks.c - rows of matcaps in blocks: between a block's ends texel coordinates are linear.
  */
 #include "matcap.h"
 
 /* Columns of a row that are left to draw. */
 struct row_left {
-    struct texel_run run; /* its next pixel */
+    struct texel_run run; /* from the next pixel on */
     int32_t left;
     struct texel_at at, step;
 };
@@ -43,12 +43,12 @@ static void put_block(struct row_left *r, int32_t count)
 
 /* ---- quadratic ---- */
 
-/* A coordinate along a row: at a pixel, what the next one has more, and what that has more each time. */
+/* A texel coordinate along a row: its value at a pixel, its step per pixel and the change of that step (bend). */
 struct curve {
     uint32_t value, step, bend;
 };
 
-/* To before the end of a block of `count` px, whose step is returned. */
+/* Moves past a block of `count` px and returns the mean step per pixel in it. */
 static uint32_t curve_on(struct curve *c, uint32_t count)
 {
     const uint32_t step = c->step + (uint32_t)asr32((int32_t)((count - 1) * c->bend), 1);
@@ -90,13 +90,13 @@ void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
 
 /* ---- normals ---- */
 
-/* Where a block ends: the normal there and its texel. */
+/* The end of a block: the normal there and its texel. */
 struct block_end {
     uint32_t n[3];
     uint32_t u, v;
 };
 
-/* The texel of e->n, of any length; the middle where it has none. */
+/* Finds the texel of e->n, a normal of any length; the picture's middle if it is too short to have a direction. */
 static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
 {
     int32_t x, y;
@@ -118,7 +118,7 @@ static uint32_t share_to(uint32_t from, uint32_t to, int32_t count)
     return (uint32_t)(count == 1 ? difference : mul_16_32(shares[count], difference));
 }
 
-/* The row's last block ends in its last pixel: beyond, there may be no normal. */
+/* The row's last block ends at its last pixel, because beyond the triangle there may be no normal. */
 static void normal_row(const struct matcap_setup *m, struct row_left *r)
 {
     const struct sheen_texture *t = m->s.draw->texel.texture;

@@ -1,12 +1,12 @@
 /*
- * matcap_colored.c - matcaps times colours of vertices: the normal, or texel coordinates, and colour by the corners'
- * shares.
+ * matcap_colored.c - matcaps times colours of vertices: the normal or the texel coordinates, and the colour, are
+ * interpolated with the corners' shares.
  */
 #include "../triangle/colored_texels.h"
 #include "../triangle/normal.h"
 #include "matcap.h"
 
-/* The material's colour is all the light that there is. */
+/* There are no lights: ambient light of 1.0 shows the base colour as it is. */
 static COLD void matcap_colored_begin(struct draw *d, const struct sheen_material *material,
                                       const struct pixel_format *format, const struct sheen_object *object,
                                       const struct sheen_pose *view)
@@ -34,7 +34,7 @@ static void texel_of_unit(const struct sheen_texture *t, const uint32_t normal[3
     texel_of_cosines(t, x, y, at);
 }
 
-/* by_pixel: normals are brought over the triangle, else texel coordinates. */
+/* by_pixel: normals are interpolated over the triangle, else texel coordinates. */
 static APART void matcap_corners(const struct setup *s, int by_pixel, struct texel_corners *corners)
 {
     const struct lighting *l = &s->draw->light;

@@ -54,7 +54,7 @@ static void textured_setup(struct setup *s, struct surface_corners *c, const str
     if (!s->draw->texel.unlit) {
         const struct sheen_mesh *mesh = s->draw->mesh;
         const int16_t *normal[3];
-        for (int k = 0; k < 3; k++) /* corners of pieces have none and need none */
+        for (int k = 0; k < 3; k++) /* corners of pieces have no normals and need none */
             normal[k] =
                 (c->at.v[k]->flags & LIT_AS_SEEN) != 0 ? NULL : mesh->normals + (c->at.normal[k] - mesh->uvs) / 2 * 3;
         (void)corners_lit(s, c, normal, lit);
@@ -72,7 +72,7 @@ static void textured_flat_setup(struct setup *s, struct surface_corners *c, cons
     textured_as(s, c, g, lit);
 }
 
-/* A vertex keeps its intensities, where there are any. */
+/* A vertex keeps its intensities; they are 0 if the draw is unlit. */
 static void textured_light(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
 {
     struct lit lit = {0, 0};

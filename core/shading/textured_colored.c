@@ -1,11 +1,11 @@
 /*
- * textured_colored.c - textures under light with colours, with colours of vertices and point lights: light at the
- * corners has three channels, and a highlight, which texels do not multiply, three more.
+ * textured_colored.c - textures under coloured lights and point lights, with vertices' colours: light at a corner has
+ * three channels, and a highlight, which is not multiplied by texels, has three more.
  */
 #include "../triangle/colored_texels.h"
 #include "shading.h"
 
-/* What the corners glow: each by its normal, or all by the polygon's. */
+/* Light at the corners: from the vertices' normals, or (is_flat) at all of them from the polygon's. */
 static void corners_glow(const struct setup *s, uint32_t triangle, int is_flat, struct glow glow[3])
 {
     const int back = s->detail & SHARES_BACK;
@@ -19,7 +19,7 @@ static void corners_glow(const struct setup *s, uint32_t triangle, int is_flat, 
         sheen_vertex_glow(s->draw, 3 * (ptrdiff_t)mesh_index(s->draw->mesh, 3 * triangle + k), back, &glow[k]);
 }
 
-/* Apart: what it works with is off the stack when texels are drawn. */
+/* APART, so that its variables have left the stack when texels are drawn. */
 static APART void corners_of(const struct setup *s, int is_flat, struct texel_corners *corners)
 {
     const struct shares_setup *q = (const struct shares_setup *)s;
