@@ -1,6 +1,6 @@
 /*
- * phong.c - normals at the corners to L.N, V.N and N.N over the triangle (lecture, "Clever Implementation"; the change
- * in D as mended: its second difference is constant), and the choice among Phong's ways.
+ * phong.c - makes L.N, V.N and N.N over the triangle from normals at its corners (lecture, "Clever Implementation",
+ * with the change in D corrected: its second difference is constant), and chooses among Phong's ways.
  */
 #include "phong.h"
 #include "../triangle/normal.h"
@@ -8,20 +8,26 @@
 SETUP_FITS(struct phong_setup);
 SETUP_FITS(struct phong_cells_setup);
 
-/* px: where a triangle is magnified beyond, what its corners' 16 bits are off by is that of thousands of pixels. */
+/* px: in a triangle magnified beyond this, thousands of pixels share the error of its corners' 16 bits. */
 #define LARGEST_BY_ROOT 2048
-#define SMALLEST_CELLS (4u << 2 * 3) /* px: four of 8 px square */
+#define SMALLEST_CELLS (4u << 2 * 3) /* px: four cells of 8 by 8 */
 #define FAR_SUM 26000                /* UQ0.15: the sum of |Ni - Nj|^2 / 4 is 0.8 */
 
 /* ---- one light, normals far apart ---- */
 
-/* N.N from 15 bits of steps is off by h 4^stretch: UQ.16 of it, 4 h = |Ni - Nj|^2; four times for n <= 32; */
+/*
+ * Limits of this way. Steps of 15 bits leave N.N off by h 4^stretch, with 4 h = |Ni - Nj|^2: up to MOST_STRETCHED,
+ * UQ.16, of that is allowed, four times as much for n <= 32. And N.N gets too small if normals are over 50 degrees
+ * apart (FAR_APART) while 1/m changes along an edge by over 1/4 of its mean (ROOT_LEAN).
+ */
 #define MOST_STRETCHED (24u << 16)
-/* and where it gets small: 50 degrees and 1/m over an edge in the ratio of 1 1/4 at once. */
 #define FAR_APART 767107767u
 #define ROOT_LEAN 65536
 
-/* |wi Ni - wj Nj|^2 = wi wj h + (wi - wj)^2 is what N.N lacks between corners: Q.17. w: UQ0.15, up to 1.0. */
+/*
+ * The excess (quadric.c) of N.N on an edge: -|wi Ni - wj Nj|^2 = -(wi wj h + (wi - wj)^2), Q.17. h: |Ni - Nj|^2;
+ * w: UQ0.15, up to 1.0.
+ */
 static int32_t square_excess(const int32_t w[3], int i, int j, uint32_t h)
 {
     uint32_t product = (uint32_t)(w[i] * w[j]) >> 15, apart = (uint32_t)((w[i] - w[j]) * (w[i] - w[j]));
@@ -49,7 +55,7 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
     }
 }
 
-/* 0 where N.N would be off. */
+/* 0 if N.N would not be exact enough. */
 static APART COLD int square_root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
                                       const struct facing *f)
 {
@@ -57,9 +63,9 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
     struct quadric_steps steps;
     int32_t w[3], lean[3];
 
-    if (!sheen_quadric_steps(&steps, g)) /* nor for needles: 2^16 shifted by 2 stretch stays in 32 bits */
+    if (!sheen_quadric_steps(&steps, g)) /* refuses needles too, so 2^16 << 2 stretch stays in 32 bits */
         return 0;
-    const unsigned more = s->draw->power.shininess > 32 ? 0 : 2; /* a highlight makes n times as much of it */
+    const unsigned more = s->draw->power.shininess > 32 ? 0 : 2; /* a highlight multiplies the error by n */
     if ((g->stretch > 0 && (f->apart >> 16) << 2 * g->stretch > MOST_STRETCHED << more) ||
         (f->apart > FAR_APART && !sheen_leans(lean, c, ROOT_LEAN)))
         return 0;
@@ -80,7 +86,10 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
 
 /* ---- several lights, and one over large triangles or what the others do not take ---- */
 
-/* Weights up to 2^15: what differences lack of 15 bits makes a second plane, but where planes have 64 bits anyway. */
+/*
+ * The plane of w x, w up to 2^15. sheen_plane takes differences of 15 bits; the bits cut off make a second plane,
+ * except where planes are made in 64 bits anyway.
+ */
 static struct plane fine_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3])
 {
     const int32_t f[3] = {w[0] * x[0], w[1] * x[1], w[2] * x[2]};
@@ -98,16 +107,16 @@ static struct plane fine_plane(const struct gradients *g, const int32_t w[3], co
     return p;
 }
 
-/* Over a cell the normal may turn by so many 1/1000 rad; by half of that where normals are far apart. */
+/* How far the normal may turn over a cell, in 1/1000 rad; half as far if normals are far apart. */
 static uint32_t cell_turn(const struct draw *d, int far)
 {
-    static const uint8_t turn[2][3] = {{200, 140, 70}, {100, 65, 33}}; /* also for highlights above 1/2 */
+    static const uint8_t turn[2][3] = {{200, 140, 70}, {100, 65, 33}}; /* second row: highlights above 1/2 */
     const unsigned n = d->power.shininess;
 
     return (uint32_t)turn[d->strong][n > 32 ? 2 : n > 16 ? 1 : 0] >> far;
 }
 
-/* N.N of the shortest corner normal, UQ0.15: pieces' are linear between those of a mesh. */
+/* N.N of the shortest corner normal, UQ0.15: pieces' normals are linear between the mesh's, and so shorter than 1.0. */
 static uint32_t shortest_of(const struct surface_corners *c)
 {
     uint32_t least = UINT32_MAX;
@@ -129,9 +138,9 @@ static uint32_t square_of_steps(uint32_t x, uint32_t y, uint32_t z)
 }
 
 /*
- * What goes into detail, 0: too steep or too small for cells. The normal turns by at most |Nx| / |N| a
- * px; over the triangle N.N is at least the smallest weight's square times the shortest normal's less the sum of
- * |Ni - Nj|^2 / 4.
+ * The value of `detail`; 0: the triangle is too steep or too small for cells. The normal turns by at most |Nx| / |N|
+ * per pixel. Over the triangle N.N is at least the smallest weight's square times the difference of the shortest
+ * normal's N.N and the sum of |Ni - Nj|^2 / 4.
  */
 static unsigned cells_of(const struct phong_normals_setup *p, const struct surface_corners *c,
                          const struct gradients *g, const struct facing *f, const int32_t w[3])
@@ -156,8 +165,8 @@ static unsigned cells_of(const struct phong_normals_setup *p, const struct surfa
         shift--;
     if (shift < 3)
         return 0;
-    /* where the tile's thresholds are others than squares take, it is no draw of 565's own loops; */
-    /* 4 px apart it is off by at most 4^2 / 8 of its second difference, 4 n rate: 1/6 level */
+    /* draws with other dither thresholds than squares have do not set is_565: see take_general_loops */
+    /* linear over 4 px, a highlight is off by at most 4^2 / 8 of its second difference, 4 n rate: 1/6 level */
     const uint32_t most = draw->colour.c[0] > draw->colour.c[1] ? draw->colour.c[0] : draw->colour.c[1];
     int squares = draw->is_565 && draw->loop.usable && rate < 1u << 16 &&
                   (rate * draw->power.shininess >> 8) * (most >> 7) < 10486u >> far;
@@ -179,7 +188,7 @@ COLD void sheen_phong_lights_rows(const struct tile *t, const struct setup *s)
     }
 }
 
-/* N's planes times a unit vector, Q1.30; exact at the origin pixel. Off by 2^-31 a px. */
+/* The plane of N.v for a unit vector v, Q1.30; exact at the origin pixel, off by 2^-31 per pixel from there. */
 static struct plane dot_plane(const struct plane normal[3], const struct gradients *g, const int32_t v[3])
 {
     const int32_t x = g->origin[0], y = g->origin[1];
@@ -195,7 +204,7 @@ static struct plane dot_plane(const struct plane normal[3], const struct gradien
     return p;
 }
 
-/* Planes of N. f: of one light, cells are wanted; NULL else. Returns 0 where there are none. */
+/* Makes the planes of N. f: of the one light, if cells are wanted, else NULL. Returns 0 if there can be no cells. */
 static APART int normal_planes(struct setup *s, struct surface_corners *c, const struct gradients *g,
                                const struct facing *f)
 {
@@ -234,7 +243,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         return;
     }
     if (lights == 1) {
-        const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* these keep no cosines */
+        const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces keep no cosines */
         sheen_face(&f, c);
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&

@@ -7,7 +7,7 @@
 #include "../triangle/reflection.h"
 #include "shading.h"
 
-/* One light, a root a pixel. */
+/* One light, one root per pixel. */
 struct phong_setup {
     struct setup s;
     int16_t x, y;             /* the pixel that `square` counts from */
@@ -15,7 +15,7 @@ struct phong_setup {
     struct quadric square;    /* N.N, UQ1.31 */
 };
 
-/* Several lights, or one by cells, and what the other ways do not take. */
+/* Several lights, one light by cells, and triangles that the other ways do not take. */
 struct phong_normals_setup {
     struct setup s;         /* detail: of cells, CELL_SHIFT and CELLS_IN_SQUARES */
     struct plane normal[3]; /* N, Q1.30 */
@@ -27,9 +27,9 @@ struct phong_cells_setup {
 };
 
 #define CELL_SHIFT(s) ((s)->detail & 7u) /* the logarithm of a cell's size, px */
-#define CELLS_IN_SQUARES 8u              /* between channels 4 px apart a highlight is linear */
+#define CELLS_IN_SQUARES 8u              /* a highlight's channels may be linear over squares of 4 px */
 
-/* What `to` has more, in 4 steps. */
+/* The step per pixel between channels that are 4 px apart. */
 SPECIALISED struct packed packed_quarter(struct packed from, struct packed to)
 {
     struct packed quarter = {(uint32_t)asr32((int32_t)((to.red_blue >> 1) - (from.red_blue >> 1)), 1),
@@ -38,12 +38,12 @@ SPECIALISED struct packed packed_quarter(struct packed from, struct packed to)
     return quarter;
 }
 
-/* Of squares of 4 px: a lower corner, and in which steps of a row it comes from the one above. */
+/* A lower corner of squares of 4 px, and the step per row by which it is reached from the corner above. */
 struct square_corner {
     struct packed at, down;
 };
 
-/* The squares from column x to before x1, the rows y to before `end` of them. */
+/* A line of squares: columns x to before x1, of which rows y to before `end` are drawn. */
 struct square_line {
     const struct plane *depth;
     int32_t x, x1, y, end;
@@ -52,19 +52,19 @@ struct square_line {
 };
 
 /*
- * phong_cell_rows.c: columns x to before x1 of row y, within a square; whole squares, in the order of a panel's bus:
- * 1 where no row has parts of others.
+ * phong_cell_rows.c. sheen_part_of_square: columns x to before x1 of row y, within one square. sheen_whole_squares: the
+ * whole squares of a line, in a panel's byte order; 1 if no row has parts of squares besides.
  */
 void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y);
 int sheen_whole_squares(const struct tile *t, const struct square_line *l);
 
-/* Pixels of a row: at the first, and what the next one has more; d: N.N, whose step changes by `bend`. */
+/* Pixels of a row: values at the first, and steps per pixel; d: N.N, whose step changes by `bend` at each pixel. */
 struct root_run {
     uint32_t z, ln, nv, d, step;
     uint32_t dz, dln, dnv, bend;
 };
 
-/* phong_rows.c: columns x to before x1, x < x1; *run is used up. */
+/* phong_rows.c: draws columns x to before x1, x < x1; *run is stepped on. */
 void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
                     struct root_run *run);
 

@@ -1,10 +1,10 @@
 /*
- * phong_cell_rows.c - pixels of cells by squares of 4 px whose channels are exact at their corners and linear between.
+ * phong_cell_rows.c - pixels of cells in squares of 4 px whose channels are exact at the corners and linear between.
  */
 #include "../triangle/packed_rows.h"
 #include "phong.h"
 
-/* Where row y crosses a square's side. */
+/* Channels where row y crosses the square's side above a lower corner. */
 SPECIALISED struct packed side_at(const struct square_corner *corner, int32_t y)
 {
     const uint32_t below = 4u - ((uint32_t)y & 3u);
@@ -29,7 +29,7 @@ void sheen_part_of_square(const struct tile *t, const struct square_line *l, int
 }
 
 #if FAST_LOOPS
-/* A step a pixel: sums made in advance have no registers. */
+/* Steps once per pixel, because there are no registers for sums made in advance. */
 SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
                               const struct packed_way *way, const threshold_t *thresholds)
 {
@@ -39,7 +39,7 @@ SPECIALISED void square_pixel(const struct tile *t, uint16_t *depth, struct pack
     OPAQUE(at->colour.green);
 }
 
-/* Whole squares from the corner at column x of row y on, in the order of a panel's bus. */
+/* One row of whole squares, `count` px from column x on, in a panel's byte order. */
 SPECIALISED void squares_run(const struct tile *t, const struct square_line *l, int32_t x, int32_t count, int32_t y,
                              unsigned dither)
 {

@@ -1,23 +1,23 @@
 /*
  * phong_cells.c - Phong over large triangles: cells of 8, 16 or 32 px square on the target, L.N and 1 - R.V exact
- * at 3 x 3 nodes of each and quadratic between. What a cell is made of depends on the triangle alone, so any band
- * gives the same pixels.
+ * at 3 x 3 nodes of each and quadratic between. A cell's values depend on the triangle alone, so pixels are the same in
+ * whichever band they are drawn.
  */
 #include "../math/inverse.h"
 #include "phong.h"
 
 /* ---- nodes ---- */
 
-/* L.N, Q1.30 and half a step of UQ1.15, below 1.0; and half of the power table's argument. */
+/* f: L.N, Q1.30, plus half a step of UQ1.15, below 1.0; u: half of the power table's argument. */
 struct node {
     int32_t f, u;
 };
 
-#define MOST_NODE 0x70000000 /* of u: 3.5 ranges of the power table, no cell with a highlight comes near */
+#define MOST_NODE 0x70000000 /* of u: 3.5 times the power table's range; cells with a highlight stay far below */
 
 /*
- * N in Q1.30 times itself, UQ2.30, off by a few steps. Range: cells reach so little beyond the triangle that |N| stays
- * below 1.3.
+ * N.N, UQ2.30, of N in Q1.30, off by a few steps. Range: cells reach so little beyond the triangle that |N| stays below
+ * 1.3.
  */
 static uint32_t node_square(const struct plane normal[3], int32_t x, int32_t y)
 {
@@ -32,8 +32,8 @@ static uint32_t node_square(const struct plane normal[3], int32_t x, int32_t y)
 }
 
 /*
- * To 2^-26 and not to a pixel's 2^-15: where a triangle is magnified, what a node is off by is that of thousands of
- * pixels, and of it a highlight makes n times as much.
+ * Computed to 2^-26, not to the 2^-15 of a pixel: in a magnified triangle thousands of pixels share a node's error, and
+ * a highlight multiplies it by n.
  */
 static struct node node_at(const struct phong_cells_setup *p, int32_t x, int32_t y)
 {
@@ -51,7 +51,7 @@ static struct node node_at(const struct phong_cells_setup *p, int32_t x, int32_t
     const int32_t ln = (int32_t)((uint32_t)over(length, (int32_t)plane_at(&p->light, x, y)) << (up + 1));
     const int32_t nv = (int32_t)((uint32_t)over(length, (int32_t)plane_at(&p->view, x, y)) << (up + 1));
     node.f = min32(max32(ln, -most), most) + (1 << 14);
-    /* halves on the way, so that nothing overflows */
+    /* halves of both terms, so that nothing overflows */
     const int32_t u = asr32(d->light.lv1[0], 1) - 2 * PRODUCT_FORM(high)(ln, nv);
     node.u = min32(max32(u, 0), MOST_NODE >> power_up) * (1 << power_up) + (int32_t)(POWER_GUARD / 2);
     return node;
@@ -59,7 +59,7 @@ static struct node node_at(const struct phong_cells_setup *p, int32_t x, int32_t
 
 /* ---- between nodes ---- */
 
-/* Through three nodes, half a cell apart: value, step and bend. */
+/* The quadratic through three nodes half a cell apart: value, step per pixel, and bend, the change of that step. */
 static void through(int32_t f0, int32_t f1, int32_t f2, unsigned shift, int32_t out[3])
 {
     int32_t half = 1 << (shift - 1), bend = asr32(f0, 1) - f1 + asr32(f2, 1);
@@ -69,12 +69,12 @@ static void through(int32_t f0, int32_t f1, int32_t f2, unsigned shift, int32_t 
     out[1] = asr32(f1, shift - 1) - asr32(f0, shift - 1) - asr32(out[2] * (half - 1), 1);
 }
 
-/* Value, step and bend along a row of the cell, and what they have more in the next row. */
+/* Value, step and bend (v, s, b) along a row of the cell, and how these change from row to row. */
 struct patch {
     uint32_t v, vy, vyy, s, sy, syy, b, by;
 };
 
-/* From row `row` of the cell on. */
+/* The patch through nodes f, from row `row` of the cell on. */
 static APART void patch_of(struct patch *p, int32_t f[3][3], unsigned shift, int32_t row)
 {
     int32_t x[3][3], along[3];
@@ -94,7 +94,7 @@ static APART void patch_of(struct patch *p, int32_t f[3][3], unsigned shift, int
     p->b = (uint32_t)x[0][2] + n * p->by;
 }
 
-/* n rows on, n 1 or 4. */
+/* Moves n rows down, n = 1 or 4. */
 SPECIALISED void patch_down(struct patch *p, uint32_t n)
 {
     p->v += n * p->vy + n * (n - 1) / 2 * p->vyy;
@@ -104,15 +104,15 @@ SPECIALISED void patch_down(struct patch *p, uint32_t n)
     p->b += n * p->by;
 }
 
-/* The cell that is drawn, and the rows of it that are in the tile. */
+/* The cell that is drawn, and those of its rows that are in the tile. */
 struct cell {
     const struct phong_cells_setup *p;
     int32_t x, y, end;       /* first column, first row, one past the last */
-    int32_t left, right;     /* columns that the triangle has in this row of cells */
+    int32_t left, right;     /* columns that the triangle spans in this row of cells */
     const struct span *span; /* of row y */
     enum second second;
-    int squares;       /* by squares of 4 px */
-    struct patch f, u; /* at row y; squares: at that of their corners at or above it */
+    int squares;       /* 1: drawn in squares of 4 px */
+    struct patch f, u; /* at row y; with squares at their row of corners at or above y */
 };
 
 /* ---- pixels ---- */
@@ -126,7 +126,7 @@ static APART void cell_rows(const struct tile *t, struct cell *c)
 
     for (int32_t y = c->y; y < c->end; y++, span++) {
         int32_t x = max32(span->x0, c->x), x1 = min32(span->x1, c->x + size);
-        OPAQUE(f); /* what is stepped a row stays in memory */
+        OPAQUE(f); /* what is stepped once per row stays in memory */
         if (x < x1) {
             SHEEN_TAP(CELL_DULL, c->second == SECOND_NONE ? x1 - x : 0);
             SHEEN_TAP(CELL_POWER, c->second == SECOND_POWER ? x1 - x : 0);
@@ -150,13 +150,16 @@ static APART void cell_rows(const struct tile *t, struct cell *c)
     }
 }
 
-/* ---- pixels by squares of 4 px, channels exact at their corners and linear between ---- */
+/* ---- pixels in squares of 4 px, channels exact at the corners and linear between ---- */
 
-/* Words are multiples of 4, and red of 16: quarters down and then along are whole and do not reach blue. */
+/*
+ * The channels of a corner. Words are multiples of 4 and red is a multiple of 16, so that steps of a quarter, down and
+ * then along, are whole numbers and red's do not reach blue.
+ */
 static struct packed corner_of(const struct draw *d, uint32_t f, uint32_t u)
 {
     const struct loop_terms *q = &d->loop;
-    OPAQUE(q); /* terms stay where they are: there are no registers for all */
+    OPAQUE(q); /* the terms stay in memory: there are not enough registers for all */
     const uint32_t half = d->dither ? 0 : 1u << (LOOP_FRACTION - 1); /* of the one rounding */
     const uint32_t most_red = (31u << LOOP_FRACTION) + half, most_green = (63u << LOOP_FRACTION) + half;
     const uint32_t lit = not_negative(f) >> 15, specular = u < q->power_end ? power_entry(q->power, u) : 0;
@@ -168,7 +171,7 @@ static struct packed corner_of(const struct draw *d, uint32_t f, uint32_t u)
     return (struct packed){(r << 16) + b, clamped(g, most_green) << 2};
 }
 
-/* Corners 0 to `last`, from column 4 `from` of the cell on, at the patches' row; they were those of the row above. */
+/* Corners 0 to `last` at the patches' row, from column 4 * `from` of the cell on; on entry, those of the row above. */
 static APART void corner_row(const struct cell *c, struct square_corner *corner, int32_t from, int32_t last)
 {
     const struct draw *draw = c->p->of.s.draw;
@@ -200,7 +203,7 @@ static void draw_parts(const struct tile *t, const struct square_line *l, int32_
     }
 }
 
-/* Whole squares, then what spans have of others; or all in parts. */
+/* Whole squares first, then the parts of squares at the spans' ends; without a loop for whole ones, all in parts. */
 static APART void draw_squares(const struct tile *t, const struct square_line *l)
 {
     const int whole = FAST_LOOPS && t->format->swap;
@@ -252,7 +255,7 @@ static void node_column(const struct phong_cells_setup *p, int32_t x, int32_t to
     }
 }
 
-/* Patches from the nodes, and how the cell is drawn. */
+/* Makes the patches from the nodes, and chooses how the cell is drawn. */
 static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
 {
     const struct setup *s = &c->p->of.s;
@@ -264,9 +267,9 @@ static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
             least = min32(least, u[j][i]);
             darkest = min32(darkest, f[j][i]);
         }
-    /* between nodes it lies below them by less than 2^-5 of the table's range */
+    /* between nodes u falls below theirs by less than 2^-5 of the table's range */
     c->second = least - (1 << 24) < (int32_t)(s->draw->loop.power_end / 2) ? SECOND_POWER : SECOND_NONE;
-    /* no line fits where a highlight begins to fade, 1/8, and where light ends */
+    /* squares need light that is linear: not where a highlight begins to fade (L.N = 1/8) nor where light ends */
     const int32_t bent = c->second == SECOND_POWER ? FADED << 15 : 0;
     c->squares = (c->second == SECOND_POWER || s->draw->dither) && (s->detail & CELLS_IN_SQUARES) != 0 &&
                  darkest > bent + (1 << 25);
@@ -278,7 +281,7 @@ static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
         c->u = (struct patch){.v = INT32_MAX}; /* beyond the power table */
 }
 
-/* The cell at column x; right: nodes of its left side, then of its right one. Apart: nodes leave the stack. */
+/* Makes the cell at column x. right: in, nodes of its left side; out, of its right. APART: nodes leave the stack. */
 static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
 {
     const int32_t size = 1 << CELL_SHIFT(&c->p->of.s), top = c->y & -size;
@@ -298,7 +301,7 @@ static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
     cell_begin(c, f, u);
 }
 
-/* The columns that a row of cells spans; 0: none. */
+/* Finds the columns that the triangle spans in a row of cells; 0: none. */
 static int columns_of(struct cell *c)
 {
     c->left = INT32_MAX;

@@ -1,6 +1,6 @@
 /*
- * phong_colored.c - Phong shading with colours of vertices and lights: at a pixel its normal is lit, and its colour
- * multiplies that.
+ * phong_colored.c - Phong shading with colours of vertices and lights: the normal of each pixel is lit, and the light
+ * is multiplied by the pixel's colour.
  */
 #include "../triangle/reflection.h"
 #include "../triangle/tinted.h"
@@ -8,7 +8,7 @@
 
 static void phong_colored_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* what these have as normals are shares */
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces have shares in place of normals */
 
     if (g == NULL || piece || !sheen_setup_tinted_quadrics(s, c, g, (uint32_t)s->draw->widest << 21))
         sheen_setup_tinted(s, c, g);

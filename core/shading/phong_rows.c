@@ -4,22 +4,22 @@
  *
  * With N(x, y) linear on the screen (times 1/m: Blinn's way, the factor drops
  * out), L.N and V.N are linear and D = N.N is quadratic: adds only. One
- * r = 1/sqrt(D) a pixel gives both terms,
+ * r = 1/sqrt(D) per pixel gives both terms,
  *   diffuse  = (L.N) r,   R.V = 2 (L.N)(V.N) r^2 - L.V.
  * Over a triangle the result does not depend on its orientation.
  */
 #include "../triangle/normal.h"
 #include "phong.h"
 
-/* A dot product with N over |N|: Q1.30 times UQ1.15 to Q0.15; modulo 2^32, should a sliver's rounding part the two. */
+/* A dot product with N, Q1.30, times 1 / |N|, UQ1.15: Q0.15. Modulo 2^32, as rounding on a sliver may part the two. */
 SPECIALISED int32_t normalised(int32_t dot, uint32_t root)
 {
     return asr32((int32_t)((uint32_t)asr32((int32_t)((uint32_t)dot + HALF), 15) * root + HALF), 15);
 }
 
 /*
- * D outside the root table's [1/4, 1 + 1/512): it is brought back by a power of four and L.N, V.N by its root.
- * Returns 0 where there is no direction left.
+ * Brings D from outside the root table's range [1/4, 1 + 1/512) into it by a power of four, and L.N and V.N along by
+ * the root of that. Returns 0 if N is too short to have a direction.
  */
 static int rescale(uint32_t *d, int32_t *ln, int32_t *nv)
 {
@@ -45,11 +45,11 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
 
     if (ln <= 0 || (d - ROOT_LOWEST >= ROOT_RANGE && !rescale(&d, &ln, &nv)))
         return lit;
-    /* Range: L.N <= sqrt(D) but where N nearly vanishes, between opposite normals: the product stays below 2^31. */
+    /* Range: L.N <= sqrt(D), except between opposite normals, where N nearly vanishes: the product is below 2^31. */
     uint32_t root = root_seed(d);                                           /* UQ1.15 */
     uint32_t diffuse = ((((uint32_t)ln + HALF) >> 15) * root + HALF) >> 15; /* Q0.15 */
     lit.diffuse = diffuse < 32768 ? diffuse : 32768;
-    /* u = 1 - R.V = (1 + L.V) - 2 (L.N)(V.N), Q2.29: a product of two Q0.15 is half of itself there */
+    /* u = 1 - R.V = (1 + L.V) - 2 (L.N)(V.N), Q2.29: a product of two Q0.15 is Q0.30, so as Q2.29 it is doubled */
     int32_t u = (int32_t)((uint32_t)draw->light.lv1[0] - lit.diffuse * (uint32_t)normalised(nv, root));
     if (u < (int32_t)draw->power.limit)
         lit.specular = highlight_at(draw->power, u, lit.diffuse);
@@ -66,7 +66,7 @@ SPECIALISED void root_step(struct root_run *at)
 }
 
 #if FAST_LOOPS
-/* On M0+ a pixel is a function of its own: it has the registers that it takes. */
+/* On M0+ a pixel is a function of its own, so that it has enough registers. */
 #if defined(__ARM_ARCH_6M__)
 #define PIXEL static APART
 #else
@@ -90,7 +90,7 @@ PIXEL uint32_t root_pixel(const struct root_row *row, int32_t ln, int32_t nv, ui
                       pair << (LOOP_FRACTION - 11));
 }
 
-/* 565 with the loop's terms: from the depth after `depth` to `last`. */
+/* 565 with the loop's terms: the pixels whose depths follow `depth`, up to `last` inclusive. */
 SPECIALISED void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
                                 uint16_t *depth, const uint16_t *last, const struct root_run *run)
 {
