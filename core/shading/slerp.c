@@ -1,12 +1,12 @@
 /*
- * slerp.c - a triangle whose rows lie between great arcs (lecture, "Spherical Linear Interpolation"), and which way
- * they take: narrow arcs as Phong, others by the arcs' series.
+ * slerp.c - set-up of triangles whose rows lie between great arcs (lecture, "Spherical Linear Interpolation"), and the
+ * choice of their way: narrow arcs as Phong, others by the arcs' series.
  */
 #include "slerp.h"
 
 SETUP_FITS(struct slerp_setup);
 
-/* `apart` of a right angle, the widest that cosines do; of 60 degrees where n is over 16: 15 bits are few there. */
+/* `apart` of a right angle, the widest arc for cosines; of 60 degrees if n is over 16, as 15 bits are too few then. */
 #define WIDEST_ARC (1u << 31)
 #define WIDEST_SHARP (1u << 30)
 
@@ -16,7 +16,7 @@ COLD void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corn
     unsigned from[3] = {0, 1, 2};
 
     s->long_right = 0;
-    for (unsigned i = 0; i < 3; i++) { /* a row's corners as they come, or turned the other way */
+    for (unsigned i = 0; i < 3; i++) { /* sorts by y; each exchange turns the corners' winding around */
         unsigned *upper = &from[i % 2], held = *upper;
         if (c->at.v[upper[1]]->y < c->at.v[held]->y) {
             upper[0] = upper[1];
@@ -44,7 +44,7 @@ COLD void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corn
         const unsigned upper = edge >> 1, lower = 2 - (edge & 1u);
         const uint32_t height = (uint32_t)(at[lower].y - at[upper].y);
         s->inverse[edge] = height > 0 ? QUOTIENT((1u << 31) + height / 2, height) : 0;
-        if (f != NULL) /* of pairs 01, 02, 12 by the sum of their numbers */
+        if (f != NULL) /* f->h holds edges 01, 02, 12: the place is the sum of both corners less 1 */
             s->h[edge] = (uint16_t)((f->h[from[upper] + from[lower] - 1] + (1u << 16)) >> 17);
     }
 }
@@ -52,7 +52,7 @@ COLD void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corn
 static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
 {
     const struct draw *d = setup->draw;
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* these keep no cosines */
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces keep no cosines */
     struct facing f = {.apart = UINT32_MAX};
 
     if (g == NULL || d->light.count == 0) {

@@ -4,12 +4,12 @@
 #include "../triangle/tinted.h"
 #include "slerp.h"
 
-/* As struct shares_setup, and where the corners are. */
+/* As struct shares_setup, with the corners' places and weights besides. */
 struct slerp_colored_setup {
     struct setup s;
     union shared_triangle of;
     struct shares shares;
-    int16_t x[3], y[3]; /* clockwise, as in struct slerp_corners */
+    int16_t x[3], y[3]; /* clockwise; in the units of struct slerp_corner */
     uint16_t weight[3];
 };
 SETUP_FITS(struct slerp_colored_setup);
@@ -29,7 +29,7 @@ static void draw_tinted(const struct tile *t, struct arc_row *r, const struct pa
     sheen_tinted_run(t, r->s->draw, p->x, p->x1, r->y, &row->run);
 }
 
-/* Of the mesh's order, which is counterclockwise where it is seen from the front. */
+/* Makes the corners. Normals come in the mesh's order, which is counter-clockwise for a front face. */
 static APART void tinted_corners(const struct slerp_colored_setup *s, struct slerp_corners *at)
 {
     struct surface_corners c = {.back = 0, .flat_weight = 0};
@@ -67,11 +67,11 @@ static void tinted_slerp_rows(const struct tile *t, const struct setup *setup)
     sheen_slerp_draw(t, &row.of);
 }
 
-/* Between normals that nearly agree arcs differ from what is linear by less than a level shows. */
+/* If normals nearly agree, linear ones suffice: arcs differ from them by less than a level shows. */
 static void slerp_colored_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
 {
     struct slerp_colored_setup *s = (struct slerp_colored_setup *)setup;
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* what these have as normals are shares */
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces have shares in place of normals */
     uint32_t h[3];
 
     if (g != NULL && !piece && sheen_setup_tinted_quadrics(setup, c, g, CLOSE_ARCS))

@@ -1,20 +1,20 @@
 /*
- * slerp_parts.c - rows cut into parts, even on the screen, with what lies at their ends by the arcs' series.
+ * slerp_parts.c - rows cut into parts of equal width on the screen; values at the parts' ends are by the arcs' series.
  *
- * One light: along edges and rows L.N and N.V go with the normals' arcs, and L.N and 1 - R.V are quadratic over a
- * part. Else normals are, linear over a part and brought to length 1 a pixel. What a part is hangs on the row and the
- * triangle alone, so any band gives the same pixels.
+ * With one light, L.N and N.V follow the normals' arcs along edges and rows, and L.N and 1 - R.V are quadratic over a
+ * part. Otherwise the normals follow the arcs; they are linear over a part and normalised at each pixel. Parts depend
+ * on the row and the triangle alone, so pixels are the same in whichever band they are drawn.
  */
 #include "../triangle/normal.h"
 #include "slerp.h"
 
-#define MOST_PARTS 4       /* the logarithm of their number, before perspective adds up to 2 */
-#define LEAST_PART 3       /* px: of less, each pixel for itself */
-#define WIDEST_NORMALS 159 /* sin^2(p/2), UQ0.15, of the widest parts by normals: 8 degrees; */
-#define WIDEST_16 487      /* by one light 14, 11, 7 degrees for shininess to 16, 32, 128; */
+#define MOST_PARTS 4       /* the logarithm of the most parts, before perspective adds up to 2 */
+#define LEAST_PART 3       /* px: if parts would be narrower, each pixel is computed by itself */
+#define WIDEST_NORMALS 159 /* sin^2(p/2), UQ0.15, of the widest part: with normals 8 degrees; */
+#define WIDEST_16 487      /* with one light 14, 11, 7 degrees for shininess up to 16, 32, 128; */
 #define WIDEST_32 301
 #define WIDEST_128 122
-#define WIDEST_DULL 802 /* 18 degrees outside highlights, where the row has less than 40 */
+#define WIDEST_DULL 802 /* 18 degrees outside highlights, if the whole row has less than 40 (DULL_ROW) */
 #define DULL_ROW 3833
 
 /* v t / 2^15, |v| < 2^22 and t < 2^17, or |v| < 2^23 and t <= 2^15 */
@@ -29,7 +29,7 @@ static inline int32_t times8(int32_t v, int32_t r)
     return asr32(v, 8) * r + asr32((v & 255) * r, 8);
 }
 
-/* t of the way from 1/m = a to b on the screen, UQ0.15, is so much in space; *weight: what is there. */
+/* How far in space t, UQ0.15, of the way on the screen is, from 1/m = a to 1/m = b; *weight: 1/m there. */
 static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weight)
 {
     uint32_t part = (uint32_t)t * b, all = part + (uint32_t)(32768 - t) * a; /* 2^15 to below 2^31 */
@@ -44,9 +44,9 @@ static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weig
 
 /* ---- one light: L.N and N.V ---- */
 
-#define HIGHEST_ARGUMENT 0xd0000000u /* 3.25 ranges of the power table: no part with a highlight comes near */
+#define HIGHEST_ARGUMENT 0xd0000000u /* 3.25 times the power table's range: no part with a highlight comes near */
 
-/* What lies at t: see struct arc_row. */
+/* The values at t of the way along the row, as in struct arc_row's `lit`. */
 static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
 {
     const int32_t *end = r->end[t >> 15];
@@ -61,7 +61,7 @@ static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
         ln = blended(share, r->end[0][0], r->end[1][0]);
         nv = blended(share, r->end[0][1], r->end[1][1]);
     }
-    OPAQUE_BOTH(r, ln); /* when there are registers */
+    OPAQUE_BOTH(r, ln); /* what follows is loaded here, when there are registers for it */
     const struct draw *d = r->s->draw;
     const unsigned up = d->power.up;
     const int32_t u = d->light.lv1[0] - ln * nv;
@@ -69,12 +69,12 @@ static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
     lit[1] = (int32_t)((((uint32_t)min32(max32(u, 0), (int32_t)(HIGHEST_ARGUMENT >> up)) << up) + POWER_GUARD) >> 15);
 }
 
-/* A value, what the next pixel has more, and what that has more each time. */
+/* A value, its step per pixel, and bend, the change of that step at each pixel. */
 struct bent_run {
     uint32_t value, step, bend;
 };
 
-/* Through what lies at a part's ends and middle, number k of struct arc_row's `lit`, at its first pixel: Q.30. */
+/* The quadratic through lit[0..2][k], a part's begin, middle and end, from its first pixel on: Q.30. */
 static APART struct bent_run bent_through(const struct arc_row *r, const struct part *p, unsigned k)
 {
     const int32_t f0 = r->lit[0][k], f1 = r->lit[2][k], up = (int32_t)p->up, n = p->n;
@@ -165,7 +165,7 @@ static unsigned lit_parts(const struct arc_row *r)
     return parts;
 }
 
-/* ---- else: normals ---- */
+/* ---- otherwise: normals ---- */
 
 static void normal_place(const struct arc_row *r, int32_t t, struct place *p)
 {
@@ -179,7 +179,7 @@ static void normal_place(const struct arc_row *r, int32_t t, struct place *p)
         p->part[i] = blended_part(&blend, i);
 }
 
-/* Times weights the normals are linear on the screen, as they are in space without. */
+/* Normals that are linear in space are linear on the screen once they are multiplied by weights. */
 COLD void sheen_slerp_normals(struct arc_row *r, const struct part *p, uint32_t n[3], uint32_t dn[3])
 {
     struct place end;
@@ -225,8 +225,8 @@ static void draw_normals(const struct tile *t, struct arc_row *r, const struct p
 /* ---- rows ---- */
 
 /*
- * Where a row crosses an edge, centre as below: the weight, and how far in space it is from the upper end, *t, UQ0.15.
- * Returns the column, px from the viewport's centre, Q15.16.
+ * Where a row crosses an edge: the weight there, and *t, how far from the upper end that is in space, UQ0.15. centre:
+ * as for begin_row. Returns the column, px from the viewport's centre, Q15.16.
  */
 static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, int32_t centre, uint32_t *weight,
                                  int32_t *t)
@@ -243,7 +243,7 @@ static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, 
     return a->x * 1024 + asr32(across * high, 5) + asr32(across * low, 20);
 }
 
-/* The arc from crossing to crossing, of normals; t: how far down edge 02 and `other` these are. */
+/* Begins the arc of normals between the crossings; t: how far down edge 02 and the other edge the crossings are. */
 static void begin_normals(struct arc_row *r, const struct arc arc[2], const int32_t t[2])
 {
     int16_t normal[2][3];
@@ -257,7 +257,7 @@ static void begin_normals(struct arc_row *r, const struct arc arc[2], const int3
     sheen_arc_begin(&r->arc, normal[0], normal[1]);
 }
 
-/* What lies at a crossing by one light, t down the edge from a to b. */
+/* L.N and N.V at a crossing, t of the way down the edge from a to b. */
 static inline void lit_crossing(const struct slerp_corner *a, const struct slerp_corner *b,
                                 const struct arc_series *series, int32_t t, int32_t share[2], int32_t end[2])
 {
@@ -267,9 +267,9 @@ static inline void lit_crossing(const struct slerp_corner *a, const struct slerp
 }
 
 /*
- * As begin_normals, by one light. The crossings' normals differ by the sum of ci Ni, of corners' unit normals, ci what
- * one takes of them more than the other, |ci| <= 1.0: |sum|^2 = (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ...,
- * Q0.15 and fourths.
+ * As begin_normals, with one light. The crossings' normals differ by the sum of ci Ni over the corners' unit normals
+ * Ni; ci is by how much Ni's share is larger at one crossing than at the other, |ci| <= 1.0. |sum|^2 =
+ * (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ... is computed in quarters, as h is: Q0.15.
  */
 static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
 {
@@ -295,7 +295,7 @@ static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned
     sheen_arc_series(&r->series, r->h);
 }
 
-/* The row at centre, 1/64 px from the viewport's, between edge 02 and `other`; their arcs are `arc`. */
+/* Begins the row at centre, 1/64 px from the viewport's, between edge 02 and edge `other`; arc: those edges' arcs. */
 static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
                             int32_t centre)
 {
@@ -314,13 +314,13 @@ static APART void begin_row(const struct tile *t, struct arc_row *r, const struc
     r->inverse = reciprocal_seed((uint32_t)r->width << r->up);
 }
 
-/* d, Q15.16 px, of 2^(31 - up) / inverse px, UQ0.15. */
+/* The share, UQ0.15, that d, Q15.16 px, has of 2^(31 - up) / inverse px. */
 static inline int32_t row_share(const struct arc_row *r, int32_t d, unsigned up)
 {
     return (int32_t)((((uint32_t)d << up) >> 16) * r->inverse >> 16);
 }
 
-/* Parts that would have less than LEAST_PART px: each pixel for itself. */
+/* If parts would have less than LEAST_PART px, each pixel is computed by itself. */
 static void draw_row(const struct tile *t, struct arc_row *r, const struct span *span)
 {
     const unsigned parts = r->parts(r);
@@ -366,7 +366,7 @@ static APART void begin_edge(struct arc *arc, const struct arc_row *r, unsigned 
 
 void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
 {
-    unsigned edge = 0; /* that arc[1] is of */
+    unsigned edge = 0; /* the one that arc[1] is of; 0: none yet */
     struct arc arc[2];
 
     begin_edge(&arc[0], r, 0);
