@@ -2,26 +2,27 @@
  * clip.c - triangles that leave the view volume are cut in eye space, once, in
  * sheen_draw(): near and far plane, then the guard band's four sides.
  *
- * Which side a corner lies on is what its flags say, and a corner inside is never
- * moved: a neighbour that was not cut has the same corner. An edge is always cut
- * from its inner end, so two triangles that share it get the same point. The
- * sides cut at 510.5 px, so that the point lies inside the guard band of 511, where it is held if raw steps are
- * coarser than half a px.
+ * A corner's flags say which side of a plane it lies on. A corner inside is never
+ * moved, because an uncut neighbour has the same corner. An edge is always cut
+ * from its inner end, so two triangles that share it get the same point. The sides
+ * cut at 510.5 px, so that the point lies inside the guard band of 511 px; if raw
+ * steps are coarser than half a px it is held at that band's limits.
  *
- * Attributes are linear in space, so that a cut changes none of them. Under affine
- * they are linear on the screen: there a point counts by where it lies on the
- * screen's edge, but for those that the near plane makes, which have no other end
- * there; they are corners like the triangle's own.
+ * Attributes are linear in space, so that a cut does not change them. In an affine
+ * view they are linear on the screen: there a cut point's shares follow from where it
+ * lies on the projected edge. Points on the near plane are an exception, because the
+ * other end of their edge has no place on the screen; they count like the triangle's
+ * own corners.
  *
  * A polygon of exact corners crosses a plane at most twice. One of rounded corners
- * may wind about the plane; only one run of its corners is then kept, so a plane
- * takes at least one corner away where it adds two: MAX_CLIP_CORNERS = 3 + CLIP_PLANES.
+ * may wind about the plane; then only one run of its corners is kept, so that a plane
+ * that adds two corners removes at least one: MAX_CLIP_CORNERS = 3 + CLIP_PLANES.
  */
 #include "vertex.h"
 
 #define CUT_SIDE (511 * 2 - 1) /* half px */
 
-/* Distance inside a plane (0..5: the order of enum vertex_flag), Q.24 lengths, any common scale for a side. */
+/* Distance inside a plane (0..5: the order of enum vertex_flag): a Q.24 length, for a side in some scale of the job. */
 static APART int64_t inside(const struct clip_job *job, const struct clip_corner *corner, unsigned plane)
 {
     const struct projection *p = job->projection;
@@ -33,7 +34,7 @@ static APART int64_t inside(const struct clip_job *job, const struct clip_corner
         return m - p->near;
     if (plane == 1)
         return p->far - m;
-    /* |x| focal <= side m, m fixed in an orthographic view. Range: 2^31 * 2^16, 2^31 * 2^24 */
+    /* |x| focal <= side m; orthographic, with a fixed m. Range: 2^31 * 2^16, 2^31 * 2^24 */
     int64_t across = (int64_t)(plane < 4 ? point->x : point->y) * (1 << 16);
     int64_t side = (p->orthographic != 0 ? p->orthographic : m) * CUT_SIDE << 14;
     if (exponent >= 0)
@@ -56,7 +57,7 @@ static int32_t fraction_of(int64_t part, int64_t whole)
     return (int32_t)(sheen_ratio((uint32_t)(part >> drop), (uint32_t)(whole >> drop)) >> 2);
 }
 
-/* Where on the screen's edge the point lies that is t of the way in space: t mb / ((1 - t) ma + t mb), both m > 0. */
+/* How far along the projected edge a point t of the way in space lies: t mb / ((1 - t) ma + t mb), both m > 0. */
 static int32_t on_screen(int32_t t, int64_t ma, int64_t mb)
 {
     int64_t part = t * mb; /* < 2^61 */
@@ -70,7 +71,7 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
 {
     const struct projection *p = job->projection;
     int64_t da = inside(job, a, plane), db = inside(job, b, plane);
-    /* inside or outside by its flags a point may lie on the other side of the cut: then it is the cut */
+    /* a corner may lie on another side of the cut than its flags say: then the cut is at that corner */
     int32_t t = da > 0 ? fraction_of(da, db < 0 ? da - db : da) : 0;
     int32_t share = job->on_screen ? on_screen(t, a->point.m, b->point.m) : t;
 
@@ -82,7 +83,7 @@ static void cut_edge(const struct clip_job *job, const struct clip_corner *a, co
     sheen_project(p, job->transform->screen_shift, &out->point, &out->v);
 }
 
-/* Of the corners that `out` does not name, a bit each, the run around the one that lies deepest inside the plane. */
+/* Masks of corners: among those not in `out`, the run around the one that lies deepest inside the plane. */
 static unsigned deepest_run(const struct clip_job *job, unsigned plane, unsigned out)
 {
     const unsigned count = job->count;
@@ -96,12 +97,12 @@ static unsigned deepest_run(const struct clip_job *job, unsigned plane, unsigned
             run = 1u << i;
         }
     }
-    for (unsigned i = 0; i < count; i++) /* a neighbour on either side; bits beyond the corners do not stay */
+    for (unsigned i = 0; i < count; i++) /* adds a neighbour on either side; bits beyond the corners are masked off */
         run = (run | run << 1 | run >> 1 | run << (count - 1) | run >> (count - 1)) & ~out & ((1u << count) - 1);
     return run;
 }
 
-/* The corners outside a plane, a bit each: none, or one run (round the end too), so that the rest is one as well. */
+/* The corners outside a plane, a bit each: none, or one run, which may wrap around, so that the rest is one run too. */
 static unsigned corners_outside(const struct clip_job *job, unsigned plane)
 {
     unsigned out = 0, count = job->count, all = (1u << count) - 1;
@@ -113,8 +114,8 @@ static unsigned corners_outside(const struct clip_job *job, unsigned plane)
 }
 
 /*
- * Sutherland and Hodgman's step: what of `in` lies inside a plane. Returns the number of corners: at most one more
- * than before, for one run of at least one corner gives way to the two points where the edges enter and leave it.
+ * Sutherland and Hodgman's step: cuts the polygon by a plane. Returns the number of corners: at most one more than
+ * before, because one run of at least one corner is replaced by the two points where the edges enter and leave it.
  */
 static unsigned cut_polygon(const struct clip_job *job, unsigned plane)
 {

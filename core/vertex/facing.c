@@ -1,10 +1,10 @@
 /*
- * facing.c - polygons that face away are passed over before any of their vertices is transformed.
+ * facing.c - back-face culling of polygons before any of their vertices is transformed.
  *
- * With the eye e and a polygon's normal n in the mesh's raw units, a polygon through p faces away where n.(p - e) > 0.
- * The margin holds what that is off by: the stored normal stands for all of the polygon's triangles (its warp),
- * e is cut to 14 bits, a rotation need not be one exactly. So only what faces away is skipped; the rest is left to the
- * area on the screen. Orthographic, e is the direction to the eye and p does not count.
+ * With the eye e and a polygon's normal n in the mesh's raw units, a polygon through p faces away if n.(p - e) > 0. A
+ * margin covers the error of that: the stored normal stands for all of the polygon's triangles (its warp), e is cut to
+ * 14 bits, and the rotation may be slightly off. So only polygons that do face away are skipped; the others are decided
+ * by their area on the screen. In an orthographic view e is the direction to the eye and p does not count.
  */
 #include "../math/newton.h"
 #include "../math/pose.h"
@@ -14,11 +14,11 @@
 #define MOST_SHIFT 13
 #define WARP_BITS 10
 #define CORNER 56756          /* sqrt(3) * 2^15: how far a raw position may lie from the origin */
-#define ROUNDED (3 << 16)     /* n times what e is off by: 56,760 for its cut, as much for the origin, 45,000 for R */
-#define STRAIGHT (1 << 14)    /* Q1.30: rows that are off by more are no rotation to rely on */
-#define LEAST_SCALE (1 << 16) /* Q7.24: the origin is off by 4 of its steps at the most, which are 2 raw ones then */
+#define ROUNDED (3 << 16)     /* n times the error of e: 56,760 from its cut, as much from the origin, 45,000 from R */
+#define STRAIGHT (1 << 14)    /* Q1.30: a rotation whose rows are off by more is not relied on */
+#define LEAST_SCALE (1 << 16) /* Q7.24: the origin is off by at most 4 of its steps, here at most 2 raw steps */
 
-/* 1 where the rows turn what they are given, and do not mirror it. Range: volume is about 2^28, or less that. */
+/* 1 if the matrix rotates and does not mirror. Range: volume, its determinant, is about 2^28 or -2^28. */
 static int turns(const sheen_q30_t r[9])
 {
     int32_t volume = 0;
@@ -32,9 +32,9 @@ static int turns(const sheen_q30_t r[9])
 }
 
 /*
- * The eye, -R^T origin / scale, in as many bits as there are; no test where it lies 2^27 raw units away or more. The
- * origin comes as v = origin * 2^up in 31 bits; R^T v * 2^(31 - zeros) / scale is the eye in raw units, times 2^(16 +
- * up - zeros), which is more than 1, and less than 2^15 times.
+ * The eye, -R^T origin / scale, with as many bits as fit; there is no test if it is 2^27 raw units away or more. The
+ * origin is used as v = origin * 2^up in 31 bits; R^T v * 2^(31 - zeros) / scale is the eye in raw units times
+ * 2^(16 + up - zeros), a factor of at least 1 and less than 2^15.
  */
 static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9], const sheen_q24_t origin[3],
                      uint32_t scale)
@@ -43,7 +43,7 @@ static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9],
                    room = clz32(scale | magnitude32(origin[0]) | magnitude32(origin[1]) | magnitude32(origin[2])) - 1;
     const int32_t inverse = (int32_t)(sheen_reciprocal(scale << zeros) >> 1);
     unsigned shift = 1, drop = 16 + room - zeros; /* room = up + 1 */
-    uint32_t all = 0, distance = 6;               /* a step each for what is cut off */
+    uint32_t all = 0, distance = 6;               /* a step for each number that is cut */
     int32_t v[3], eye[3];
 
     for (int k = 0; k < 3; k++)
@@ -86,7 +86,7 @@ COLD void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projec
         find_eye(viewpoint, pose->rotation, origin, (uint32_t)scale);
 }
 
-/* n.v modulo 2^32; a unit n and |v| < 2^16 fit. */
+/* n.v modulo 2^32; exact for a unit n and |v| < 2^16. */
 static inline int32_t facing_dot(const int16_t n[3], int32_t x, int32_t y, int32_t z)
 {
     return (int32_t)((uint32_t)n[0] * (uint32_t)x + (uint32_t)n[1] * (uint32_t)y + (uint32_t)n[2] * (uint32_t)z);

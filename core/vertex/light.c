@@ -1,13 +1,13 @@
 /*
  * light.c - ambient + diffuse + specular at a normal (lecture, "Illumination Models").
  *
- * Lights and the eye are turned into model space once a draw. What comes out is
- * relative: diffuse and specular in [0, 1] of what the draw's lights can give,
- * so 16 bits hold it whatever the intensities; pixel/colour.c puts them back.
+ * Lights and the eye are turned into model space once per draw. Results are relative:
+ * diffuse and specular in [0, 1] of what the draw's lights can give, so that 16 bits
+ * hold them whatever the intensities; pixel/colour.c multiplies the intensities in.
  */
 #include "vertex.h"
 
-/* A matrix whose rows' parts are `part` apart, and rows `row`, times v. */
+/* A matrix times v. Its rows are `row` numbers apart in memory, the parts of a row `part` numbers. */
 static APART COLD void matrix_times(const sheen_q30_t *m, int row, int part, const int32_t v[3], int32_t out[3])
 {
     for (int k = 0; k < 3; k++, m += row) {
@@ -17,15 +17,15 @@ static APART COLD void matrix_times(const sheen_q30_t *m, int row, int part, con
     }
 }
 
-/* R's rows are orthonormal. */
+/* R's rows are orthonormal, so its inverse is its transpose. */
 void sheen_to_model(const sheen_q30_t r[9], const int32_t v[3], int32_t out[3])
 {
     matrix_times(r, 1, 3, v, out);
 }
 
 /*
- * Intensities to weights, UQ1.15, that sum to at most 1.0. Below 1/1000 in all they
- * get coarse, where no level can show it.
+ * Intensities to weights, UQ1.15, that sum to at most 1.0. If the intensities sum to less
+ * than 1/1000 the weights get coarse, but then no level can show it.
  */
 static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned count, sheen_q16_t sum)
 {
@@ -33,7 +33,7 @@ static void weights(uint16_t weight[], const sheen_q16_t intensity[], unsigned c
         weight[i] = (uint16_t)(sum > 0 ? QUOTIENT((uint32_t)intensity[i] << 13, ((uint32_t)sum + 3) >> 2) : 0);
 }
 
-/* A light in eye space: `view` turns those of the world there, NULL: world and eye space are one. */
+/* A light's direction in eye space. view: turns lights in the world there; NULL: world and eye space are one. */
 static int eye_light(const struct sheen_light *light, const sheen_q30_t *view, enum lights_taken taken,
                      sheen_q30_t to[3])
 {
@@ -104,7 +104,7 @@ void sheen_light_plainly(const struct lighting *l, const struct power *power, co
         if (ln <= 0)
             continue;
         diffuse += l->diffuse_weight[i] * rounded;
-        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V), Q2.29; not of rounded cosines, for n makes much of what is lost */
+        /* 1 - R.V = (1 + L.V) - 2 (L.N)(N.V), Q2.29, of unrounded cosines, because s^n multiplies their error by n */
         int32_t u = (int32_t)((uint32_t)l->lv1[i] - (uint32_t)PRODUCT_FORM(cosines)(ln, nv));
         specular += l->specular_weight[i] * highlight_at(*power, u, rounded);
     }

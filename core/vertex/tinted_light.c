@@ -1,9 +1,9 @@
 /*
- * tinted_light.c - light at a normal from lights that have colours or stand somewhere.
+ * tinted_light.c - light at a normal from coloured lights and point lights.
  */
 #include "vertex.h"
 
-/* Each light's share of the sum, 2^30 = 1.0, by channel. */
+/* Adds a light's amount, of which `left` is left, to the sums by channel, 2^30 = 1.0. */
 static APART void add_tinted(uint32_t sum[3], uint32_t amount, uint32_t left, const uint8_t color[3])
 {
     if (left != UINT32_MAX)

@@ -2,7 +2,7 @@
  * transform.c - a mesh's vertex to the eye, then to the screen, with 1/m.
  *
  * m = -z is the lecture's mass ("Fixing Distortion"): x_s = focal * x / m. One
- * reciprocal a vertex serves x, y and depth.
+ * reciprocal per vertex serves x, y and depth.
  */
 #include "../math/inverse.h"
 #include "../math/pose.h"
@@ -37,13 +37,13 @@ static inline uint32_t depth_over(struct inverse i, uint32_t v)
     return share + (uint32_t)asr32((int32_t)(share >> 17) * i.lacks, 12);
 }
 
-/* What lies above far's depth in an orthographic view. m in near..far. */
+/* How much z16 exceeds that of the far plane, with depth_fraction bits, in an orthographic view. m in near..far. */
 static APART uint32_t straight_depth(const struct projection *p, sheen_q24_t m)
 {
     return (uint32_t)(((uint64_t)(uint32_t)(p->far - m) * p->depth) >> p->depth_shift);
 }
 
-/* Steps of z16 a unit of depth, orthographic; else z16's factor of 1/m. */
+/* In an orthographic view the steps of z16 per unit of depth; else the factor of 1/m in z16. */
 static void depth_factor(const struct projection *p, struct scaled *s)
 {
     struct scaled both = {1u << 31, 0};
@@ -57,16 +57,16 @@ static void depth_factor(const struct projection *p, struct scaled *s)
     scale_by(s, both.mantissa, 31 - both.exponent);
 }
 
-/* With 16 fraction bits. Range: 2^-17 to 2^47; 65020 steps over 128 units at the least, over a raw one at the most. */
+/* The value with 16 fraction bits. Range: 2^-17 to 2^47; 65020 steps, over at most 128 units and at least a raw one. */
 static int64_t scaled_value(const struct scaled *s)
 {
     return (int64_t)((uint64_t)s->mantissa << 31 >> (46 - s->exponent));
 }
 
 /*
- * Depth's mantissa goes down a little, for what 1/m may be too large by. depth / m is mantissa / u * 2^(exponent + up -
- * 7). With fewer fraction bits than 15 nothing is shifted out at near, and 30 at most at far; with 15 it is 31 at most,
- * for depth is no less than 65020 raw steps.
+ * Depth's mantissa is reduced a little because 1/m may be slightly too large. depth / m is mantissa / u * 2^(exponent +
+ * up - 7). With fewer fraction bits than 15 no bit is shifted out at near and at most 30 are at far; with 15 bits at
+ * most 31 are, because depth is at least 65020 raw steps.
  */
 static void depth_begin(struct projection *p, const struct scaled *depth)
 {
@@ -82,9 +82,8 @@ static void depth_begin(struct projection *p, const struct scaled *depth)
 }
 
 /*
- * 1/m = (z16 - DEPTH_FAR + depth / far) / depth, so a sum gives a number that is
- * proportional to it. The sum is scaled to just below 2^31, for what is added may be negative, where far is more than
- * 250 times as far as near: so its sign shows.
+ * 1/m = (z16 - DEPTH_FAR + depth / far) / depth, so z16 plus an offset is proportional to it. The sum is scaled to just
+ * below 2^31, so that its sign shows: the offset is negative if far is more than 250 times as far as near.
  */
 static void weight_begin(struct projection *p, struct scaled far)
 {
@@ -114,7 +113,7 @@ COLD int sheen_project_begin(struct projection *p, const struct sheen_view *view
     if (fov == 0 || p->near <= 0 || p->far <= p->near || p->far - p->near <= (p->far - 1) >> 15 || p->orthographic < 0)
         return SHEEN_ERR_ARGUMENT;
 
-    /* height / 2 / tan(half); sine and cosine are Q1.30, what divides is taken for Q7.24: 2^-6 each way */
+    /* height / 2 / tan(half): the sine, Q1.30, is taken as Q7.24; the cosine with 25 bits, one more, for the half */
     p->focal = (struct scaled){1u << 31, 0};
     scale_by(&p->focal, height, 0);
     scale_by(&p->focal, (uint32_t)sheen_cos(half), 25);
@@ -177,7 +176,7 @@ COLD int sheen_transform_begin(struct transform *t, const struct projection *p, 
 
     if (scale < 0)
         return SHEEN_ERR_ARGUMENT;
-    /* raw positions reach sqrt(3) * scale from the mesh's origin: nothing may wrap later */
+    /* raw positions lie up to sqrt(3) * scale from the mesh's origin: nothing may wrap later */
     const uint32_t reach =
         (magnitude32(origin[0]) + 2 * (uint32_t)scale) | (magnitude32(origin[1]) + 2 * (uint32_t)scale);
     unsigned zeros = clz32((uint32_t)scale) - 1; /* 1..30; scale * 2^zeros in [2^30, 2^31) */
@@ -187,7 +186,7 @@ COLD int sheen_transform_begin(struct transform *t, const struct projection *p, 
     t->shift = zeros - 1;               /* raw / 2^15 * rotation / 2^30 * scale = raw * row / 2^(14 + shift) */
     t->shift_fine = t->shift - t->fine; /* >= 0, for reach holds twice the scale */
     t->screen_shift = 22 - p->focal.exponent + (int)t->fine;
-    const int32_t most_part = (1 << 29) - 1; /* met by what rotations are off by alone */
+    const int32_t most_part = (1 << 29) - 1; /* reached only by a rotation that is slightly off */
     int32_t factor = (int32_t)(p->focal.mantissa >> 1);
     unsigned fine = t->fine;
     for (int k = 0; k < 3; k++) {
@@ -213,7 +212,7 @@ struct point sheen_transform_point(const struct transform *t, const int16_t posi
     return point;
 }
 
-/* value * 2^by where m is so small that it grows, held beyond the guard band. by <= 22. */
+/* value * 2^by, for an m so small that the value grows; held just beyond the guard band. by <= 22. */
 static APART int32_t grown(int32_t value, int by)
 {
     const int32_t most = GUARD_BAND + 1, fits = asr32(most, (unsigned)by);
@@ -221,7 +220,7 @@ static APART int32_t grown(int32_t value, int by)
     return value > fits ? most : value < -fits ? -most : value * (1 << by);
 }
 
-/* A coordinate is held at the guard band's limits. The flag of those beyond them, low's or the next. */
+/* Holds a coordinate at the guard band's limits. Returns `low`, or the flag after it, if it was beyond them; else 0. */
 static unsigned guard(int16_t *out, int32_t value, unsigned low)
 {
     const int32_t held = max32(-GUARD_BAND, min32(value, GUARD_BAND));
@@ -236,8 +235,8 @@ static APART void hold_off_view(struct vertex *v, int32_t x, int32_t y)
 }
 
 /*
- * Beyond near or far only the flag is set; beyond the guard band depth is right and x, y are held at its limits,
- * OFF_VIEW.
+ * A point beyond near or far gets only that flag. Beyond the guard band depth is right, x and y are held at its limits,
+ * and OFF_VIEW is set besides the side's flag.
  */
 void sheen_project(const struct projection *p, int screen_shift, const struct point *point, struct vertex *v)
 {
