@@ -13,7 +13,7 @@
 SETUP_FITS(struct matcap_setup);
 
 #define MATCAP_LEAN 32768   /* 1/m changes along an edge by at most 1/8 of its mean */
-#define MAGNIFIED_MATCAP 12 /* gradients' bits: over 64 px or more, too many pixels would share a quadric's error */
+#define MAGNIFIED_MATCAP 12 /* gradients' bits: from 64 px on too many pixels would share a quadric's error */
 
 /* |Ni - Nj|^2, UQ2.30, up to which a quadric is within 1/24 step: for up to 64 steps a side, 128, 256, 512 and 1024. */
 static const uint32_t widest_quadratic[5] = {189000000u, 119000000u, 75000000u, 47000000u, 29000000u};
@@ -162,7 +162,7 @@ static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsig
         uint32_t square = part_square(n[0][k]) + part_square(n[1][k]) + part_square(n[2][k]);
         uint32_t edge = (part_square(asr32(n[0][k] - n[0][j], 1)) + part_square(asr32(n[1][k] - n[1][j], 1)) +
                          part_square(asr32(n[2][k] - n[2][j], 1))) >>
-                        1; /* an eighth of it */
+                        1; /* |Ni - Nj|^2 / 8 */
         least = square < least ? square : least;
         apart = edge > apart ? edge : apart;
         sum += edge;
@@ -231,7 +231,8 @@ static APART void choose_pixels(struct setup *s, const struct surface_corners *c
 static APART int curved_matcap(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const unsigned steps = steps_of(s->draw);
-    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* its corners' cosines are interpolated */
+    /* cosines at a piece's corners are interpolated, so that only its normals are exact */
+    const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0;
     uint32_t h[3], apart = sheen_normals_apart(c->at.normal, h);
 
     if (apart <= widest_linear(steps) && !piece)

@@ -84,7 +84,7 @@ static APART COLD int square_root_way(struct setup *s, struct surface_corners *c
     return 1;
 }
 
-/* ---- several lights, and one over large triangles or what the others do not take ---- */
+/* ---- several lights; one light over large triangles, or if no other way takes the triangle ---- */
 
 /*
  * The plane of w x, w up to 2^15. sheen_plane takes differences of 15 bits; the bits cut off make a second plane,

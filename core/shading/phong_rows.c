@@ -73,7 +73,7 @@ SPECIALISED void root_step(struct root_run *at)
 #define PIXEL SPECIALISED
 #endif
 
-/* What a row's pixels have in common. */
+/* What the pixels of a row share, and in `depth` the current pixel's. */
 struct root_row {
     const struct draw *draw;
     const threshold_t *thresholds; /* NULL: nothing dithers */

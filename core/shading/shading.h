@@ -23,7 +23,7 @@ enum piece_normals {
 /* Which plane quads a shading may draw whole: the set-up made from three corners has to be right at the fourth too. */
 enum quads_taken {
     QUADS_NONE,
-    QUADS_ANY,       /* a polygon has one light */
+    QUADS_ANY,       /* light is the same all over a polygon */
     QUADS_LIT,       /* linear intensities: see sheen_lit_linearly */
     QUADS_REFLECTED, /* quadrics of cosines: see sheen_most_bend and sheen_reflects_whole */
     QUADS_CLOSE      /* the same for normals no farther apart than CLOSE_ARCS */

@@ -89,7 +89,7 @@ struct arc_row {
             struct arc_series series; /* of the arc of normals */
             int32_t h;                /* of that arc, as in struct slerp_corners */
             int32_t end[2][2];        /* L.N and N.V at the crossings, Q0.15 */
-            int32_t lit[3][2];        /* at a part's begin, middle and end: L.N, Q0.15; power table's argument / 2^15 */
+            int32_t lit[3][2];        /* at a part's start, middle and end: L.N, Q0.15; power table's argument / 2^15 */
         };
     };
 };

@@ -1,5 +1,5 @@
 /*
- * slerp_parts.c - rows cut into parts of equal width on the screen; values at the parts' ends are by the arcs' series.
+ * slerp_parts.c - rows cut into parts of equal width on the screen; values at their ends come from the arcs' series.
  *
  * With one light, L.N and N.V follow the normals' arcs along edges and rows, and L.N and 1 - R.V are quadratic over a
  * part. Otherwise the normals follow the arcs; they are linear over a part and normalised at each pixel. Parts depend
@@ -74,7 +74,7 @@ struct bent_run {
     uint32_t value, step, bend;
 };
 
-/* The quadratic through lit[0..2][k], a part's begin, middle and end, from its first pixel on: Q.30. */
+/* The quadratic through lit[0..2][k], a part's start, middle and end, from its first pixel on: Q.30. */
 static APART struct bent_run bent_through(const struct arc_row *r, const struct part *p, unsigned k)
 {
     const int32_t f0 = r->lit[0][k], f1 = r->lit[2][k], up = (int32_t)p->up, n = p->n;
@@ -92,7 +92,7 @@ static APART struct bent_run bent_through(const struct arc_row *r, const struct 
     return run;
 }
 
-/* 1 where some pixel may have a highlight. */
+/* 1 if some pixel may have a highlight. */
 static int is_shiny(const struct arc_row *r)
 {
     const int32_t *const lit[3] = {r->lit[0], r->lit[1], r->lit[2]};
@@ -232,8 +232,8 @@ static inline int32_t cross_edge(const struct slerp_corners *at, unsigned edge, 
                                  int32_t *t)
 {
     const struct slerp_corner *a = upper_end(at, edge), *b = lower_end(at, edge);
-    const int32_t across = b->x - a->x;                                  /* below 2^16 */
-    const uint32_t down = (uint32_t)(centre - a->y) * at->inverse[edge]; /* UQ.31, at most 1.0 and 2^-16 of it */
+    const int32_t across = b->x - a->x;                                               /* below 2^16 */
+    const uint32_t down = (uint32_t)(centre - a->y) * at->inverse[edge];              /* UQ.31, at most 1.0 + 2^-16 */
     const int32_t high = (int32_t)(down >> 16), low = (int32_t)(down >> 1 & 0x7fffu); /* 65408 * 2^15 < 2^31 */
 
     *t = min32((int32_t)((down + (1u << 15)) >> 16), 32768);
