@@ -14,7 +14,7 @@ int sheen_panel_give(struct sheen_panel *panel)
         panel->error = SHEEN_ERR_BUS;
     if (panel->error < 0)
         panel->ready = 0;
-    if (panel->held && !panel->flying) {
+    if (panel->held && !panel->in_flight) {
         panel->held = 0;
         if (panel->bus->release)
             panel->bus->release(panel->bus->ctx);
@@ -26,7 +26,7 @@ int sheen_panel_give(struct sheen_panel *panel)
 static int end_push(struct sheen_panel *panel)
 {
     panel->error = SHEEN_OK;
-    sheen_panel_landed(panel);
+    sheen_panel_await(panel);
     return sheen_panel_give(panel);
 }
 
@@ -51,8 +51,8 @@ static void initialise(struct sheen_panel *panel)
 {
     forget_window(panel);
     panel->record->driver->init(panel);
-    if (panel->settings)
-        panel->settings(panel);
+    if (panel->apply_settings)
+        panel->apply_settings(panel);
     panel->ready = 1;
 }
 
@@ -117,9 +117,9 @@ static int panel_push(void *ctx, struct sheen_rect rect, const void *pixels)
     if (sheen_panel_take(panel) == SHEEN_OK) {
         if (!panel->ready)
             initialise(panel);
-        if (panel->due)
-            panel->due(panel);
-        panel->due = NULL;
+        if (panel->before_push)
+            panel->before_push(panel);
+        panel->before_push = NULL;
         panel->record->driver->push(panel, &rect, pixels);
     }
     return sheen_panel_give(panel);

@@ -17,14 +17,14 @@ static void set_brightness(struct sheen_panel *panel)
 }
 
 /* Runs after the driver's initialisation; the bus is held. */
-static void settings(struct sheen_panel *panel)
+static void apply_settings(struct sheen_panel *panel)
 {
     static const uint8_t vertical_only = 0; /* one pulse per refresh, none per line */
     const struct sheen_panel_driver *driver = panel->record->driver;
 
-    if (panel->tearing)
+    if (panel->te_on)
         driver->command(panel, driver->tearing_command, &vertical_only, 1);
-    if (panel->dimmed)
+    if (panel->has_brightness)
         set_brightness(panel);
 }
 
@@ -35,8 +35,8 @@ int sheen_panel_brightness(struct sheen_panel *panel, unsigned level)
     if (level > 255)
         return SHEEN_ERR_ARGUMENT;
     panel->brightness = (uint8_t)level;
-    panel->dimmed = 1;
-    panel->settings = settings;
+    panel->has_brightness = 1;
+    panel->apply_settings = apply_settings;
     if (!panel->ready)
         return SHEEN_OK; /* the next initialisation sends it */
     sheen_panel_take(panel);
@@ -48,8 +48,8 @@ int sheen_panel_tearing(struct sheen_panel *panel)
 {
     if (!panel->record->driver->tearing_command)
         return SHEEN_ERR_UNSUPPORTED;
-    panel->tearing = 1;
-    panel->settings = settings;
+    panel->te_on = 1;
+    panel->apply_settings = apply_settings;
     panel->ready = 0;
     return SHEEN_OK;
 }
@@ -64,8 +64,8 @@ int sheen_panel_sync(struct sheen_panel *panel)
 {
     if (!panel->bus->tearing || !panel->record->driver->tearing_command)
         return SHEEN_ERR_UNSUPPORTED;
-    if (!panel->tearing)
+    if (!panel->te_on)
         sheen_panel_tearing(panel);
-    panel->due = await_pulse;
+    panel->before_push = await_pulse;
     return SHEEN_OK;
 }

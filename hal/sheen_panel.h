@@ -93,19 +93,19 @@ struct sheen_panel_record {
 
 /* Run-time state of a panel. Private: touched by hal/ only. */
 struct sheen_panel {
-    const struct sheen_panel_record *record;     /* borrowed */
-    const struct sheen_bus *bus;                 /* borrowed */
-    void (*settings)(struct sheen_panel *panel); /* run at the end of each initialisation; NULL: nothing */
-    void (*due)(struct sheen_panel *panel);      /* run once, before the next push; NULL: nothing */
-    int error;                                   /* the first error of the call in progress; nothing is sent after it */
-    uint32_t window[2];                          /* last sent for x, y: first << 16 | last, in the controller's units */
-    uint8_t orientation;                         /* 0..7 */
-    uint8_t ready;                               /* initialised, and no error since */
-    uint8_t tearing;                             /* each initialisation switches the TE output on */
-    uint8_t dimmed, brightness;                  /* 1: a brightness was asked for; its level */
-    uint8_t flying;                              /* a call of the bus may still be under way */
-    uint8_t held;                                /* the bus is acquired */
-    uint8_t pack[SHEEN_PANEL_PACK_BYTES];        /* bytes that a driver has rearranged; in flight until wait */
+    const struct sheen_panel_record *record;           /* borrowed */
+    const struct sheen_bus *bus;                       /* borrowed */
+    void (*apply_settings)(struct sheen_panel *panel); /* run at the end of each initialisation; NULL: nothing */
+    void (*before_push)(struct sheen_panel *panel);    /* run once, before the next push; NULL: nothing */
+    int error;                            /* the first error of the call in progress; nothing is sent after it */
+    uint32_t window[2];                   /* last sent for x, y: first << 16 | last, in the controller's units */
+    uint8_t orientation;                  /* 0..7 */
+    uint8_t ready;                        /* initialised, and no error since */
+    uint8_t te_on;                        /* each initialisation switches the TE output on */
+    uint8_t has_brightness, brightness;   /* 1: a brightness was asked for; its level */
+    uint8_t in_flight;                    /* a call of the bus may still be under way */
+    uint8_t held;                         /* the bus is acquired */
+    uint8_t pack[SHEEN_PANEL_PACK_BYTES]; /* bytes that a driver has rearranged; in flight until wait */
 };
 
 /*
@@ -143,7 +143,8 @@ int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation);
 /*
  * Sets the brightness, 0..255, now and after each initialisation: an OLED's contrast,
  * or on a DCS panel the output that may drive the backlight (most modules do not wire
- * it). SHEEN_ERR_UNSUPPORTED: the controller has no brightness command.
+ * it). SHEEN_ERR_ARGUMENT: a level above 255. SHEEN_ERR_UNSUPPORTED: the controller has
+ * no brightness command.
  */
 int sheen_panel_brightness(struct sheen_panel *panel, unsigned level);
 

@@ -15,7 +15,7 @@ void pl011_open(struct pl011 *uart, uint32_t input_hz, uint32_t baud)
 
     uart->control = 0;
     uart->divide = divide_64ths / 64u;
-    uart->divide_64ths = divide_64ths % 64u;
+    uart->divide_fraction = divide_64ths % 64u;
     uart->line = LINE_8_BITS_FIFO; /* this write makes the UART use the new divisor */
     uart->control = CONTROL_ON;
 }

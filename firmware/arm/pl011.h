@@ -7,7 +7,7 @@
 #include <stdint.h>
 
 struct pl011 {
-    volatile uint32_t data, receive_status, unused[4], flags, unused_too, low_power, divide, divide_64ths, line,
+    volatile uint32_t data, receive_status, unused[4], flags, unused_too, low_power, divide, divide_fraction, line,
         control;
 };
 

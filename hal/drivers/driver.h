@@ -13,7 +13,7 @@
  * init: brings the controller from any state to a lit, oriented panel.
  * orient: sends the orientation to a lit controller; NULL: the driver rearranges pixels instead.
  * push: sends an aligned rectangle inside the target; may leave its last call of
- *   the bus under way (panel->flying). Pixels as in sheen_target.h.
+ *   the bus under way (panel->in_flight). Pixels as in sheen_target.h.
  * command: sheen_panel_command or sheen_panel_low_command, depending on the controller.
  * reset_command: resets the controller on boards without a reset line; < 0: none.
  * off: the commands that darken the glass and put the controller to sleep.
@@ -60,7 +60,7 @@ void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_
                         size_t count);
 
 /* Waits for the call of the bus that is under way, if any. */
-void sheen_panel_landed(struct sheen_panel *panel);
+void sheen_panel_await(struct sheen_panel *panel);
 
 /* Sends a command with D/C low and its parameters with D/C high, and waits until they have left. */
 void sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count);
@@ -75,7 +75,7 @@ void sheen_panel_reset(struct sheen_panel *panel);
 void sheen_panel_steps(struct sheen_panel *panel);
 
 /* Whether axis 0 (x) or 1 (y) of the window, first << 16 | last, must be sent because it changes; remembers it. */
-static inline int sheen_panel_window_moves(struct sheen_panel *panel, unsigned axis, uint32_t window)
+static inline int sheen_panel_window_update(struct sheen_panel *panel, unsigned axis, uint32_t window)
 {
     if (panel->window[axis] == window)
         return 0;

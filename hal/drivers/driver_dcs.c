@@ -81,7 +81,7 @@ static void set_axis(struct sheen_panel *panel, unsigned axis, int first, int en
     uint32_t window = ((unsigned)first + offset) << 16 | ((unsigned)end + offset - 1);
     uint8_t data[4] = {(uint8_t)(window >> 24), (uint8_t)(window >> 16), (uint8_t)(window >> 8), (uint8_t)window};
 
-    if (sheen_panel_window_moves(panel, axis, window))
+    if (sheen_panel_window_update(panel, axis, window))
         sheen_panel_command(panel, axis ? RASET : CASET, data, sizeof data);
 }
 
@@ -101,7 +101,7 @@ static void send_18(struct sheen_panel *panel, const uint8_t *pixels, const uint
     for (uint8_t command = RAMWR; pixels != end; command = RAMWRC) {
         unsigned used = 0;
 
-        sheen_panel_landed(panel);
+        sheen_panel_await(panel);
         for (; pixels != end && used < sizeof panel->pack / 3 * 3; pixels += 2, used += 3)
             expand(&panel->pack[used], pixels);
         sheen_panel_launch(panel, &command, 1, panel->pack, used);

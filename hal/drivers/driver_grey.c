@@ -66,7 +66,7 @@ static void send_turned(struct sheen_panel *panel, const struct sheen_turn *turn
         for (int16_t column = 0; column < turn->w; column += 2, index += 2 * turn->right) {
             if (used == sizeof panel->pack) {
                 launch(panel, panel->pack, used);
-                sheen_panel_landed(panel);
+                sheen_panel_await(panel);
                 used = 0;
             }
             panel->pack[used++] = (uint8_t)(nibble(pixels, index) << 4 | nibble(pixels, index + turn->right));

@@ -46,11 +46,11 @@ static void send_page(struct sheen_panel *panel, const struct sheen_turn *turn, 
     int32_t index = turn->start + row * turn->down;
     unsigned used = 0;
 
-    sheen_panel_landed(panel);
+    sheen_panel_await(panel);
     for (int16_t column = 0; column < turn->w; column++, index += turn->right) {
         if (used == sizeof panel->pack) {
             sheen_panel_launch(panel, NULL, 0, panel->pack, used);
-            sheen_panel_landed(panel);
+            sheen_panel_await(panel);
             used = 0;
         }
         panel->pack[used++] = column_of_8(pixels, (uint32_t)index, (uint32_t)turn->down);
@@ -82,7 +82,7 @@ static void push_sh1106(struct sheen_panel *panel, const struct sheen_rect *rect
         const uint8_t place[3] = {(uint8_t)(PAGE_START | page), (uint8_t)(COLUMN_LOW | (column & 15)),
                                   (uint8_t)(COLUMN_HIGH | column >> 4)};
 
-        sheen_panel_landed(panel);
+        sheen_panel_await(panel);
         sheen_panel_launch(panel, place, sizeof place, NULL, 0);
         send_page(panel, &turn, pixels, row);
     }

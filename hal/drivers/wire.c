@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* A bus without wait has sent everything when send returns, so nothing is flying then. */
+/* A bus without wait has sent everything when send returns, so nothing is in flight then. */
 void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_t commands, const void *data,
                         size_t count)
 {
@@ -18,22 +18,22 @@ void sheen_panel_launch(struct sheen_panel *panel, const uint8_t *command, size_
     if (panel->error != SHEEN_OK)
         return;
     panel->error = bus->send(bus->ctx, command, commands, data, count);
-    panel->flying = panel->error == SHEEN_OK && bus->wait != NULL;
+    panel->in_flight = panel->error == SHEEN_OK && bus->wait != NULL;
 }
 
 /* Whatever wait returns, the call is over and must not be waited for again. */
-void sheen_panel_landed(struct sheen_panel *panel)
+void sheen_panel_await(struct sheen_panel *panel)
 {
-    if (!panel->flying)
+    if (!panel->in_flight)
         return;
-    panel->flying = 0;
+    panel->in_flight = 0;
     panel->error = panel->bus->wait(panel->bus->ctx);
 }
 
 void sheen_panel_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count)
 {
     sheen_panel_launch(panel, &command, 1, data, count);
-    sheen_panel_landed(panel);
+    sheen_panel_await(panel);
 }
 
 void sheen_panel_low_command(struct sheen_panel *panel, uint8_t command, const uint8_t *data, size_t count)
@@ -45,7 +45,7 @@ void sheen_panel_low_command(struct sheen_panel *panel, uint8_t command, const u
     for (size_t i = 0; i < count && i < sizeof bytes - 1; i++)
         bytes[i + 1] = data[i];
     sheen_panel_launch(panel, bytes, count + 1, NULL, 0);
-    sheen_panel_landed(panel);
+    sheen_panel_await(panel);
 }
 
 static void rest(struct sheen_panel *panel, uint32_t us)
@@ -97,7 +97,7 @@ void sheen_panel_set_window(struct sheen_panel *panel, unsigned axis, uint8_t co
 {
     const uint8_t bytes[2] = {(uint8_t)first, (uint8_t)last};
 
-    if (sheen_panel_window_moves(panel, axis, first << 16 | last))
+    if (sheen_panel_window_update(panel, axis, first << 16 | last))
         panel->record->driver->command(panel, command, bytes, sizeof bytes);
 }
 
@@ -109,5 +109,5 @@ void sheen_panel_resynchronise(struct sheen_panel *panel, uint8_t harmless)
         return;
     memset(bytes, harmless, sizeof bytes);
     sheen_panel_launch(panel, bytes, sizeof bytes, NULL, 0);
-    sheen_panel_landed(panel);
+    sheen_panel_await(panel);
 }
