@@ -202,7 +202,7 @@ static void skipped_faces_away(void **unused)
         if (sheen_project_begin(&p, &c.view, 320, 240) < 0)
             continue;
         sheen_viewpoint_begin(&viewpoint, &p, &c.mesh, &c.pose);
-        if (viewpoint.a_warp == 0)
+        if (viewpoint.margin_per_warp == 0)
             continue;
         tested++;
         check_skipped(&c, &viewpoint, &count);

@@ -139,7 +139,7 @@ COLD int sheen_init(struct sheen_frame **frame, void *arena, size_t *size, const
     f->target = config->target;
     sheen_format_begin(&f->format, f->target);
     f->arena_bytes = lay_out(f, arena);
-    f->flying = NOBODY;
+    f->pushing = NOBODY;
     f->send_all_next = 1;
     *frame = f;
     return SHEEN_OK;

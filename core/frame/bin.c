@@ -180,7 +180,7 @@ void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *
     c->v[3] = NULL;
     UNROLLED
     for (uint32_t k = 0; k < 3; k++) {
-        uint32_t index = mesh_index(mesh, 3 * id + clockwise(k));
+        uint32_t index = mesh_index(mesh, 3 * id + clockwise_corner(k));
         c->v[k] = used_vertex(f, d, index);
         c->normal[k] = own + parts * index;
     }

@@ -11,7 +11,7 @@
  * restored when a draw fails, so that it fails as a whole.
  */
 #define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - offsetof(struct sheen_frame, edges))
-#define TAKEN_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
+#define UNDONE_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
 
 /* ---- begin ---- */
 
@@ -229,7 +229,10 @@ static int room_for(struct sheen_frame *f, uint32_t needed, uint32_t most, enum 
     return needed <= most ? SHEEN_OK : refuse(f, SHEEN_ERR_CAPACITY, subject, needed);
 }
 
-/* Make a draw's transform, its lights in the model's space, and its viewpoint (a_warp 0: no polygon is tested). */
+/*
+ * Make a draw's transform, its lights in the model's space, and its viewpoint (margin_per_warp 0: polygons are not
+ * tested).
+ */
 static APART int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
                               struct viewpoint *viewpoint)
 {
@@ -241,7 +244,7 @@ static APART int place_object(struct sheen_frame *f, const struct sheen_object *
         return refuse(f, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_POSE, 0);
     sheen_viewpoint_begin(viewpoint, &f->projection, o->mesh, &pose);
     if (o->two_sided || o->morph != NULL) /* back faces are wanted; a warp holds for one frame of a mesh */
-        viewpoint->a_warp = 0;
+        viewpoint->margin_per_warp = 0;
     const struct sheen_light *axes = o->shader->axes;
     int error = sheen_light_begin(
         &d->light, axes != NULL ? axes : o->lights, axes != NULL ? 2 : o->light_count, pose.rotation,
@@ -263,7 +266,7 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 
     memset(place, 0xff, mesh->vertices * sizeof *place);
     for (uint32_t i = 0; i < end; i++) {
-        if (viewpoint->a_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces)) {
+        if (viewpoint->margin_per_warp != 0 && (mesh->polygons == NULL || mesh->polygons[i] != faces)) {
             i = sheen_next_facing(viewpoint, mesh, i, &faces);
             if (i == end)
                 break;
@@ -338,7 +341,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
 {
     struct transform t;
     struct viewpoint viewpoint;
-    char *const taken = (char *)f + offsetof(struct sheen_frame, used_short), before[TAKEN_BYTES];
+    char *const taken = (char *)f + offsetof(struct sheen_frame, used_short), before[UNDONE_BYTES];
     const uint32_t entries = f->entries;
     struct draw_record *d = &f->draw[f->draws];
 
@@ -347,7 +350,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     enum sheen_subject problem = object_problem(object);
     if (problem != SHEEN_ABOUT_NOTHING)
         return refuse(f, SHEEN_ERR_ARGUMENT, problem, 0);
-    memcpy(before, taken, TAKEN_BYTES);
+    memcpy(before, taken, UNDONE_BYTES);
     int error = room_for(f, f->draws + 1, f->config.max_draws, SHEEN_ABOUT_MAX_DRAWS);
     if (error == SHEEN_OK)
         error = room_for(f, f->vertices + object->mesh->vertices, f->config.max_vertices, SHEEN_ABOUT_MAX_VERTICES);
@@ -361,7 +364,7 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
             error = d->edges->list(f, d, object, &t);
     }
     if (error < 0) {
-        memcpy(taken, before, TAKEN_BYTES);
+        memcpy(taken, before, UNDONE_BYTES);
         sheen_bin_rollback(f, entries);
         return error;
     }

@@ -96,7 +96,7 @@ struct sheen_frame {
     uint8_t send_all_next; /* so will the next one: a push or wait failed, a band was left out, or sheen_invalidate() */
     uint8_t forced;        /* of the draws to come, see struct draw */
     uint8_t about;         /* enum sheen_subject of the last error */
-    uint8_t flying;        /* the worker whose push has not been waited for yet, or NOBODY */
+    uint8_t pushing;       /* the worker whose push has not been waited for yet, or NOBODY */
     uint32_t needed;       /* the capacity that would have sufficed, for the last error */
     struct sheen_config config;
     const struct sheen_target *target;
@@ -112,7 +112,7 @@ struct sheen_frame {
     const struct sheen_edges *edges; /* NULL: no draw has any yet; else the last one's. COUNTED_BYTES begin here */
     uint32_t vertices, draws;
     int error;                                        /* the first that a push or a wait of this frame returned */
-    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room. TAKEN_BYTES begin here */
+    uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room. UNDONE_BYTES begin here */
     uint32_t used, entries, pieces;
     unsigned shaded_colors; /* the first ones of `shades`, which hold this frame's */
     struct sheen_stats stats;
@@ -172,7 +172,7 @@ struct sheen_clipper {
 };
 
 /* The corner of a mesh's triangle, which is counter-clockwise, that is corner k of an entry, which is clockwise. */
-static inline unsigned clockwise(unsigned k)
+static inline unsigned clockwise_corner(unsigned k)
 {
     static const uint8_t order[3] = {0, 2, 1};
 

@@ -184,8 +184,8 @@ static void piece_corners(const struct piece *piece, struct corners *c)
     c->triangle = piece->triangle;
     c->v[3] = NULL;
     for (unsigned k = 0; k < 3; k++) {
-        c->v[k] = &piece->corner[clockwise(k)];
-        c->normal[k] = piece->normal[clockwise(k)];
+        c->v[k] = &piece->corner[clockwise_corner(k)];
+        c->normal[k] = piece->normal[clockwise_corner(k)];
     }
 }
 

@@ -32,9 +32,9 @@ static int collect_push(struct sheen_frame *f)
 {
     const struct sheen_target *t = f->target;
 
-    if (f->flying == NOBODY)
+    if (f->pushing == NOBODY)
         return SHEEN_OK;
-    f->flying = NOBODY;
+    f->pushing = NOBODY;
     int error = t->wait != NULL ? t->wait(t->ctx) : SHEEN_OK;
     if (error >= 0)
         return SHEEN_OK;
@@ -51,7 +51,7 @@ static void push_tile(struct sheen_frame *f, unsigned worker, const struct tile 
         break_off(f, error);
         return;
     }
-    f->flying = (uint8_t)worker;
+    f->pushing = (uint8_t)worker;
     w->buffer = (uint8_t)((w->buffer + 1u) & (f->config.buffers - 1u));
     w->stats.rectangles++;
     w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
@@ -98,7 +98,7 @@ int sheen_free_buffer(struct sheen_frame *f, unsigned worker)
     if (f->config.buffers > 1)
         return error;
     lock(f);
-    if (f->flying == worker)
+    if (f->pushing == worker)
         error = collect_push(f);
     unlock(f);
     return error;

@@ -56,8 +56,8 @@ void sheen_phong_rows(const struct tile *t, const struct setup *s)
 }
 
 /* 0 if N.N would not be exact enough. */
-static APART COLD int square_root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
-                                      const struct facing *f)
+static APART COLD int root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                               const struct facing *f)
 {
     struct phong_setup *p = (struct phong_setup *)s;
     struct quadric_steps steps;
@@ -248,8 +248,7 @@ static void phong_setup(struct setup *s, struct surface_corners *c, const struct
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && !s->draw->by_ramp && !s->draw->fog && g->area >> 13 < LARGEST_BY_ROOT &&
-             square_root_way(s, c, g, &f)))
+            (!piece && !s->draw->by_ramp && !s->draw->fog && g->area >> 13 < LARGEST_BY_ROOT && root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);

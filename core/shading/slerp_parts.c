@@ -8,7 +8,7 @@
 #include "../triangle/normal.h"
 #include "slerp.h"
 
-#define MOST_PARTS 4       /* the logarithm of the most parts, before perspective adds up to 2 */
+#define MOST_PARTS_LOG2 4  /* the logarithm of the most parts, before perspective adds up to 2 */
 #define LEAST_PART 3       /* px: if parts would be narrower, each pixel is computed by itself */
 #define WIDEST_NORMALS 159 /* sin^2(p/2), UQ0.15, of the widest part: with normals 8 degrees; */
 #define WIDEST_16 487      /* with one light 14, 11, 7 degrees for shininess up to 16, 32, 128; */
@@ -158,7 +158,7 @@ static unsigned lit_parts(const struct arc_row *r)
         if (least - h * (13 << 14) - asr32(spread, 3) > (int32_t)d->power.limit)
             widest = WIDEST_DULL;
     }
-    while (parts < MOST_PARTS && h > widest << 2 * parts)
+    while (parts < MOST_PARTS_LOG2 && h > widest << 2 * parts)
         parts++;
     if (more > light >> (n > 32 ? 4 : 3))
         parts += more > light >> 1 ? 2 : 1;
@@ -206,7 +206,7 @@ unsigned sheen_slerp_normal_parts(const struct arc_row *r)
 
     if (r->arc.parts == 0)
         return 15;
-    while (parts < MOST_PARTS + 2 && r->arc.h > WIDEST_NORMALS << 2 * (parts - (r->arc.parts - 1u)))
+    while (parts < MOST_PARTS_LOG2 + 2 && r->arc.h > WIDEST_NORMALS << 2 * (parts - (r->arc.parts - 1u)))
         parts++;
     return parts;
 }

@@ -19,7 +19,7 @@
 #define LEAST_SCALE (1 << 16) /* Q7.24: the origin is off by at most 4 of its steps, here at most 2 raw steps */
 
 /* 1 if the matrix rotates and does not mirror. Range: volume, its determinant, is about 2^28 or -2^28. */
-static int turns(const sheen_q30_t r[9])
+static int is_proper_rotation(const sheen_q30_t r[9])
 {
     int32_t volume = 0;
 
@@ -62,7 +62,7 @@ static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9],
         distance += magnitude32(viewpoint->eye[k]);
     }
     viewpoint->shift = shift;
-    viewpoint->a_warp = (int32_t)((distance + (CORNER >> shift)) << (15 - WARP_BITS));
+    viewpoint->margin_per_warp = (int32_t)((distance + (CORNER >> shift)) << (15 - WARP_BITS));
 }
 
 COLD void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projection *p, const struct sheen_mesh *mesh,
@@ -70,13 +70,13 @@ COLD void sheen_viewpoint_begin(struct viewpoint *viewpoint, const struct projec
 {
     sheen_q24_t origin[3];
 
-    viewpoint->a_warp = 0;
+    viewpoint->margin_per_warp = 0;
     if (mesh->warp == NULL || mesh->polygon_normals == NULL || !sheen_is_rotation(pose->rotation, STRAIGHT) ||
-        !turns(pose->rotation))
+        !is_proper_rotation(pose->rotation))
         return;
     if (p->orthographic != 0) {
         viewpoint->shift = 31;
-        viewpoint->a_warp = 1 << (15 + EYE_BITS - WARP_BITS);
+        viewpoint->margin_per_warp = 1 << (15 + EYE_BITS - WARP_BITS);
         for (int k = 0; k < 3; k++)
             viewpoint->eye[k] = asr32(pose->rotation[6 + k], 30 - EYE_BITS);
         return;
@@ -97,7 +97,8 @@ uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen
 {
     const uint16_t *polygons = mesh->polygons;
     const uint32_t end = mesh->triangles;
-    const int32_t x = viewpoint->eye[0], y = viewpoint->eye[1], z = viewpoint->eye[2], a_warp = viewpoint->a_warp;
+    const int32_t x = viewpoint->eye[0], y = viewpoint->eye[1], z = viewpoint->eye[2],
+                  margin_per_warp = viewpoint->margin_per_warp;
     const unsigned shift = viewpoint->shift;
     uint32_t polygon = polygons != NULL ? polygons[i] : i;
 
@@ -106,7 +107,7 @@ uint32_t sheen_next_facing(const struct viewpoint *viewpoint, const struct sheen
         uint32_t away = polygon, warp = mesh->warp[polygon];
         SHEEN_TAP(FACING, 1);
         uint32_t above = (uint32_t)asr32(facing_dot(n, p[0], p[1], p[2]), shift) - (uint32_t)facing_dot(n, x, y, z);
-        if ((int32_t)above <= (int32_t)warp * a_warp + ROUNDED || warp == SHEEN_WARP_UNKNOWN) {
+        if ((int32_t)above <= (int32_t)warp * margin_per_warp + ROUNDED || warp == SHEEN_WARP_UNKNOWN) {
             *faces = polygon;
             break;
         }

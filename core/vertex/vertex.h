@@ -124,11 +124,11 @@ static inline uint32_t mesh_index(const struct sheen_mesh *mesh, uint32_t i)
 
 /*
  * The eye in a mesh's space, raw units / 2^shift. A polygon faces away for certain if n.(p - eye), n in Q0.15, exceeds
- * a margin: a_warp for each 1/1024 of its warp, plus the rounding errors.
+ * a margin: margin_per_warp for each 1/1024 of its warp, plus the rounding errors.
  */
 struct viewpoint {
     int32_t eye[3];
-    int32_t a_warp; /* 0: no test */
+    int32_t margin_per_warp; /* 0: no test */
     unsigned shift;
 };
 
