@@ -99,8 +99,9 @@ static void triangle_edges(struct line_list *l, const struct line_kind *which, u
 }
 
 /*
- * Whether a triangle with a corner outside the view volume faces the eye, from the side of its plane that the eye is
- * on. Its normal keeps 30 bits; what 32 parts of 2^31 may have rounded off it is nothing that a line shows.
+ * Whether a triangle with a corner outside the view volume faces the eye: whether the eye is on the front side of its
+ * plane. Its normal is cut to 30 bits; a triangle that this takes to the wrong side is so nearly edge-on that no line
+ * shows it.
  */
 static APART int outside_in_front(const struct line_list *l, uint32_t first)
 {
