@@ -1,5 +1,5 @@
 /*
- * bake_name.c - which names a header and what is in it may have.
+ * bake_name.c - which names a baked header and the data in it may have.
  */
 #include "bake_name.h"
 
@@ -11,9 +11,9 @@
 #include "frame_name.h"
 #include "utf8.h"
 
-#define MESH "mesh_" /* before a file's name that is none of C's */
+#define MESH "mesh_" /* put before a file's name that is no C identifier or is taken */
 
-/* Keywords of C and C++, main, and macros of compilers and of what sheen.h includes. */
+/* Keywords of C and C++, main, and macros that compilers or the headers included by sheen.h define. */
 static int is_word_taken(const char *name)
 {
     static const char taken[] =
@@ -35,7 +35,7 @@ static int ends_with(const char *name, const char *end)
     return strlen(name) >= strlen(end) && strcmp(name + strlen(name) - strlen(end), end) == 0;
 }
 
-/* Reserved by C beyond single words: for compilers, for types and for the limits of types. */
+/* Patterns that C reserves: for the implementation, for type names and for the limits of types. */
 static int is_reserved(const char *name)
 {
     return (name[0] == '_' && (name[1] == '_' || isupper((unsigned char)name[1]))) || ends_with(name, "_t") ||
@@ -59,7 +59,7 @@ int sheen_bake_is_name(const char *name)
     return length > 0 && name[length] == '\0' && length < 40 && !isdigit((unsigned char)*name) && !is_taken(name);
 }
 
-/* Before a name of at most size - 1 bytes, which is cut where both are too long. */
+/* Puts the prefix before the name, in place; the name's end is cut off if both are longer than size - 1 bytes. */
 static void put_before(char *name, size_t size, const char *prefix)
 {
     size_t length = strlen(prefix), most = size - 1 - length, kept = strlen(name) < most ? strlen(name) : most;
@@ -78,7 +78,8 @@ void sheen_bake_name(char *name, size_t size, const char *path)
     snprintf(name, size, "%s%.*s", length == 0 || isdigit((unsigned char)*prefix) ? MESH : "", (int)length, prefix);
     sheen_utf8_clean(name);
     char *to = name;
-    for (const char *c = name; *c; c += sheen_utf8_bytes(c)) /* a '_' for each character that C's names have not */
+    for (const char *c = name; *c;
+         c += sheen_utf8_bytes(c)) /* one '_' for each character that a C identifier may not have */
         *to++ = isalnum((unsigned char)*c) ? *c : '_';
     *to = '\0';
     if (is_taken(name) && strncmp(name, MESH, strlen(MESH)) != 0)
@@ -93,7 +94,7 @@ int sheen_bake_is_own_header(const char *path)
                                       "sheen_version.h"};
 
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
-        if (strcasecmp(sheen_file_of(path), own[i]) == 0) /* there are file systems that do not tell them apart */
+        if (strcasecmp(sheen_file_of(path), own[i]) == 0) /* some file systems ignore case */
             return 1;
     }
     return 0;

@@ -30,7 +30,7 @@ size_t sheen_bake_bytes(const struct sheen_quantised *quantised, int flat, int e
     return bytes + (edges ? mesh->triangles * sizeof *mesh->edges : 0);
 }
 
-/* A word of an array; *column is where the line has got to. */
+/* Writes one word of an array, on a new line if the current one is full; *column is the current line's length. */
 static void put_word(FILE *stream, const char *word, size_t *column)
 {
     size_t length = strlen(word);
@@ -61,7 +61,7 @@ static void put_signed(FILE *stream, const char *name, const char *what, const i
     fputs("\n};\n", stream);
 }
 
-/* bytes: 1 or 2 a number. */
+/* bytes: the size of a number, 1 or 2. */
 static void put_unsigned(FILE *stream, const char *name, const char *what, const void *numbers, int bytes, size_t count)
 {
     size_t column = 0;
@@ -72,7 +72,7 @@ static void put_unsigned(FILE *stream, const char *name, const char *what, const
     fputs("\n};\n", stream);
 }
 
-/* A triangle: those across its edges, and the bits of sharp and inner ones. */
+/* Per triangle: the triangles across its edges, then the bits of sharp and of inner edges. */
 static void put_edges(FILE *stream, const char *name, const struct sheen_mesh *mesh)
 {
     size_t column = 0;
@@ -88,7 +88,7 @@ static void put_edges(FILE *stream, const char *name, const struct sheen_mesh *m
     fputs("\n};\n", stream);
 }
 
-/* Fields in the struct's order: C++ takes no other. */
+/* Fields are initialised in the struct's order, because C++ accepts no other. */
 static void put_mesh(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat, int edges)
 {
     const struct sheen_mesh *mesh = &quantised->mesh;
@@ -131,7 +131,7 @@ static void put_mesh(FILE *stream, const char *name, const struct sheen_quantise
     fputs("};\n\n", stream);
 }
 
-/* What a struct sheen_morph points to, called NAME_second. */
+/* The mesh that a struct sheen_morph points to; it is called NAME_second. */
 static void put_second(FILE *stream, const char *name, const struct sheen_quantised *quantised, int flat)
 {
     const struct sheen_mesh *mesh = &quantised->second;
@@ -150,7 +150,7 @@ static void put_second(FILE *stream, const char *name, const struct sheen_quanti
             mesh->triangles, mesh->scale);
 }
 
-/* Called NAME_texture, or of several NAME_texture_0 ... */
+/* NAME_texture, or if there are several, NAME_texture_0, NAME_texture_1 ... */
 static void texture_name(const struct sheen_bake *bake, size_t number, char *name, size_t size)
 {
     if (bake->texel_count > 1)
@@ -190,7 +190,7 @@ static void put_textures(FILE *stream, const struct sheen_bake *bake)
     }
 }
 
-/* A name from a file, clean UTF-8, as a C string. "??" would be a trigraph. */
+/* Writes a name from a file, clean UTF-8, as a C string. '?' is escaped because "??" may begin a trigraph. */
 static void put_string(FILE *stream, const char *text)
 {
     putc('"', stream);
@@ -245,7 +245,7 @@ static void put_parts(FILE *stream, const struct sheen_bake *bake)
     fputs("};\n\n", stream);
 }
 
-/* A comment's text, of 950 bytes at most, must not end it. */
+/* Writes a comment's text, at most 950 bytes, altered where it would end the comment. */
 static void put_comment(FILE *stream, const char *text)
 {
     char clean[951];
@@ -255,7 +255,7 @@ static void put_comment(FILE *stream, const char *text)
         putc(c[0] == '*' && c[1] == '/' ? '?' : *c, stream);
 }
 
-/* What stands between the include guard's lines, made in memory first: the guard is called by it. */
+/* The text between the lines of the include guard. It is made in memory first: the guard's name contains its hash. */
 struct body {
     FILE *stream;
     char *text;
@@ -273,9 +273,9 @@ static uint32_t hash_of(const char *text, size_t size)
 }
 
 /*
- * A guard of a header's own: of two meshes of one name the second is not passed over in silence, the compiler says what
- * it has twice. One mesh's header may be included twice. Fields by name, some of them left out, are what GCC's C++
- * warns of at -Wextra, and before C++20 at -Wpedantic; not in what it takes for a header of the system.
+ * The guard's name depends on the header's content: a different mesh of the same name is not skipped silently, the
+ * compiler reports what is defined twice; the same header may be included twice. The pragma makes it a system header,
+ * in which GCC's C++ does not warn of fields by name: at -Wextra that some are left out, before C++20 at -Wpedantic.
  */
 static void put_head(FILE *stream, const struct body *body, const char *name, const char *source)
 {
@@ -296,7 +296,7 @@ static int open_body(struct body *body)
     return body->stream ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
 
-/* The whole header. */
+/* Writes the whole header and frees the body. */
 static int close_body(struct body *body, FILE *stream, const char *name, const char *source)
 {
     int failed = ferror(body->stream);

@@ -1,9 +1,8 @@
 /*
  * cmd_bake.c - `sheen bake`: a mesh, a matcap, a power table or a ramp, as const data for a firmware's flash.
  *
- * Triangles keep the file's order, so that of equal depths the same one stays as in
- * a rendered file. The core transforms each vertex once however triangles are
- * ordered, so there is nothing to gain from another order.
+ * Triangles keep the file's order, so that of several triangles at equal depth the same one stays visible as when the
+ * file is rendered. Another order would gain nothing: the core transforms each vertex once in any order.
  */
 #include <errno.h>
 #include <math.h>
@@ -31,21 +30,22 @@ struct baking {
     struct sheen_quantised *meshes;
     struct sheen_group *groups;
     size_t count;
-    uint32_t *pictures; /* of each mesh, as its part's */
+    uint32_t *pictures; /* per mesh, its part's `picture`: 1 + the texture's number, or 0 */
     struct sheen_texels *texels;
-    struct sheen_shine shine;   /* of shine:N, where there is no mesh; */
-    struct sheen_texels matcap; /* of matcap:NAME; */
-    struct sheen_ramp ramp;     /* of ramp:gamma */
+    /* In place of a mesh, what shine:N, matcap:NAME or ramp:gamma makes. */
+    struct sheen_shine shine;
+    struct sheen_texels matcap;
+    struct sheen_ramp ramp;
     char name[48];
-    char source[900]; /* a file's name has at most 255 bytes, and there may be three */
+    char source[900]; /* the command line: up to three file names, at most 255 bytes each */
 };
 
-#define PLANNED_VIEWS 12 /* of a turn */
+#define PLANNED_VIEWS 12 /* over one turn */
 #define SHINE "shine:"
 #define MATCAP "matcap:"
 #define RAMP "ramp:"
 
-/* What follows SHINE, MATCAP or RAMP in place of a mesh; NULL: it is not that. */
+/* What follows `kind` (SHINE, MATCAP or RAMP) in the operand; NULL: the operand does not begin with it. */
 static const char *behind(const char *kind, const struct sheen_options *options)
 {
     size_t length = strlen(kind);
@@ -53,7 +53,7 @@ static const char *behind(const char *kind, const struct sheen_options *options)
     return strncmp(options->mesh, kind, length) == 0 ? options->mesh + length : NULL;
 }
 
-/* *with: the options, with the ramp that stands in place of a mesh. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+/* *with: a copy of the options whose ramp is the operand's. 0, or SHEEN_ERR_ARGUMENT and *problem. */
 static int read_ramp(struct sheen_options *with, const struct sheen_options *options, struct sheen_problem *problem)
 {
     *with = *options;
@@ -64,7 +64,7 @@ static int read_ramp(struct sheen_options *with, const struct sheen_options *opt
                          options->mesh, SHEEN_LEAST_GAMMA, SHEEN_MOST_GAMMA);
 }
 
-/* The n of shine:N, or 0 and *problem. */
+/* The N of shine:N, or 0 and *problem. */
 static unsigned shininess_of(const struct sheen_options *options, struct sheen_problem *problem)
 {
     const char *digits = behind(SHINE, options);
@@ -108,7 +108,7 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
-/* One more word of the source, or with a value two; what is too much is cut. */
+/* Appends words to the source; what does not fit is cut off. */
 __attribute__((format(printf, 2, 3))) static void add_source(struct baking *baking, const char *format, ...)
 {
     size_t used = strlen(baking->source);
@@ -138,7 +138,7 @@ static void add_texture_source(struct baking *baking)
         add_source(baking, " --alpha-cutoff %g", options->alpha_cutoff);
 }
 
-/* The command line that makes the same header: without folders, which differ from machine to machine. */
+/* The command line that makes the same header, but without folders, which differ from machine to machine. */
 static void set_source(struct baking *baking)
 {
     const struct sheen_options *options = baking->options;
@@ -193,7 +193,7 @@ static int quantise(struct baking *baking)
 
 /* ---- the report ---- */
 
-/* How far the integers are from the host's mesh: of the radius, and in radians. */
+/* The largest errors of the quantised vertices: of a position, relative to the radius; of a normal, in radians. */
 static void measure(const struct sheen_host_mesh *host, double *position, double *normal)
 {
     *position = *normal = 0;
@@ -216,7 +216,7 @@ static void measure(const struct sheen_host_mesh *host, double *position, double
     }
 }
 
-/* An edge between two triangles stands with both. Those within polygons are none of the file's. */
+/* An edge between two triangles is stored with both and counted once. Edges inside polygons are not the file's own. */
 static void report_edges(const struct baking *baking, uint32_t triangles)
 {
     uint32_t edges = 0, sharp = 0, borders = 0;
@@ -267,7 +267,7 @@ static void report(const struct baking *baking)
 
 /* ---- the command ---- */
 
-/* What the command makes, as text in memory first: a file is whole or not there. */
+/* Writes what the command makes. The stream is in memory, so that the file appears whole or not at all. */
 static int write_text(const struct baking *baking, FILE *stream)
 {
     const struct sheen_bake bake = {.meshes = baking->meshes,
@@ -313,7 +313,7 @@ static void set_name(struct baking *baking)
         sheen_bake_name(baking->name, 40, baking->options->out);
 }
 
-/* What `sheen plan` says of it in short: of one height of bands, or of the usual ones. */
+/* Prints a brief plan of the mesh as `sheen plan` makes it: for the given band height, or for 4, 8 and 16 rows. */
 static int plan_briefly(const struct baking *baking, const struct sheen_sim_choice *choice,
                         struct sheen_problem *problem)
 {

@@ -12,7 +12,7 @@
 /* Bytes of a band buffer: 16 rows of the widest picture in 565. */
 #define BAND_BYTES (640 * 16 * 2)
 
-/* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+/* Checks what no option can check by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
     int error = sheen_turntable_choose(choice, options, problem);

@@ -46,7 +46,7 @@ static int write_page(struct sheen_page *page, const char *folder, struct sheen_
     return sheen_page_write(page, path, problem);
 }
 
-/* A folder that is there is as good as a new one. */
+/* A folder that exists already is no error. */
 static int make_folder(const char *folder, struct sheen_problem *problem)
 {
     struct stat status;
@@ -73,8 +73,8 @@ static int draw_pages(struct sheen_page *pages, enum sheen_form form, int *open,
 }
 
 /*
- * All records, all SVGs, and the contact sheet. What does not fit its page is a warning: it comes with a font that is
- * wider than what the figures were laid out for.
+ * Draws all records, all SVGs, and the contact sheet. Text that does not fit its page is only a warning, because its
+ * cause is a font wider than the one that the figures were laid out for.
  */
 static int draw_all(struct sheen_page *pages, int *open, struct sheen_problem *problem)
 {
@@ -114,7 +114,7 @@ enum sheen_exit sheen_cmd_lecture(struct sheen_options *options)
         error = write_page(&pages[i], options->out, &problem);
     while (open > 0)
         sheen_page_close(&pages[--open]);
-    cairo_debug_reset_static_data(); /* what both keep for the next page is not lost, but looks it */
+    cairo_debug_reset_static_data(); /* what cairo and fontconfig keep for a next page would be reported as leaked */
     FcFini();
     return error ? sheen_fail(SHEEN_EXIT_FAILURE, &problem) : SHEEN_EXIT_OK;
 }

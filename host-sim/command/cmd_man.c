@@ -1,5 +1,5 @@
 /*
- * cmd_man.c - `sheen man`: the page of the manual, in roff, from the tables that make --help.
+ * cmd_man.c - `sheen man`: the manual page, in roff, from the tables that make --help.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -18,7 +18,7 @@ static const char *colours_of(const struct sheen_panel_record *record)
     }
 }
 
-/* Payload only, without commands: what a whole frame takes at the rated clock, one bit a cycle. */
+/* Bytes and frames per second of whole frames: pixels only, no commands, at the rated clock and one bit per cycle. */
 static void print_row(const struct sheen_panel_record *record)
 {
     unsigned bytes = sheen_sim_frame_bytes(record);

@@ -1,5 +1,5 @@
 /*
- * cmd_plan.c - `sheen plan`: frames a second, RAM and flash of a mesh on boards.
+ * cmd_plan.c - `sheen plan`: frames per second, RAM and flash of a mesh on boards.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "commands.h"
 #include "report.h"
 
-/* The board's number, -1: all; *choice is the panel. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+/* *board: its number, -1: all; *choice: the panel. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, int *board, struct sheen_sim_choice *choice,
                  struct sheen_problem *problem)
 {
@@ -18,7 +18,7 @@ static int check(const struct sheen_options *options, int *board, struct sheen_s
     return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
-/* The board that was asked for has to do. */
+/* The board that was asked for must have enough RAM and flash. */
 static int judge(const struct sheen_plan *plan, int board, struct sheen_problem *problem)
 {
     const struct sheen_plan_board *b = board >= 0 ? sheen_plan_board_at((unsigned)board) : NULL;

@@ -1,5 +1,5 @@
 /*
- * cmd_render.c - `sheen render`: a mesh to a picture, or a row of pictures.
+ * cmd_render.c - `sheen render`: a mesh to a picture, or a series of pictures.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ static int is_gif(const char *path)
     return strcasecmp(sheen_ending(path), ".gif") == 0;
 }
 
-/* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+/* Checks what no option can check by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
     int error = sheen_turntable_check(choice, options, problem);
@@ -42,7 +42,7 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     return error ? error : sheen_builtin_check(options->mesh, problem);
 }
 
-/* A frame into the animation, or to a file of its own. */
+/* Adds a frame to the animation, or writes it to a file of its own. */
 static int put_frame(const struct sheen_turntable *table, struct sheen_gif *gif, int number,
                      struct sheen_problem *problem)
 {
@@ -63,7 +63,7 @@ static int draw_frames(struct sheen_turntable *table, struct sheen_gif *gif, str
     int error = SHEEN_OK, frames = table->options->frames;
 
     for (int number = 0; !error && number < frames; number++) {
-        if (frames > 1 && !table->options->stats) /* whose lines tell as much */
+        if (frames > 1 && !table->options->stats) /* the lines of --stats show progress too */
             sheen_progress("frame", number + 1, frames);
         error = sheen_turntable_draw(table, number, problem);
         if (!error)

@@ -11,7 +11,7 @@
 
 #define GIF_FRAMES 60 /* a whole turn in the default step of 6 degrees */
 
-/* What one option cannot judge by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
+/* Checks what no option can check by itself. 0, or SHEEN_ERR_ARGUMENT and *problem: a wrong command line. */
 static int check(const struct sheen_options *options, struct sheen_sim_choice *choice, struct sheen_problem *problem)
 {
     int error = sheen_turntable_check(choice, options, problem);
@@ -30,7 +30,7 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
     return sheen_builtin_check(options->mesh, problem);
 }
 
-/* Every frame of the animation, then the file. */
+/* Draws every frame of the animation, then writes the file. */
 static int write_gif(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     int frames = viewer->options.view_frames ? viewer->options.view_frames : GIF_FRAMES;
@@ -46,7 +46,7 @@ static int write_gif(struct sheen_viewer *viewer, struct sheen_problem *problem)
     return error ? error : sheen_viewer_gif_end(viewer, viewer->options.out, problem);
 }
 
-/* The glass in the room that there is. */
+/* Finds the px that the glass may take up: in a window what the screen has, in a GIF 480x360. */
 static int find_room(const struct sheen_options *options, unsigned room[2], struct sheen_problem *problem)
 {
     room[0] = options->terminal ? 1 : 480;
@@ -73,7 +73,8 @@ enum sheen_exit sheen_cmd_view(struct sheen_options *options)
                                     : sheen_view_window(&viewer, &problem);
     }
     if (error && viewer.gif) {
-        sheen_gif_close(viewer.gif); /* half an animation is none */
+        sheen_gif_close(
+            viewer.gif); /* closed here, so that sheen_viewer_close does not write an unfinished animation */
         viewer.gif = NULL;
     }
     int closed = sheen_viewer_close(&viewer, &at_close);

@@ -1,5 +1,5 @@
 /*
- * color_names.h - the 148 named colours of CSS Color 4, in the alphabet's order.
+ * color_names.h - the 148 named colours of CSS Color 4, in alphabetical order.
  */
 #ifndef SHEEN_COLOR_NAMES_H
 #define SHEEN_COLOR_NAMES_H

@@ -1,5 +1,5 @@
 /*
- * commands.h - what `sheen` can be told to do.
+ * commands.h - the subcommands of `sheen`.
  */
 #ifndef SHEEN_COMMANDS_H
 #define SHEEN_COMMANDS_H
@@ -18,7 +18,8 @@ enum sheen_exit sheen_cmd_panels(struct sheen_options *options);
 enum sheen_exit sheen_cmd_lecture(struct sheen_options *options);
 enum sheen_exit sheen_cmd_man(struct sheen_options *options);
 
-/* The one line on standard error: "sheen: ...", for a wrong command line with where to look. Returns status. */
+/* Prints the one line on standard error: "sheen: ...", and after a wrong command line which help to see. */
+/* Returns status. */
 enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem);
 
 #endif

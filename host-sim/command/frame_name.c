@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A conversion: where it begins, how long it is, the digits it asks for. 0 where there is none from here on. */
+/* Finds the next %d or %0Nd: where it begins, how long it is, the digits it asks for. 0 if there is none. */
 static int find(const char *from, const char **begin, int *length, int *digits)
 {
     for (const char *p = strchr(from, '%'); p; p = strchr(p + 1, '%')) {

@@ -12,18 +12,18 @@
 #include "texels.h"
 
 #define COLORS 256
-#define VALUES 65536 /* of 565 */
-#define ROUNDS 6     /* of a palette's means: .2 s a frame of 10,000 colours, and more do not show */
+#define VALUES 65536 /* of a 565 pixel */
+#define ROUNDS 6     /* of k-means for a palette: .2 s for a frame of 10,000 colours; more make no visible difference */
 
 struct sheen_gif {
     GifFileType *file;
-    FILE *stream; /* into bytes */
+    FILE *stream; /* writes to bytes */
     char *bytes;
     size_t size;
     unsigned width, height, delay_cs;
-    GifByteType *index;                   /* of a frame's pixels, into its palette */
-    struct sheen_histogram_color *colors; /* VALUES of them; then of each value, */
-    uint32_t *counts;                     /* the pixels, then the index */
+    GifByteType *index;                   /* per pixel of a frame, its index into the palette */
+    struct sheen_histogram_color *colors; /* room for VALUES colours */
+    uint32_t *counts;                     /* per 565 value: its pixels, later its palette index */
 };
 
 static int write_bytes(GifFileType *file, const GifByteType *bytes, int count)
@@ -31,7 +31,7 @@ static int write_bytes(GifFileType *file, const GifByteType *bytes, int count)
     return (int)fwrite(bytes, 1, (size_t)count, file->UserData);
 }
 
-/* The extension by which a GIF asks to be repeated, 0 times meaning for ever. */
+/* The extension that makes a GIF repeat; a count of 0 means for ever. */
 static int put_repeat(GifFileType *file)
 {
     static const GifByteType forever[3] = {1, 0, 0};
@@ -65,7 +65,7 @@ int sheen_gif_open(struct sheen_gif **gif, unsigned width, unsigned height, unsi
     return SHEEN_OK;
 }
 
-/* Up to 256 colours into a palette in the order of appearance. How many there are, or 0 for more. */
+/* Puts up to 256 colours into a palette in the order of appearance. Returns their number, or 0 if there are more. */
 static int exact_palette(const uint8_t *rgb, size_t pixels, GifByteType *index, GifColorType *palette)
 {
     int count = 0, last = 0;
@@ -85,7 +85,7 @@ static int exact_palette(const uint8_t *rgb, size_t pixels, GifByteType *index, 
     return count;
 }
 
-/* The frame's 565 values, in ascending order. How many they are. */
+/* Collects the frame's 565 values in ascending order, each with its number of pixels. Returns how many there are. */
 static size_t histogram(const struct sheen_gif *gif, const uint8_t *rgb, size_t pixels)
 {
     size_t different = 0;
@@ -100,7 +100,7 @@ static size_t histogram(const struct sheen_gif *gif, const uint8_t *rgb, size_t 
     return different;
 }
 
-/* A 565 value as the panels' pictures have it: its upper bits again below it. */
+/* A 565 value in 8 bits per channel as in the panels' pictures: its upper bits are repeated in the low ones. */
 static GifColorType shown(uint16_t value)
 {
     unsigned r = value >> 11, g = value >> 5 & 63, b = value & 31;
@@ -109,7 +109,7 @@ static GifColorType shown(uint16_t value)
                           (GifByteType)(b << 3 | b >> 2)};
 }
 
-/* 256 colours for more, chosen among those that a panel of 565 shows. 0, or SHEEN_ERR_MEMORY. */
+/* For a frame of more than 256 colours: a palette of 256 that a 565 panel can show. 0, or SHEEN_ERR_MEMORY. */
 static int near_palette(const struct sheen_gif *gif, const uint8_t *rgb, size_t pixels, GifColorType *palette)
 {
     size_t different = histogram(gif, rgb, pixels);
@@ -131,7 +131,7 @@ static int near_palette(const struct sheen_gif *gif, const uint8_t *rgb, size_t 
     return error;
 }
 
-/* The frame's delay, then its palette and pixels. */
+/* Writes the frame's delay, then its palette and pixels. */
 static int put_frame(const struct sheen_gif *gif, const GifColorType *palette)
 {
     GraphicsControlBlock control = {.DelayTime = (int)gif->delay_cs, .TransparentColor = NO_TRANSPARENT_COLOR};

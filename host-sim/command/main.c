@@ -98,7 +98,7 @@ int main(int argc, char **argv)
     struct sheen_problem problem;
     const char *name = argc > 1 ? argv[1] : "";
 
-    /* A closed pipe and a file grown too large are errors of a write, not the end of the program. */
+    /* A closed pipe or a file grown too large makes a write fail; it does not end the program. */
     signal(SIGPIPE, SIG_IGN);
     signal(SIGXFSZ, SIG_IGN);
     int asks = strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0;

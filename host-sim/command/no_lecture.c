@@ -1,5 +1,5 @@
 /*
- * no_lecture.c - in place of cmd_lecture.c where sheen was built without cairo or fontconfig.
+ * no_lecture.c - replaces cmd_lecture.c if sheen is built without cairo or fontconfig.
  */
 #include "commands.h"
 

@@ -1,5 +1,5 @@
 /*
- * option_value.c - an option's argument into its field.
+ * option_value.c - stores an option's argument in its field.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static int refuse(const struct sheen_option *option, const char *text, const cha
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--%s '%s': %s", option->name, text, what);
 }
 
-/* A finite decimal number that takes up the text as far as `end`; *text moves there. 0 or -1. */
+/* Reads a finite decimal number up to `end`, a comma or '\0'; *text moves behind the comma. 0 or -1. */
 static int read_real(const char **text, char end, double *value)
 {
     char *stop;
@@ -109,7 +109,7 @@ static int set_size(const struct sheen_option *option, const char *text, unsigne
     return size[0] && size[1] ? SHEEN_OK : refuse(option, text, "no pixels", problem);
 }
 
-#define MOST_AWAY 20 /* of a point light from the mesh's centre, a part */
+#define MOST_AWAY 20 /* |coordinate| of a point light from the mesh's centre, in radii */
 
 static int commas(const char *text)
 {
@@ -120,7 +120,7 @@ static int commas(const char *text)
     return count;
 }
 
-/* `count` numbers and, or not, a colour, else white: -1 where it is something else. */
+/* Reads `count` numbers and an optional colour, by default white. 0, or -1 if the text is something else. */
 static int read_light(const struct sheen_option *option, const char *text, int count, double number[], uint8_t color[3])
 {
     const int with_color = commas(text) == count;

@@ -180,17 +180,17 @@ const struct sheen_option sheen_option_table[] = {
 
 enum {
     MAX_OPTIONS = sizeof sheen_option_table / sizeof sheen_option_table[0] + 2, /* help, version and the end */
-    HELP = 1000, /* values of struct option: the number of a table entry plus FIRST */
+    HELP = 1000, /* values of struct option: these two, or FIRST plus the number of a table entry */
     VERSION = 1001,
     FIRST = 2000
 };
 
-/* The table in the form that getopt_long takes. letters: room for two characters an option and three more. */
+/* The table in getopt_long's form. letters: room for two characters per option and three more. */
 static void make_getopt(unsigned command, struct option *longs, char *letters)
 {
     int count = 0;
 
-    letters += sprintf(letters, ":h"); /* a missing argument is told from an unknown option */
+    letters += sprintf(letters, ":h"); /* ':' first: getopt_long tells a missing argument from an unknown option */
     for (int i = 0; sheen_option_table[i].name; i++) {
         const struct sheen_option *option = &sheen_option_table[i];
         if (!(option->commands & command))
@@ -205,7 +205,7 @@ static void make_getopt(unsigned command, struct option *longs, char *letters)
     longs[count] = (struct option){NULL, 0, NULL, 0};
 }
 
-/* NULL: no option of the command. */
+/* The entry for a value from getopt_long, FIRST plus its number or its letter; NULL: no option of the command. */
 static const struct sheen_option *find_option(int value, unsigned command)
 {
     if (value >= FIRST)
@@ -217,7 +217,7 @@ static const struct sheen_option *find_option(int value, unsigned command)
     return NULL;
 }
 
-/* What getopt_long did not like: '?' or ':'. */
+/* Reports what getopt_long refused; answer: '?' or ':'. */
 static int refuse(int answer, unsigned command, char **argv, struct sheen_problem *problem)
 {
     const struct sheen_option *option = optopt ? find_option(optopt, command) : NULL;
@@ -252,10 +252,10 @@ static int set_defaults(struct sheen_options *options, unsigned command, struct 
     return SHEEN_OK;
 }
 
-/* What the range of one value cannot say. */
+/* Checks what the range of a single value cannot express. */
 static int check_values(const struct sheen_options *options, unsigned command, struct sheen_problem *problem)
 {
-    /* view comes to a matcap by a key */
+    /* in view a key switches to the matcap later */
     if (options->matcap_given && options->shade < SHEEN_MATCAP && command != SHEEN_VIEW)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--matcap: it is shown by --shade matcap or matcap-vertex");
     if (options->palette == 1)
@@ -268,7 +268,7 @@ static int check_values(const struct sheen_options *options, unsigned command, s
     return sheen_ramp_check(options, problem);
 }
 
-/* The operand: one mesh, for the command that draws one. */
+/* Takes the operand: exactly one mesh if the command takes a mesh, otherwise none. */
 static int take_operand(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
                         struct sheen_problem *problem)
 {
@@ -293,7 +293,7 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
 
     make_getopt(command->bit, longs, letters);
     opterr = 0;
-    optind = 0; /* GNU: start anew, as another command line may have been parsed */
+    optind = 0; /* GNU: start anew, because another command line may have been parsed before */
     while (!error && (answer = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
         if (answer == HELP || answer == 'h') {
             sheen_options_help(command);

@@ -1,5 +1,5 @@
 /*
- * options.h - the command line of `sheen`: one table makes the parser, --help and the man page.
+ * options.h - the command line of `sheen`: one table drives the parser, --help and the man page.
  */
 #ifndef SHEEN_OPTIONS_H
 #define SHEEN_OPTIONS_H
@@ -18,30 +18,30 @@ enum sheen_exit {
     SHEEN_EXIT_USAGE = 2    /* a wrong command line */
 };
 
-/* What an option's argument is, and where it goes: the type of the field at its offset. */
+/* What an option's argument is, and the type of the field at its offset in which it is stored. */
 enum sheen_option_kind {
-    SHEEN_OPTION_FLAG,   /* int: 1 where given */
+    SHEEN_OPTION_FLAG,   /* int: 1 if given */
     SHEEN_OPTION_REAL,   /* double */
     SHEEN_OPTION_WHOLE,  /* int */
-    SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, words parted by | */
+    SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, separated by | */
     SHEEN_OPTION_COLOR,  /* uint8_t[3]: six hex digits, with # or without, or a name (color_names.h) */
-    SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or where `argument` has it the word `file` */
+    SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` if `argument` lists it */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */
-    SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds one, with a colour or white */
+    SHEEN_OPTION_LIGHT,  /* struct sheen_light_list: adds a directional light, white if no colour is given */
     SHEEN_OPTION_POINT,  /* the same: adds a point light */
-    SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`, gamma with :G or without */
+    SHEEN_OPTION_RAMP,   /* struct sheen_ramp_choice: a word of `argument`; gamma may be followed by :G */
     SHEEN_OPTION_DEPTHS, /* struct sheen_depths: START,END, 0 < START < END */
     SHEEN_OPTION_TEXT    /* const char * */
 };
 
 struct sheen_paint {
     uint8_t color[3];
-    int given;     /* 0: the default; of a mesh that is white on panels of greys */
-    int from_file; /* 1: the file's, and the default where it has none */
+    int given;     /* 0: the default applies, which for a mesh is white on panels of greys */
+    int from_file; /* 1: the file's colours, and the default where the file has none */
 };
 
 enum sheen_ramp_kind {
-    SHEEN_RAMP_LAMBERT, /* none */
+    SHEEN_RAMP_LAMBERT, /* no ramp */
     SHEEN_RAMP_HALF,
     SHEEN_RAMP_GAMMA,
     SHEEN_RAMP_TOON
@@ -49,15 +49,15 @@ enum sheen_ramp_kind {
 
 struct sheen_ramp_choice {
     int kind;     /* enum sheen_ramp_kind */
-    double gamma; /* of GAMMA */
+    double gamma; /* for SHEEN_RAMP_GAMMA */
 };
 
 struct sheen_light_list {
-    double to[SHEEN_MAX_LIGHTS][3];  /* of a point light from the mesh's centre to it, in radii of the mesh */
-    double radius[SHEEN_MAX_LIGHTS]; /* likewise; 0: no point light */
+    double to[SHEEN_MAX_LIGHTS][3];  /* direction; of a point light, its place from the mesh's centre in mesh radii */
+    double radius[SHEEN_MAX_LIGHTS]; /* of a point light, in mesh radii; 0: a directional light */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
     int count;
-    int given; /* 0 while the list is the default, which the first given light replaces */
+    int given; /* 0: the list is still the default, which the first light given replaces */
 };
 
 struct sheen_depths {
@@ -69,7 +69,7 @@ struct sheen_options {
     unsigned size[2];                  /* px; 0: not given */
     int orientation;                   /* -1: not given */
     int shade;                         /* enum sheen_shading */
-    int shade_given;                   /* 0: the default, which is gouraud where a texture is shown */
+    int shade_given;                   /* 0: the default, which becomes gouraud if a texture or point lights need it */
     double yaw, pitch, roll, yaw_step; /* degrees */
     double distance, fov;
     struct sheen_light_list lights;
@@ -82,12 +82,12 @@ struct sheen_options {
     struct sheen_depths fog;
     struct sheen_paint fog_color; /* not given: the background's */
     double opacity;               /* 0..1 */
-    int phase;                    /* of its pattern, 0..7 */
+    int phase;                    /* columns that opacity's pattern is shifted by, 0..7 */
     int edges;                    /* enum sheen_edging; -1: not given */
-    struct sheen_paint line;      /* their colour; not given: what shows on the background */
+    struct sheen_paint line;      /* the edges' colour; not given: black on a light background, else white */
     int two_sided, average, affine, ortho;
     double crease;  /* degrees; 180 averages all */
-    int equal;      /* weights of an average */
+    int equal;      /* 1: averages of normals weigh all faces alike */
     int up;         /* 0: y, 1: z; -1: not given */
     int reduce;     /* triangles; 0: not given */
     int undithered; /* -1: not given */
@@ -98,8 +98,8 @@ struct sheen_options {
     const char *texture;     /* "file", "off", or a picture's path */
     int bilinear;            /* 0: nearest */
     int wrap;                /* enum sheen_wrap_option */
-    int texture_log2;        /* of texels a side, 0..9 */
-    int palette;             /* 0, or 2..256 values */
+    int texture_log2;        /* log2 of the texels per side, 0..9 */
+    int palette;             /* 2..256 colours; 0: not limited */
     const char *matcap;      /* one of SHEEN_MATCAP_NAMES, or a picture's path */
     int matcap_given;        /* 1: on the command line */
     const char *texture_out; /* NULL: not given */
@@ -107,7 +107,7 @@ struct sheen_options {
     const char *morph;       /* another frame of the mesh; NULL: none */
     int morph_target;
     double morph_weight; /* 0..1 */
-    const char *name;    /* bake: of the mesh, a C identifier; NULL: from the output's name */
+    const char *name;    /* bake: the mesh's C identifier; NULL: made from the output's name */
     int groups, no_flat, bake_edges;
     /* view: */
     int view_frames; /* 0: not given */
@@ -137,8 +137,8 @@ enum sheen_command_bit {
 
 struct sheen_option {
     const char *name;     /* long, without dashes */
-    const char *argument; /* its name in the help, or the words of a choice; NULL: none */
-    const char *value;    /* default, as one would type it; NULL: none */
+    const char *argument; /* the argument's name in the help, or the words of a choice; NULL: none */
+    const char *value;    /* the default, as typed on a command line; NULL: none */
     const char *help;
     enum sheen_option_kind kind;
     unsigned commands; /* of enum sheen_command_bit */
@@ -159,26 +159,26 @@ struct sheen_command {
 extern const struct sheen_option sheen_option_table[];
 
 /*
- * Defaults, then argv[1..]; options and the operand may stand in any order.
- * 1: go on; 0: help or the version was asked for and printed; SHEEN_ERR_ARGUMENT and *problem.
+ * Sets the defaults, then parses argv[1..]; options and the operand may come in any order.
+ * 1: go on; 0: help or the version was asked for and printed; or SHEEN_ERR_ARGUMENT and *problem.
  */
 int sheen_options_parse(struct sheen_options *options, const struct sheen_command *command, int argc, char **argv,
                         struct sheen_problem *problem);
 
-/* --version, and --help of a command, on standard output. */
+/* Print --version, and --help of a command, on standard output. */
 void sheen_options_version(void);
 void sheen_options_help(const struct sheen_command *command);
 
-/* A part of the help, on standard output: lines wrapped, but for those that begin with a space. */
+/* Prints a part of the help on standard output. Lines are wrapped, except those that begin with a space. */
 void sheen_options_paragraph(const char *text);
 
-/* What the help and the man page say of an option: its text and default; free() it. NULL without memory. */
+/* An option's description and default, for the help and the man page; free() it. NULL: not enough memory. */
 char *sheen_option_text(const struct sheen_option *option);
 
-/* "0.2.0", say, and what both say of the command as a whole. */
+/* The version, such as "0.2.0", and what the help and the man page say of the command as a whole. */
 extern const char sheen_version[], sheen_text_what[], sheen_text_help[], sheen_text_mesh[], sheen_text_exit[];
 
-/* An option's argument into its field. 0, or SHEEN_ERR_ARGUMENT and *problem. */
+/* Stores an option's argument in its field. 0, or SHEEN_ERR_ARGUMENT and *problem. */
 int sheen_option_set(struct sheen_options *options, const struct sheen_option *option, const char *text,
                      struct sheen_problem *problem);
 

@@ -21,7 +21,7 @@ const char sheen_text_mesh[] =
 const char sheen_text_exit[] = "The exit status is 0, 1 after bad input or a failed write, 2 for a wrong command line; "
                                "one line on standard error says what is wrong.";
 
-/* A line of text from `column` on, broken between words only. Returns what follows it. */
+/* Prints a line of text from `column` on, wrapped between words only. Returns the text after that line. */
 static const char *print_line(const char *text, size_t column, size_t indent)
 {
     const char *word = text;
@@ -72,7 +72,7 @@ static void print_option(const struct sheen_option *option)
     int length = printf("%3s --%s%s%s", option->letter ? letter : "", option->name, option->argument ? " " : "",
                         option->argument ? option->argument : "");
 
-    if (length >= INDENT) /* too long to stand beside its text */
+    if (length >= INDENT) /* too long for one line with its text */
         printf("\n%*s", INDENT, "");
     else
         printf("%*s", INDENT - length, "");

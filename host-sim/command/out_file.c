@@ -1,5 +1,5 @@
 /*
- * out_file.c - an output file that is there whole or not at all.
+ * out_file.c - an output file that appears whole or not at all.
  */
 #include "out_file.h"
 
@@ -12,9 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define MOST_LINKS 40 /* one after the other, as of Linux */
+#define MOST_LINKS 40 /* symbolic links in a row, the same limit as Linux's */
 
-/* All of it, going on after short and interrupted writes. 0, or -1 and errno. */
+/* Writes all bytes, continuing after short and interrupted writes. 0, or -1 and errno. */
 static int write_all(int file, const char *bytes, size_t count)
 {
     while (count > 0) {
@@ -42,7 +42,7 @@ static int write_in_place(const char *path, const void *bytes, size_t count)
     return result;
 }
 
-/* beside: a template for mkstemp, in the folder of path. The new file has the mode that creating it plainly would. */
+/* beside: a template for mkstemp, in the folder of path. The new file gets the mode of a plainly created one. */
 static int write_and_move(const char *path, char *beside, const void *bytes, size_t count)
 {
     mode_t mask = umask(0);
@@ -69,7 +69,7 @@ static int write_and_move(const char *path, char *beside, const void *bytes, siz
     return result;
 }
 
-/* The name in the folder of path; free() it. NULL without memory. */
+/* Joins the folder of path and the name; free() it. NULL: not enough memory. */
 static char *in_folder_of(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
@@ -83,7 +83,7 @@ static char *in_folder_of(const char *path, const char *name)
     return joined;
 }
 
-/* What a link names; free() it. NULL and errno. */
+/* The path that a link names; free() it. On failure NULL and errno. */
 static char *named_by(const char *link)
 {
     char name[4096];
@@ -97,7 +97,8 @@ static char *named_by(const char *link)
     return *name == '/' ? strdup(name) : in_folder_of(link, name);
 }
 
-/* Where links lead, where nothing is there yet, which realpath() does not tell; free() it. NULL and errno. */
+/* Where a chain of links ends, even if no file exists there yet, which realpath() cannot tell; free() it. */
+/* On failure NULL and errno. */
 static char *end_of_links(const char *path)
 {
     char *end = strdup(path);
@@ -114,8 +115,8 @@ static char *end_of_links(const char *path)
 }
 
 /*
- * A file that may not be written is not replaced either; a link stays one, its end is replaced or made. The new file's
- * name beside it is short, whatever the length of its own.
+ * A file without write permission is not replaced either. A link stays a link; the file where it ends is replaced or
+ * made. The new file's temporary name is short, so that it is valid however long the final name is.
  */
 static int write_regular(const char *path, int exists, const void *bytes, size_t count)
 {
@@ -141,7 +142,7 @@ int sheen_out_file(const char *path, const void *bytes, size_t count, struct she
     if (exists && !S_ISREG(status.st_mode)) {
         result = write_in_place(path, bytes, count);
     } else {
-        /* A signal that ends us waits until the file is in its place. */
+        /* A signal that would end the program waits until the file is in its place. */
         sigset_t all, before;
         sigfillset(&all);
         sigprocmask(SIG_BLOCK, &all, &before);

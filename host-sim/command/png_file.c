@@ -1,5 +1,5 @@
 /*
- * png_file.c - pictures to PNG files and back, by libpng's simplified interface.
+ * png_file.c - pictures to PNG files and back, with libpng's simplified interface.
  */
 #include "png_file.h"
 

@@ -12,11 +12,11 @@
 int sheen_png_write(const char *path, const uint8_t *rgb, unsigned width, unsigned height,
                     struct sheen_problem *problem);
 
-/* The same of 4 bytes a pixel, with alpha. */
+/* The same with 4 bytes per pixel: red, green, blue and alpha. */
 int sheen_png_write_rgba(const char *path, const uint8_t *rgba, unsigned width, unsigned height,
                          struct sheen_problem *problem);
 
-/* *rgb is the caller's to free. 0, or a negative code and *problem, *rgb then NULL. */
+/* Reads a picture into *rgb; free() it. 0, or a negative code and *problem, and *rgb is NULL. */
 int sheen_png_read(const char *path, uint8_t **rgb, unsigned *width, unsigned *height, struct sheen_problem *problem);
 
 #endif

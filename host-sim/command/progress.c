@@ -1,12 +1,12 @@
 /*
- * progress.c - one line that tells how far long work is, on a terminal only.
+ * progress.c - one line that shows how far long work has got, on a terminal only.
  */
 #include "progress.h"
 
 #include <stdio.h>
 #include <unistd.h>
 
-#define WIDTH 60 /* columns that the text may take: a line that wraps could not be taken away */
+#define WIDTH 60 /* columns for the text: a line that wraps could not be erased */
 
 void sheen_progress(const char *what, int done, int whole)
 {

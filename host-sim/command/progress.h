@@ -1,16 +1,16 @@
 /*
- * progress.h - one line that tells how far long work is, on a terminal only.
+ * progress.h - one line that shows how far long work has got, on a terminal only.
  */
 #ifndef SHEEN_PROGRESS_H
 #define SHEEN_PROGRESS_H
 
 /*
- * "what 12/60" on standard error in place of the line before, where that is a
- * terminal; a whole of 0 leaves the numbers out. Nothing into a pipe or file.
+ * Prints "what 12/60" in place of the previous such line; a whole of 0 leaves the numbers out. Prints nothing unless
+ * standard error is a terminal.
  */
 void sheen_progress(const char *what, int done, int whole);
 
-/* Takes the line away again: call it before anything else is said. */
+/* Erases the line: call it before anything else is printed. */
 void sheen_progress_end(void);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * ramps.c - a ramp over L.N as the command line names it.
+ * ramps.c - the ramps over L.N that the command line names.
  */
 #include "ramps.h"
 
@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PANEL_GAMMA 2.2 /* the core's */
+#define PANEL_GAMMA 2.2 /* the exponent of sheen_ramp_make_gamma */
 #define LIT_STEPS (SHEEN_RAMP_STEPS / 2)
-#define LEAST_DIFFUSE 0.001 /* the core's 64 of Q15.16 */
+#define LEAST_DIFFUSE 0.001 /* the core's limit is 64 in Q15.16, 1/1024 */
 
 int sheen_ramp_read(struct sheen_ramp_choice *choice, const char *text)
 {
@@ -44,7 +44,7 @@ int sheen_ramp_check(const struct sheen_options *options, struct sheen_problem *
                          options->diffuse, LEAST_DIFFUSE);
 }
 
-/* As sheen_ramp_make_gamma, by any exponent; above an ambient light of 1.0 it is negative in the dark. */
+/* As sheen_ramp_make_gamma, but for any exponent. With ambient light above 1.0 the ramp's dark end is negative. */
 static void make_curve(struct sheen_ramp *ramp, double ambient, double diffuse, double gamma)
 {
     const double dark = pow(ambient, 1 / gamma) - ambient, bright = pow(ambient + diffuse, 1 / gamma) - ambient;
@@ -78,7 +78,7 @@ const struct sheen_ramp *sheen_ramp_of(struct sheen_ramp *room, const struct she
             make_curve(room, ambient, diffuse, gamma);
         else if (sheen_ramp_make_gamma(room, (sheen_q16_t)lround(ambient * 65536),
                                        (sheen_q16_t)lround(diffuse * 65536)) != SHEEN_OK)
-            return NULL; /* sheen_ramp_check lets none of these through */
+            return NULL; /* not after sheen_ramp_check */
         return room;
     default:
         return NULL;

@@ -1,5 +1,5 @@
 /*
- * ramps.h - a ramp over L.N as the command line names it.
+ * ramps.h - the ramps over L.N that the command line names.
  */
 #ifndef SHEEN_RAMPS_H
 #define SHEEN_RAMPS_H
@@ -10,15 +10,15 @@
 #define SHEEN_LEAST_GAMMA 1.0
 #define SHEEN_MOST_GAMMA 5.0
 
-/* "half", "gamma:1.8": 0, or -1 where it is none; *choice is untouched then. */
+/* Reads a ramp's name, such as "half" or "gamma:1.8". 0, or -1 if it is none; *choice is untouched then. */
 int sheen_ramp_read(struct sheen_ramp_choice *choice, const char *text);
 
-/* "--ramp gamma" divides by the diffuse light: 0, or SHEEN_ERR_ARGUMENT and *problem. */
+/* Checks the diffuse light, by which "--ramp gamma" divides. 0, or SHEEN_ERR_ARGUMENT and *problem: it is too small. */
 int sheen_ramp_check(const struct sheen_options *options, struct sheen_problem *problem);
 
 /*
- * What a material points to: a ramp of the core's, or *room, made for the options' ambient and diffuse light; NULL for
- * the lecture's.
+ * The ramp for a material to point to: one of the core's, or *room, filled in for the options' ambient and diffuse
+ * light; NULL for the lecture's max(0, L.N).
  */
 const struct sheen_ramp *sheen_ramp_of(struct sheen_ramp *room, const struct sheen_options *options);
 

@@ -1,5 +1,5 @@
 /*
- * roff.c - text into a page of the manual.
+ * roff.c - text of the manual page, escaped for roff.
  */
 #include "roff.h"
 

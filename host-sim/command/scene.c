@@ -22,7 +22,7 @@ static sheen_q24_t to_q24(double x)
     return (sheen_q24_t)lround(x * 16777216);
 }
 
-/* Any finite angle in degrees to turns. fmod is exact, so a million turns too many lose nothing. */
+/* Any finite angle in degrees to turns. fmod is exact, so that even a million whole turns lose no precision. */
 static sheen_angle_t to_angle(double degrees)
 {
     return (sheen_angle_t)(int64_t)llround(fmod(degrees, 360) / 360 * 4294967296.0);
@@ -49,7 +49,7 @@ static int has_points(const struct sheen_options *options)
     return found;
 }
 
-/* Lights that plain shadings do not read. */
+/* 1 if the plain shaders would ignore a light's property: its colour, or that it is a point light. */
 static int lights_are_colored(const struct sheen_options *options)
 {
     int colored = has_points(options) || !(is_white(options->ambient_color) || is_black(options->ambient_color));
@@ -69,7 +69,7 @@ int sheen_scene_corners_alone(const struct sheen_scene *scene)
     return scene->texel_count > 0 || has_points(scene->options);
 }
 
-/* White lines are lost on what a panel of two levels shows as white. */
+/* Black on a background that a panel of two levels shows as white, where white lines would be lost; else white. */
 static const uint8_t *line_color(const struct sheen_options *options)
 {
     static const uint8_t white[3] = {255, 255, 255}, black[3] = {0, 0, 0};
@@ -96,7 +96,7 @@ static void set_material(struct sheen_material *material, const struct sheen_shi
         material->ambient = 0;
 }
 
-/* One mesh of everything, or one a material that has faces. */
+/* Quantises each part of the host's mesh and makes its material. */
 static int make_meshes(struct sheen_scene *scene, const struct sheen_host_mesh *host)
 {
     const struct sheen_paint *paint = &scene->options->color;
@@ -166,7 +166,7 @@ struct sheen_host_options sheen_scene_host_options(const struct sheen_options *o
                                        .colors = !options->no_vertex_colors};
 }
 
-/* What is lit flat or gouraud alone must not be asked for otherwise. */
+/* Textures and point lights can only be lit flat or gouraud: refuses a --shade that asks for another lit shading. */
 static int check_shading(struct sheen_scene *scene, struct sheen_problem *problem)
 {
     const struct sheen_options *options = scene->options;
@@ -208,7 +208,7 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     return sheen_matcap_load(&scene->matcap, options->matcap, (unsigned)options->palette, options->bilinear, problem);
 }
 
-/* All that is seen is wholly in the fog; 24 fraction bits may be few for where it begins and ends. */
+/* 1 if the fog ends well before z_near: all that is seen is wholly in the fog, whose depths Q7.24 may not resolve. */
 static int ends_before(const struct sheen_scene *scene)
 {
     return !scene->options->ortho && scene->options->fog.end < scene->view.z_near / 2.0 / (1 << 24);
@@ -263,7 +263,7 @@ void sheen_scene_look(struct sheen_scene *scene)
     view->affine = (uint8_t)options->affine;
     view->dither = options->undithered < 0 ? scene->target->pixel != SHEEN_GREY256 : !options->undithered;
     if (options->edges == SHEEN_WIRE)
-        view->dither = 0; /* the background is not either */
+        view->dither = 0; /* the background is not dithered, and the faces have to look the same */
     memcpy(view->background, options->background, sizeof view->background);
     for (int i = 0; i < options->lights.count; i++) {
         const double *to = options->lights.to[i];
@@ -282,7 +282,7 @@ void sheen_scene_look(struct sheen_scene *scene)
     look_through_fog(scene);
 }
 
-/* What shows texels takes them; what has no colour of its own is as asked for, else as shows best. */
+/* Sets each material's texture, and its base unless the file gives one: as asked for, else what shows best. */
 static void paint(struct sheen_scene *scene)
 {
     static const uint8_t white[3] = {255, 255, 255};
@@ -304,8 +304,8 @@ static void paint(struct sheen_scene *scene)
 /* ---- the frame's memory ---- */
 
 /*
- * An arena for all of the meshes. pieces: of clipped triangles, 0 for the core's
- * default; how many there will be is not known before they are cut. Nor is it of edges, whose cut ends are vertices.
+ * Makes the arena for all meshes. pieces: room for pieces of clipped triangles, 0 for the core's default; how many a
+ * frame needs is not known before it is clipped. The same holds for clipped edges, whose cut ends are new vertices.
  */
 static int make_frame(struct sheen_scene *scene, unsigned pieces)
 {
@@ -317,7 +317,7 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
         triangles += scene->meshes[i].mesh.triangles;
     }
     const int wants_edges = sheen_scene_edging(scene) != SHEEN_NO_EDGES;
-    uint32_t edges = wants_edges ? 3 * triangles + triangles / 64 + 1 : 0; /* all, at most */
+    uint32_t edges = wants_edges ? 3 * triangles + triangles / 64 + 1 : 0; /* an upper bound for all edges */
     vertices += wants_edges ? 4 * pieces : 0;
     *config = (struct sheen_config){.target = scene->target,
                                     .band_rows = (uint16_t)scene->options->band,
@@ -339,7 +339,7 @@ static int make_frame(struct sheen_scene *scene, unsigned pieces)
     return sheen_init(&scene->frame, scene->arena, &size, config);
 }
 
-/* As many pieces as the last frame had to have room for. */
+/* Keeps the room for pieces that the last frame needed. */
 int sheen_scene_retarget(struct sheen_scene *scene, const struct sheen_target *target)
 {
     scene->target = target;
@@ -382,7 +382,7 @@ void sheen_scene_close(struct sheen_scene *scene)
 
 /* ---- a frame ---- */
 
-/* What `--edges wire` has its faces look like: as if they were not there, but for what they hide. */
+/* The material of faces with `--edges wire`: the background's colour, so that they are unseen but still hide lines. */
 static struct sheen_material hidden_faces(const struct sheen_options *options)
 {
     struct sheen_material material = {.ambient = to_q16(1)};
@@ -465,7 +465,7 @@ static int draw_all(struct sheen_scene *scene, int number)
     return error;
 }
 
-/* Whether edges, or their cut ends, are more than any frame has room for: it has all that they can be given. */
+/* 1 if the edges, or the vertices at their cut ends, need more room than this frame has, which is the most possible. */
 static int edges_are_too_many(const struct sheen_scene *scene)
 {
     const enum sheen_subject about = sheen_frame_about(scene->frame, NULL);
@@ -475,8 +475,8 @@ static int edges_are_too_many(const struct sheen_scene *scene)
 }
 
 /*
- * Close to the eye more is cut than the frame has room for: it is made anew with more. Where the edges are too many for
- * any frame, and nobody asked for them, they are left out.
+ * Close to the eye more triangles may be cut than the frame has room for; then it is made anew with more room. If the
+ * edges are too many for any frame and were not asked for, they are left out.
  */
 int sheen_scene_begin(struct sheen_scene *scene, int number)
 {

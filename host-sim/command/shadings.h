@@ -1,6 +1,5 @@
 /*
- * shadings.h - the shadings, and what is drawn of edges, by number: for options, tables and loops of the host and the
- * tests.
+ * shadings.h - shadings, and ways to draw edges, by number: for options, tables and loops of the host and the tests.
  */
 #ifndef SHEEN_SHADINGS_H
 #define SHEEN_SHADINGS_H
@@ -12,13 +11,13 @@ enum sheen_shading {
     SHEEN_GOURAUD,
     SHEEN_PHONG,
     SHEEN_SLERP,
-    SHEEN_SHADINGS, /* of the lecture, lit; beyond: pictures of a lit sphere */
+    SHEEN_SHADINGS, /* the number of the lecture's, lit ones; from here on: pictures of a lit sphere */
     SHEEN_MATCAP = SHEEN_SHADINGS,
     SHEEN_MATCAP_VERTEX,
     SHEEN_ALL_SHADINGS
 };
 
-/* As --shade calls it. */
+/* The shading's name in --shade. */
 static inline const char *sheen_shading_word(unsigned shading)
 {
     static const char *const word[SHEEN_ALL_SHADINGS] = {"flat",  "gouraud", "phong",
@@ -27,7 +26,7 @@ static inline const char *sheen_shading_word(unsigned shading)
     return word[shading];
 }
 
-/* The one that reads colours; NULL: there is none. */
+/* The shading's shader that reads colours of vertices and lights. */
 static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shading)
 {
     static const struct sheen_shader *const shader[SHEEN_ALL_SHADINGS] = {
@@ -37,7 +36,7 @@ static inline const struct sheen_shader *sheen_colored_shader_of(unsigned shadin
     return shader[shading];
 }
 
-/* That of textures, flat or gouraud. */
+/* The shader of textures: flat, or gouraud for any other shading. */
 static inline const struct sheen_shader *sheen_textured_shader_of(unsigned shading, int colored)
 {
     static const struct sheen_shader *const shader[2][2] = {{&sheen_textured_flat, &sheen_textured},

@@ -1,5 +1,5 @@
 /*
- * stats_json.c - `--stats`: a line of JSON a frame.
+ * stats_json.c - `--stats`: a line of JSON per frame.
  */
 #include "stats_json.h"
 
@@ -9,7 +9,7 @@
 
 #include "frame/ways.h"
 
-/* By enum sheen_way. */
+/* Indexed by enum sheen_way. */
 static const char *const way_names[SHEEN_WAYS] = {"flat",
                                                   "gouraud_linear",
                                                   "gouraud_quadratic",

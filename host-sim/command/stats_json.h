@@ -1,5 +1,5 @@
 /*
- * stats_json.h - `--stats`: a line of JSON a frame.
+ * stats_json.h - `--stats`: a line of JSON per frame.
  */
 #ifndef SHEEN_STATS_JSON_H
 #define SHEEN_STATS_JSON_H
@@ -8,7 +8,7 @@
 
 #include "turntable.h"
 
-/* One object and a newline. 0, or SHEEN_ERR_ARGUMENT where the stream fails. */
+/* Prints one object and a newline. 0, or SHEEN_ERR_ARGUMENT if the stream fails. */
 int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int number);
 
 #endif

@@ -7,12 +7,12 @@
 #include "options.h"
 #include "texels.h"
 
-/* 0, or SHEEN_ERR_ARGUMENT and *problem: the name that the options have for them is that of no PNG. */
+/* Checks the file name in the options. 0, or SHEEN_ERR_ARGUMENT and *problem: it is no PNG's, or also the output's. */
 int sheen_textures_out_check(const struct sheen_options *options, struct sheen_problem *problem);
 
 /*
- * Writes them where the options ask for it, transparent texels with alpha 0. 0, or a negative code and *problem: there
- * is none, or the name does not differ from one to the next.
+ * Writes the textures if the options ask for it, transparent texels with alpha 0. 0, or a negative code and *problem:
+ * there are none, the name does not vary for several textures, or writing fails.
  */
 int sheen_textures_out(const struct sheen_options *options, const struct sheen_texels *texels, size_t count,
                        struct sheen_problem *problem);

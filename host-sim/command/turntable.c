@@ -18,7 +18,7 @@ const char *sheen_turntable_panel_name(const struct sheen_turntable *table)
 int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_options *options,
                            struct sheen_problem *problem)
 {
-    char why[4096 + 100]; /* a name of what length may be; the problem shortens it */
+    char why[4096 + 100]; /* the name in it may have any length; the problem shortens it */
     int error = sheen_sim_choose(choice, options->panel, options->orientation, options->size[0], options->size[1], why,
                                  sizeof why);
 

@@ -16,14 +16,14 @@ struct sheen_turntable {
     struct sheen_sim_panel *panel;
     uint16_t *values; /* the picture as the viewer sees it: 565 values or grey levels */
     uint8_t *rgb;     /* the same, 3 bytes a pixel */
-    int warned;       /* that nothing is to be seen */
+    int warned;       /* 1: the warning that nothing is to be seen was printed */
 };
 
 /* The panel that the options ask for. 0, or SHEEN_ERR_ARGUMENT and *problem. */
 int sheen_turntable_choose(struct sheen_sim_choice *choice, const struct sheen_options *options,
                            struct sheen_problem *problem);
 
-/* And that --band is within its rows. Likewise. */
+/* The same, and checks that --band is within the picture's rows. */
 int sheen_turntable_check(struct sheen_sim_choice *choice, const struct sheen_options *options,
                           struct sheen_problem *problem);
 
@@ -35,27 +35,27 @@ int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_optio
                          const struct sheen_sim_choice *choice, struct sheen_problem *problem);
 void sheen_turntable_close(struct sheen_turntable *table);
 
-/* The panel alone, into zeroed memory: as much as sheen_turntable_read needs. Likewise. */
+/* Opens the panel alone, which suffices for sheen_turntable_read(); *table MUST be zeroed. Returns as the above. */
 int sheen_turntable_open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
                                struct sheen_problem *problem);
 
 /*
- * Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. The first
- * time that nothing is to be seen a warning on standard error says why.
+ * Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. The first time that nothing is to
+ * be seen, a warning on standard error says why.
  */
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem);
 
-/* What the core said of a frame; of a capacity its name too: the frame had all the room that it can be given. */
+/* Puts the core's error into *problem; of a capacity its name too, as the frame already had the most room possible. */
 int sheen_turntable_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem);
 
-/* The same meshes on another panel, which is just switched on. As open; on error only close may follow. */
+/* Moves the meshes to another panel, just switched on. Returns as open does; on error only close may follow. */
 int sheen_turntable_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
                           struct sheen_problem *problem);
 
 /* The panel's full name. */
 const char *sheen_turntable_panel_name(const struct sheen_turntable *table);
 
-/* The controller's complaint as an error, else the picture off the glass. Nothing may be under way to the panel. */
+/* Returns the controller's complaint as an error, or reads the picture off the glass. No push may be under way. */
 int sheen_turntable_read(struct sheen_turntable *table, struct sheen_problem *problem);
 
 #endif
