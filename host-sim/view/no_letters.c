@@ -1,5 +1,5 @@
 /*
- * no_letters.c - in place of view_letters.c where there is no cairo: the window's title says the first line.
+ * no_letters.c - replaces view_letters.c if there is no cairo; the window's title still shows the first line.
  */
 #include "view_letters.h"
 

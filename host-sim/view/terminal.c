@@ -1,9 +1,8 @@
 /*
  * terminal.c - pictures as text.
  *
- * U+2580, the upper half block, shows one colour above (the foreground) and one
- * below (the background). Colours are set by ISO 8613-6's 38;2 and 48;2, as most
- * terminals take them, and only where they change.
+ * U+2580, the upper half block, shows one colour above (the foreground) and one below (the background). Colours are set
+ * with ISO 8613-6's 38;2 and 48;2, which most terminals accept, and only where they change.
  */
 #include "terminal.h"
 
@@ -33,7 +32,7 @@ void sheen_terminal_size(unsigned width, unsigned height, unsigned max_columns, 
     *rows = (down + 1) / 2;
 }
 
-/* The mean of pixels [x0, x1) x [y0, y1), at least one. */
+/* The mean of the pixels [x0, x1) x [y0, y1), of which there is at least one. */
 static void mean(const uint8_t *rgb, unsigned width, unsigned x0, unsigned x1, unsigned y0, unsigned y1,
                  uint8_t colour[3])
 {
@@ -49,7 +48,7 @@ static void mean(const uint8_t *rgb, unsigned width, unsigned x0, unsigned x1, u
         colour[k] = (uint8_t)((2 * sum[k] + count) / (2 * count));
 }
 
-/* Where cell i of n begins on a side of `length` pixels, and where the next does: at least one pixel. */
+/* The pixels [*from, *to) of cell i of n on a side of `length` pixels, at least one. */
 static void cell(unsigned i, unsigned n, unsigned length, unsigned *from, unsigned *to)
 {
     *from = (unsigned)((uint64_t)i * length / n);

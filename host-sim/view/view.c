@@ -1,11 +1,11 @@
 /*
- * view.c - frames and bands of a mesh that turns on a simulated glass.
+ * view.c - draws frames and bands of a mesh that turns on a simulated glass.
  */
 #include "view.h"
 
 #include <string.h>
 
-/* The core calls it for each rectangle that it sends. */
+/* An overlay: the core calls it for each rectangle that it sends. */
 static void note_sent(void *ctx, const struct sheen_canvas *canvas)
 {
     struct sheen_viewer *viewer = ctx;
@@ -13,7 +13,7 @@ static void note_sent(void *ctx, const struct sheen_canvas *canvas)
     viewer->sent = canvas->rect;
 }
 
-/* The kind of glass that the panel is sold with. */
+/* The theme of the glass that the panel is sold with. */
 static enum sheen_theme own_theme(const struct sheen_sim_choice *choice)
 {
     if (!choice->record)
@@ -67,7 +67,7 @@ int sheen_viewer_close(struct sheen_viewer *viewer, struct sheen_problem *proble
 
 /* ---- a frame ---- */
 
-/* The next band of the frame under way, until it is on the glass. The last one ends the frame. */
+/* Sends the next band of the frame under way and waits until it is on the glass. The last band finishes the frame. */
 static int send_band(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     struct sheen_frame *frame = viewer->table.scene.frame;
@@ -104,7 +104,7 @@ int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *probl
     return sheen_turntable_draw(&viewer->table, viewer->number, problem);
 }
 
-/* A frame under way is ended, which is the next one too. */
+/* A frame under way is finished: it is the next one. */
 int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     if (viewer->band >= 0)
@@ -128,7 +128,7 @@ int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem
     return error ? error : sheen_turntable_read(&viewer->table, problem);
 }
 
-/* The height of bands as the core chooses it (struct sheen_config). */
+/* The height of bands is computed as the core chooses it (struct sheen_config). */
 void sheen_viewer_rows(const struct sheen_viewer *viewer, int *first, int *end)
 {
     const struct sheen_target *target = viewer->table.scene.target;

@@ -16,13 +16,13 @@ struct sheen_viewer {
     struct sheen_options options; /* a copy, which the keys change */
     struct sheen_turntable table;
     struct sheen_glass_look look;
-    unsigned room[2]; /* px that the glass may take up where no scale is given; 0: scale 1 */
+    unsigned room[2]; /* px that the glass may take up if no scale is given; 0: scale 1 */
     int number;       /* of the frame that is shown */
     int playing;
-    int band;               /* the next of a frame under way; -1: none is */
-    int shown_band;         /* the last one that was sent by itself; -1: none */
-    struct sheen_rect sent; /* what it sent, px; empty: nothing */
-    struct sheen_gif *gif;  /* being recorded; NULL: none */
+    int band;               /* the next band of a frame under way; -1: no frame is under way */
+    int shown_band;         /* the last band that was sent by itself; -1: none */
+    struct sheen_rect sent; /* the rectangle of shown_band that was sent, px; empty: nothing was */
+    struct sheen_gif *gif;  /* the recording under way; NULL: none */
     unsigned gif_size[2];   /* px */
     int gif_frames;
     char message[sizeof(struct sheen_problem)]; /* what the last key did; "": nothing to tell */
@@ -38,18 +38,17 @@ enum sheen_key {
 };
 
 /*
- * Loads the mesh, switches the panel on and draws the first frame. choice: as resolved
- * from the options, which are copied. The viewer MUST stay where it is; its room may be
- * set afterwards, followed by sheen_viewer_look.
+ * Loads the mesh, switches the panel on and draws the first frame. choice: as resolved from the options, which are
+ * copied. *viewer MUST not be moved in memory; its room may be set afterwards, followed by sheen_viewer_look.
  * 0, or a negative code and *problem; close in either case.
  */
 int sheen_viewer_open(struct sheen_viewer *viewer, const struct sheen_options *options,
                       const struct sheen_sim_choice *choice, struct sheen_problem *problem);
 
-/* Writes a recording that is still going on to its file. 0, or a negative code and *problem. */
+/* Closes the viewer; a recording still under way is written to its file. 0, or a negative code and *problem. */
 int sheen_viewer_close(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
-/* Draws this frame again, with the options as they are now; draws the next one. One under way is finished. */
+/* Draw this frame again, with the options as they are now, and draw the next one. A frame under way is finished. */
 int sheen_viewer_redraw(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_viewer_next(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
@@ -59,48 +58,49 @@ int sheen_viewer_band(struct sheen_viewer *viewer, struct sheen_problem *problem
 /* The rows of the last band that was sent by itself: first <= y < end. */
 void sheen_viewer_rows(const struct sheen_viewer *viewer, int *first, int *end);
 
-/* Another panel or orientation, from the options. The scale, unless given, follows. */
+/* Switches to the panel and orientation in the options. The scale is chosen anew unless it was given. */
 int sheen_viewer_panel(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
-/* The theme of the options, or the panel's own for auto; scale and gap likewise. */
+/* Sets theme, scale and gap from the options, or where these do not say, from the panel and the room. */
 void sheen_viewer_look(struct sheen_viewer *viewer);
 
-/* The glass as it looks, scale * width x scale * height values 0x00RRGGBB; stride in values. */
+/* Paints the glass as it looks: scale * width x scale * height values 0x00RRGGBB; stride in values. */
 void sheen_viewer_paint(const struct sheen_viewer *viewer, uint32_t *out, unsigned stride);
 
-/* What a key does. 1: the end was asked for; 0: go on; a negative code and *problem: nothing can be shown any more. */
+/* Does what a key asks for. 1: end; 0: go on; a negative code and *problem: nothing can be shown any more. */
 int sheen_viewer_key(struct sheen_viewer *viewer, int key, struct sheen_problem *problem);
 
 /* ---- view_status.c: lines without newline, cut to size ---- */
 
 /* Panel, frame or band, shading, size, orientation. */
 void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t size);
-/* Triangles, pixels, bytes on the bus, the panel's frame ceiling. */
+/* Triangles, pixels, bytes on the bus, the highest frame rate that the panel's bus allows. */
 void sheen_viewer_counts(const struct sheen_viewer *viewer, char *text, size_t size);
 
 /* ---- view_files.c ---- */
 
-/* What sheen_viewer_paint draws as bytes r, g, b, the caller's to free; NULL without memory. size: px. */
+/* What sheen_viewer_paint draws, as bytes r, g, b; free() it. NULL: not enough memory. size: px. */
 uint8_t *sheen_viewer_picture(const struct sheen_viewer *viewer, unsigned size[2]);
 
-/* Into a new file sheen-NNN.png, the first free number; its name is the message. 0, or a negative code and *problem. */
+/* Writes sheen-NNN.png, the first free number; the message names it. 0, or a negative code and *problem. */
 int sheen_viewer_png(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
-/* A recording: begin; add the glass as it looks (a new size ends it); end, into path or a new sheen-NNN.gif. */
+/* A recording: begin; add the glass as it looks (a new size ends it); end, into path or (NULL) a new sheen-NNN.gif. */
 int sheen_viewer_gif_begin(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_viewer_gif_add(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_viewer_gif_end(struct sheen_viewer *viewer, const char *path, struct sheen_problem *problem);
 
-/* Adds to a recording if there is one; what goes wrong with it becomes the message. */
+/* Adds the glass to the recording if there is one; an error becomes the message. */
 void sheen_viewer_record(struct sheen_viewer *viewer);
 
-/* ---- the places to look at: until a key or options.view_frames end it ---- */
+/* ---- the window and the terminal: each runs until a key or options.view_frames ends it ---- */
 
-/* px of the screen that a glass may take up; asks SDL. frames: how many end it; 0: a user, who needs to see it. */
+/* The px of the screen that a glass may take up; asks SDL. frames: how many are shown; 0: until a user, who needs to */
+/* see the window, ends it. */
 int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *problem);
 int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_view_terminal(struct sheen_viewer *viewer, struct sheen_problem *problem);
 
-#define SHEEN_VIEW_MS 50 /* a frame: 20 a second, as in the GIF */
+#define SHEEN_VIEW_MS 50 /* per frame: 20 per second, as in the GIF */
 
 #endif

@@ -1,9 +1,8 @@
 /*
  * view_glass.c - how a glass looks to the eye.
  *
- * A theme is the colour of a pixel that is off and of one that is fully on; what
- * lies between is linear in the byte, channel by channel. A backlight shines
- * through a dark LCD pixel; an OLED's is black, and a grey one has one colour.
+ * A theme is the colour of a pixel that is off and of one that is fully on; between them each channel is linear in its
+ * byte. A dark LCD pixel lets some backlight through; a dark OLED pixel is black, and a grey OLED has a single colour.
  */
 #include "view_glass.h"
 
@@ -38,7 +37,7 @@ uint32_t sheen_theme_colour(enum sheen_theme theme, const uint8_t rgb[3])
     return colour;
 }
 
-/* One pixel of the panel: a lit square, and the gap on its right and below. */
+/* Draws one pixel of the panel: a lit square, with the gap on its right and below. */
 static void draw_pixel(uint32_t *out, unsigned stride, const struct sheen_glass_look *look, uint32_t lit, uint32_t gap)
 {
     unsigned side = look->scale - look->gap;

@@ -1,16 +1,16 @@
 /*
- * view_keys.c - what keys do: they change the options, as if they had been given so.
+ * view_keys.c - what keys do: most change the options, as if the new values had been given on the command line.
  */
 #include <math.h>
 #include <stdio.h>
 
 #include "view.h"
 
-#define TURN_DEG 10       /* by an arrow key */
+#define TURN_DEG 10       /* per press of an arrow key */
 #define LIGHT_TURN_DEG 30 /* about the line of sight */
 #define MAX_SCALE 16
 
-/* The lights on a cone about the line of sight. */
+/* Moves each light on a cone about the line of sight. */
 static void turn_lights(struct sheen_light_list *lights)
 {
     double angle = LIGHT_TURN_DEG * M_PI / 180;
@@ -22,7 +22,7 @@ static void turn_lights(struct sheen_light_list *lights)
     }
 }
 
-/* The panels in the table's order, then ideal, round and round; each as it is by default. */
+/* Steps cyclically through the panels in the table's order and then ideal; each in its default orientation and size. */
 static int change_panel(struct sheen_viewer *viewer, int step, struct sheen_problem *problem)
 {
     struct sheen_options *options = &viewer->options;
@@ -39,7 +39,7 @@ static int change_panel(struct sheen_viewer *viewer, int step, struct sheen_prob
     return sheen_viewer_panel(viewer, problem);
 }
 
-/* Of the glass in the hand; plain memory looks the same in all. */
+/* Turns the glass as if in the hand; ideal, plain memory, looks the same in every orientation. */
 static int change_orientation(struct sheen_viewer *viewer, struct sheen_problem *problem)
 {
     if (!viewer->table.choice.record)
@@ -57,7 +57,7 @@ static void change_scale(struct sheen_viewer *viewer, int step)
     sheen_viewer_look(viewer);
 }
 
-/* Keys that change what is seen of the glass but not what is drawn. 1 where it is one. */
+/* Keys that change how the glass looks but not what is drawn. 1 if the key is one of these. */
 static int look_key(struct sheen_viewer *viewer, int key)
 {
     switch (key) {
@@ -81,7 +81,7 @@ static int look_key(struct sheen_viewer *viewer, int key)
     }
 }
 
-/* What is lit flat or gouraud alone goes on to what is not lit; after the last shading the first. */
+/* A scene that can only be lit flat or gouraud goes on from gouraud to the unlit matcaps; after the last, the first. */
 static int next_shading(const struct sheen_scene *scene)
 {
     const int shading = (int)sheen_scene_shading(scene);
@@ -91,7 +91,7 @@ static int next_shading(const struct sheen_scene *scene)
     return (shading + 1) % SHEEN_ALL_SHADINGS;
 }
 
-/* Keys that change what is drawn. 1 where it is one. */
+/* Keys that change what is drawn. 1 if the key is one of these. */
 static int scene_key(struct sheen_viewer *viewer, int key)
 {
     struct sheen_options *options = &viewer->options;
@@ -128,7 +128,7 @@ static int scene_key(struct sheen_viewer *viewer, int key)
     }
 }
 
-/* A file that cannot be written is told and nothing more. */
+/* A file that cannot be written only gives a message, no error. */
 static int file_key(struct sheen_viewer *viewer, int key)
 {
     struct sheen_problem problem;

@@ -1,5 +1,5 @@
 /*
- * view_keys.h - the keys of `sheen view`, for its help: a line each, the last without newline.
+ * view_keys.h - the keys of `sheen view`, for its help: one line per key, the last without newline.
  */
 #ifndef SHEEN_VIEW_KEYS_H
 #define SHEEN_VIEW_KEYS_H

@@ -1,5 +1,5 @@
 /*
- * view_letters.c - letters by cairo.
+ * view_letters.c - letters drawn with cairo.
  */
 #include "view_letters.h"
 
@@ -25,6 +25,6 @@ void sheen_letters(const struct sheen_letters *letters, int x, int y, int grey, 
 
 void sheen_letters_end(void)
 {
-    cairo_debug_reset_static_data(); /* what both keep of the font is not lost, but looks it */
+    cairo_debug_reset_static_data(); /* what cairo and fontconfig keep of the font would be reported as leaked */
     FcFini();
 }

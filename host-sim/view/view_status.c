@@ -1,12 +1,12 @@
 /*
- * view_status.c - what the viewer says about the frame that it shows.
+ * view_status.c - the viewer's lines of text about the frame that it shows.
  */
 #include <inttypes.h>
 #include <stdio.h>
 
 #include "view.h"
 
-/* Frame or band. */
+/* The frame's number, or the band's and what it sent. */
 static void put_frame(const struct sheen_viewer *viewer, char *text, size_t size)
 {
     const struct sheen_rect *sent = &viewer->sent;
@@ -36,7 +36,7 @@ void sheen_viewer_title(const struct sheen_viewer *viewer, char *text, size_t si
              table->choice.width, table->choice.height, table->choice.orientation);
 }
 
-/* The wire alone, a bit a cycle of the rated clock: what no firmware can beat. */
+/* Frames per second by the wire alone, one bit per cycle of the rated clock: no firmware can beat it. */
 static void put_ceiling(const struct sheen_viewer *viewer, uint64_t bytes, char *text, size_t size)
 {
     const struct sheen_panel_record *record = viewer->table.choice.record;

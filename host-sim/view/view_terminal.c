@@ -1,5 +1,5 @@
 /*
- * view_terminal.c - the glass as text: on a terminal it moves and takes keys, in a pipe frame follows frame.
+ * view_terminal.c - the glass as text: on a terminal it moves and takes keys, in a pipe frames follow one another.
  */
 #include <errno.h>
 #include <poll.h>
@@ -16,14 +16,14 @@
 #include "view.h"
 
 enum {
-    COLUMNS = 80, /* where the terminal does not say */
+    COLUMNS = 80, /* if the terminal does not tell its size */
     ROWS = 24,
     STATUS_ROWS = 3
 };
 
 struct screen {
     int moves; /* standard output is a terminal */
-    int keys;  /* so is standard input, and `before` is how it was */
+    int keys;  /* standard input is one too, and `before` is its state at the start */
     struct termios before;
 };
 
@@ -35,7 +35,7 @@ static void stop(int signal_number)
     stopped = 1;
 }
 
-/* ---- the terminal's state: a screen of its own without a cursor, keys one by one and unseen ---- */
+/* ---- the terminal's state: the alternate screen without a cursor, keys one by one and not echoed ---- */
 
 static void enter(struct screen *screen)
 {
@@ -53,7 +53,7 @@ static void enter(struct screen *screen)
     if (screen->keys) {
         raw = screen->before;
         raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
-        raw.c_cc[VSUSP] = _POSIX_VDISABLE; /* a stopped program would leave the terminal so */
+        raw.c_cc[VSUSP] = _POSIX_VDISABLE; /* a suspended program would leave the terminal in this state */
         raw.c_cc[VMIN] = 0;
         raw.c_cc[VTIME] = 0;
         tcsetattr(STDIN_FILENO, TCSADRAIN, &raw);
@@ -73,8 +73,8 @@ static void leave(const struct screen *screen)
 
 /* ---- a frame ----
  *
- * Lines erase what is left of older ones to their right, but not where they fill the window: there the cursor stays on
- * the last character, which would be erased.
+ * Lines erase what is left of older ones to their right. Lines as wide as the window do not: the cursor stays on their
+ * last character, which would be erased.
  */
 
 static void write_status(const struct sheen_viewer *viewer, const struct screen *screen, unsigned columns)
@@ -119,7 +119,7 @@ static int show(const struct sheen_viewer *viewer, const struct screen *screen, 
 
 /* ---- keys ---- */
 
-/* The next key in text[*at..count): an arrow is ESC [ A..D or ESC O A..D. */
+/* The next key in text[*at..count), 0 for an unknown sequence: an arrow is ESC [ A..D or ESC O A..D. */
 static int next_key(const char *text, int count, int *at)
 {
     static const int arrows[4] = {SHEEN_KEY_UP, SHEEN_KEY_DOWN, SHEEN_KEY_RIGHT, SHEEN_KEY_LEFT};
@@ -133,7 +133,7 @@ static int next_key(const char *text, int count, int *at)
     return (unsigned char)*key;
 }
 
-/* What has been typed until now. As sheen_viewer_key; *dirty: 1 where there was something. */
+/* Handles all keys typed so far. Returns as sheen_viewer_key; *dirty: 1 if there was a key. */
 static int take_keys(struct sheen_viewer *viewer, int *dirty, struct sheen_problem *problem)
 {
     char text[64];
@@ -155,7 +155,7 @@ static int64_t now_ms(void)
     return (int64_t)now.tv_sec * 1000 + now.tv_nsec / 1000000;
 }
 
-/* Until the time has come, a key was taken or a signal came. As take_keys. */
+/* Waits until the time has come, a key was typed or a signal came. Returns as take_keys. */
 static int rest(struct sheen_viewer *viewer, const struct screen *screen, int64_t until, int *dirty,
                 struct sheen_problem *problem)
 {

@@ -1,8 +1,8 @@
 /*
- * view_window.c - the glass in a window, by SDL, with lines below it (view_letters.h).
+ * view_window.c - the glass in an SDL window, with lines of text below it (view_letters.h).
  *
- * Everything is drawn into memory and copied to the window's surface, so that it
- * works with every video driver of SDL, also the one without a screen.
+ * Everything is drawn into memory and copied to the window's surface, so that it works with every video driver of SDL,
+ * even the one without a screen.
  */
 #include <SDL.h>
 #include <stdio.h>
@@ -11,10 +11,10 @@
 #include "view_letters.h"
 
 enum {
-    MARGIN = 16, /* px round the glass */
-    LINE = 18,   /* px a line of text */
+    MARGIN = 16, /* px around the glass */
+    LINE = 18,   /* px per line of text */
     LINES = 4,
-    MIN_WIDTH = 800, /* px: the lines */
+    MIN_WIDTH = 800, /* px for the lines of text */
     MAX_ROOM_W = 960,
     MAX_ROOM_H = 720
 };
@@ -40,7 +40,7 @@ static int is_asked_for(void)
     return driver && *driver;
 }
 
-/* SDL has drivers without a screen, on which it falls back, too: a window that nobody sees, and nobody can close. */
+/* SDL may fall back on a driver without a screen: nobody sees such a window, and nobody can close it. */
 static int is_unseen(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
@@ -52,9 +52,10 @@ int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *p
 {
     SDL_Rect screen;
 
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* an interrupt ends the program, as elsewhere */
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1"); /* so that an interrupt ends the program, as in other commands */
     if (!SDL_getenv("XDG_RUNTIME_DIR"))
-        SDL_SetHint(SDL_HINT_VIDEODRIVER, "x11,kmsdrm"); /* Wayland's library would complain beside our line */
+        SDL_SetHint(SDL_HINT_VIDEODRIVER,
+                    "x11,kmsdrm"); /* Wayland's library would print a complaint besides our line */
     int failed = SDL_Init(SDL_INIT_VIDEO) != 0, asked = is_asked_for();
     int unseen = failed ? !asked : is_unseen() && !(asked && frames > 0);
     if (unseen || failed || SDL_GetDisplayUsableBounds(0, &screen) != 0) {
@@ -72,7 +73,7 @@ int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *p
 
 /* ---- the canvas ---- */
 
-/* A canvas and a window for the glass as it is now scaled. */
+/* Resizes canvas and window for the glass at its present scale. */
 static int fit(struct window *window, struct sheen_problem *problem)
 {
     const struct sheen_viewer *viewer = window->viewer;
@@ -97,7 +98,7 @@ static void fill(const struct window *window, int x, int y, int width, int heigh
     SDL_FillRect(window->canvas, &rect, SDL_MapRGB(window->canvas->format, BAND_RED));
 }
 
-/* The rows of the last band, marked beside the glass, and what it sent, framed on it. */
+/* Marks the last band's rows beside the glass, and frames on the glass the rectangle that it sent. */
 static void mark_band(const struct window *window, int left)
 {
     const struct sheen_viewer *viewer = window->viewer;
@@ -187,7 +188,7 @@ static int key_of(const SDL_Keysym *symbol)
     }
 }
 
-/* All that have come. As sheen_viewer_key, 1 also for a closed window. *dirty: 1 where there is something to show. */
+/* Handles all waiting events. Returns as sheen_viewer_key, 1 also for a closed window. *dirty: 1 if a redraw is due. */
 static int take_events(struct window *window, int *dirty, struct sheen_problem *problem)
 {
     SDL_Event event;
