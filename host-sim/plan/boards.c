@@ -1,15 +1,16 @@
 /*
  * boards.c - boards, and how many cycles an instruction takes on each.
  *
- * Cycles an instruction, where no emulator counts them. The Cortex-M0+ takes 1.4 on these frames, rp2040js over QEMU:
- * what it has beyond 1 are loads, stores and taken branches. A Cortex-M3 or M4 pipelines loads and pays more for a
- * branch (Arm, Cortex-M3 TRM r2p1, table 3-1; Cortex-M4 TRM r0p1, table 3-1): 1.4 again. From there by CoreMark a MHz
- * as their makers publish them, M4 3.42, M33 4.02, M7 5.01 (Arm's pages of the processors), nRF52833 3.3 from flash
- * with its cache (Nordic, product specification): 1.4 * 3.42 / x. A flash of two wait states behind a prefetch buffer
- * costs a quarter more (STM32F103 at 72 MHz; ST, RM0008, FLASH_ACR); that of an STM32F411 counts as none (its data
- * sheet, ART accelerator). ESP32-C3: 2.55 CoreMark a MHz, at about 300,000 instructions of rv32 an iteration 1.3
- * (Espressif, data sheet). ESP32: 2.1 a MHz and core (data sheet), 1.6; an ESP8266 is taken for one, and so are its
- * instructions for an ESP32's: of the two only the LX106 can be counted here.
+ * Cycles per instruction, for processors whose cycles no emulator counts. The Cortex-M0+ needs 1.4 on these frames
+ * (cycles in rp2040js over instructions in QEMU): loads, stores and taken branches make the part above 1. A Cortex-M3
+ * or M4 pipelines loads and pays more for a branch (Arm, Cortex-M3 TRM r2p1, table 3-1; Cortex-M4 TRM r0p1, table 3-1):
+ * 1.4 again. Others follow from this by CoreMark per MHz, x, as 1.4 * 3.42 / x: M4 3.42, M33 4.02, M7 5.01 (Arm's pages
+ * of the processors), nRF52833 3.3 from flash with its cache (Nordic, product specification). Flash with two wait
+ * states behind a prefetch buffer costs a quarter more (STM32F103 at 72 MHz; ST, RM0008, FLASH_ACR); an STM32F411's
+ * wait states count as none (its data sheet, ART accelerator). ESP32-C3: 2.55 CoreMark per MHz and about 300,000 rv32
+ * instructions per iteration make 1.3 (Espressif, data sheet). ESP32: 2.1 CoreMark per MHz and core (data sheet) make
+ * 1.6. An ESP8266 is assumed to need 1.6 too, and an ESP32 to execute as many instructions as the ESP8266's LX106,
+ * because of the two only the LX106 can be counted here.
  *
  * RAM: what a program can have as static data; under ESP-IDF and the ESP8266's Arduino core that is less than the chip
  * has. Bus: SPI's highest clock on the pins that a display is usually wired to.

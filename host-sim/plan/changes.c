@@ -7,14 +7,14 @@
 #include "plan.h"
 
 #define VIEWS 12
-#define WORTH 1.03 /* times the rate */
+#define WORTH 1.03 /* changes are shown that raise the rate by more than this factor */
 
 static double rate_of(const struct sheen_plan *plan, unsigned board)
 {
     return 1 / plan->times[board][0].mean.period[plan->options->buffers > 1];
 }
 
-/* What comes of a command line; 0 where nothing does, as without a way to simplify meshes. */
+/* The rate with other options; 0 if they fail, say because the mesh cannot be simplified, or if RAM is short. */
 static double try_rate(struct sheen_plan *tried, const struct sheen_plan *plan, const struct sheen_options *options,
                        unsigned board)
 {
@@ -26,7 +26,7 @@ static double try_rate(struct sheen_plan *tried, const struct sheen_plan *plan, 
     return sheen_plan_ram_short(tried, b) ? 0 : rate_of(tried, board);
 }
 
-/* What is shown more cheaply: changes from number n on; returns the number past them. */
+/* Adds changes that make the look cheaper, from number n on. Returns the number past the last. */
 static unsigned looks(const struct sheen_plan *plan, struct sheen_options *changed, struct sheen_plan_change *changes,
                       unsigned n)
 {
@@ -51,7 +51,7 @@ static unsigned looks(const struct sheen_plan *plan, struct sheen_options *chang
     return n;
 }
 
-/* Command lines that differ in one thing. */
+/* Makes options that each differ from the present ones in one thing. Returns their number. */
 static unsigned variants(const struct sheen_plan *plan, unsigned board, struct sheen_options *changed,
                          struct sheen_plan_change *changes)
 {

@@ -1,5 +1,5 @@
 /*
- * costs.h - what tests/bench/costs found: cycles or instructions a feature, and bytes of flash. gcc.
+ * costs.h - what tests/bench/costs found with gcc: cycles or instructions per feature, and bytes of flash.
  */
 #ifndef SHEEN_PLAN_COSTS_H
 #define SHEEN_PLAN_COSTS_H
@@ -8,7 +8,7 @@
 
 #include "feature_list.h"
 
-/* Whose costs: of the RP2040 cycles (rp2040js), of the others instructions (QEMU). */
+/* The processors that have costs: the RP2040 cycles (rp2040js), the others instructions (QEMU). */
 enum sheen_plan_cpu {
     SHEEN_CPU_RP2040,
     SHEEN_CPU_M0PLUS,
@@ -41,7 +41,7 @@ enum sheen_plan_room {
     SHEEN_PLAN_ROOMS
 };
 
-/* What a program may name besides, likewise. */
+/* What a program may name besides shaders, in the order of tests/bench/costs. */
 enum sheen_plan_extra {
     SHEEN_PLAN_EXTRA_FOG,
     SHEEN_PLAN_EXTRA_STIPPLE,
@@ -54,7 +54,7 @@ enum sheen_plan_extra {
     SHEEN_PLAN_EXTRAS
 };
 
-/* Kinds of drivers, in the order of sheen_plan_driver_kind's table. */
+/* Kinds of drivers, in the order of driver_kind's table (memory.c) and of tests/bench/costs. */
 enum sheen_plan_driver {
     SHEEN_PLAN_DCS,
     SHEEN_PLAN_SSD1351,
@@ -65,12 +65,12 @@ enum sheen_plan_driver {
     SHEEN_PLAN_DRIVERS
 };
 
-extern const char sheen_plan_found[]; /* the day, and the compilers */
+extern const char sheen_plan_found[]; /* the day of the measurement, and the compilers */
 extern const float sheen_plan_cost[SHEEN_PLAN_COUNTS][SHEEN_PLAN_CPUS];
 
 /*
- * B of flash as a firmware links it, -O2 and -Os: the core with its tables and libgcc, by the shader; what is named
- * besides, with Gouraud; a panel and its driver.
+ * B of flash in a linked firmware, at -O2 and at -Os: the core with its tables and libgcc, for each shader; what each
+ * extra adds to Gouraud; a panel's record with its driver.
  */
 extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_ROOMS];
 extern const uint32_t sheen_plan_extra_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_EXTRAS];

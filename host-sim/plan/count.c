@@ -1,5 +1,5 @@
 /*
- * count.c - what the core's taps count, by feature.
+ * count.c - adds up what the core's taps count, by feature.
  */
 #include "count.h"
 
@@ -13,13 +13,13 @@
 #include "triangle/quotient.h"
 #include "triangle/tinted.h"
 
-#define LONG 2048 /* 1/64 px: where a processor that does not divide leaves the table of reciprocals (edge.c) */
+#define LONG 2048 /* 1/64 px: longer edges do not use the table of reciprocals, without a divider (edge.c) */
 
 uint32_t sheen_plan_counted[SHEEN_PLAN_COUNTS];
-static struct sheen_plan_counts taken; /* of them by sheen_plan_counts_take */
-static int is_new;                     /* the set-up that is drawn next has just been made */
+static struct sheen_plan_counts taken; /* what sheen_plan_counts_take has already returned */
+static int is_new;                     /* 1: the set-up whose rows are drawn next has just been made */
 
-/* Loops for any target draw on 565: its own do not know the ramp, or there is a pattern or fog. */
+/* 1 if loops for any target draw it, on 565 too, whose own loops know no ramp, pattern or fog. */
 static int is_general(const struct setup *s)
 {
     return !s->draw->is_565 || !s->draw->loop.usable;
@@ -66,13 +66,13 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
     return t->format->grey ? SHEEN_PLAN_CONSTANT_GREY_SETUP : SHEEN_PLAN_CONSTANT_SETUP;
 }
 
-/* Fog's own loops on 565 draw it. */
+/* 1 if fog's own loops for 565 draw it. */
 static int is_fogged(const struct tile *t, const struct setup *s)
 {
     return s->draw->fog && !t->format->grey && !s->draw->by_ramp && !s->draw->stippled;
 }
 
-/* As sheen_take_quadric_rows() chooses. */
+/* Chooses as sheen_take_quadric_rows() does. */
 static unsigned quadric_kind(const struct tile *t, const struct setup *s)
 {
     if (is_fogged(t, s))
@@ -120,7 +120,7 @@ static unsigned slerp_kind(const struct tile *t, const struct setup *s)
     return t->dither ? SHEEN_PLAN_SLERP_DITHERED_SETUP : SHEEN_PLAN_SLERP_SETUP;
 }
 
-/* By the function that draws them: `choose`, or the kind. */
+/* Kinds of rows by the function that draws them: what `choose` returns, or `kind` if that is NULL. */
 static const struct rows_kind {
     void (*rows)(const struct tile *t, const struct setup *s);
     unsigned (*choose)(const struct tile *t, const struct setup *s);
@@ -146,9 +146,9 @@ static unsigned kind_of(const struct tile *t, const struct setup *s)
     for (const struct rows_kind *k = rows_kinds; k < rows_kinds + sizeof rows_kinds / sizeof rows_kinds[0]; k++)
         if (k->rows == s->rows)
             return k->choose ? k->choose(t, s) : k->kind;
-    if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC || s->way == SHEEN_WAY_PHONG_QUADRATIC) /* loops chosen at set-up */
+    if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC || s->way == SHEEN_WAY_PHONG_QUADRATIC) /* loops are chosen at set-up */
         return quadric_kind(t, s);
-    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's, which names no functions */
+    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's, a static function */
         return quotient_kind(t, s);
     if (s->draw->fog && s->way <= SHEEN_WAY_GOURAUD_LINEAR)
         return t->dither                  ? SHEEN_PLAN_FOGGED_DITHERED_SETUP
@@ -169,7 +169,7 @@ static int is_texels(const struct setup *s)
     return s->way >= SHEEN_WAY_TEXTURED_LINEAR;
 }
 
-/* Texels with colours, whose draws keep no struct texel_terms. */
+/* 1 if texels have colours; such draws have no struct texel_terms. */
 static int is_colored(const struct draw *d)
 {
     return d->shader == &sheen_textured_colored || d->shader == &sheen_textured_flat_colored ||
@@ -246,7 +246,7 @@ static void count_texels(const struct tile *t, const struct setup *s, uint32_t r
 void sheen_plan_setup(const struct surface_corners *corners, const struct gradients *gradients)
 {
     const struct vertex *const *at = corners->at.v, *const last = at[3] != NULL ? at[3] : at[2];
-    const struct vertex *const v[5] = {at[0], at[1], last, at[2], at[0]}; /* of a triangle corner 2 twice */
+    const struct vertex *const v[5] = {at[0], at[1], last, at[2], at[0]}; /* corner 2 of a triangle twice */
 
     is_new = 1;
     for (int k = 0; k < 4; k++) {
@@ -256,7 +256,7 @@ void sheen_plan_setup(const struct surface_corners *corners, const struct gradie
     SHEEN_TAP(WIDE, gradients->bits > NARROW_BITS);
 }
 
-/* Of rows that are not texels: pixels that cost more than their kind's. */
+/* Counts pixels that cost more than is usual for their kind, in rows without texels. */
 static void count_shaded(const struct tile *t, const struct setup *s, unsigned kind, uint32_t shaded)
 {
     const uint32_t lights = shaded * s->draw->light.count;
@@ -304,7 +304,7 @@ void sheen_plan_rows(const struct tile *tile, const struct setup *setup)
     is_new = 0;
 }
 
-/* ---- what is asked for ---- */
+/* ---- names and results ---- */
 
 #define FEATURE_NAME(name, stage) #name,
 #define KIND_NAMES(name) #name "_SETUP", #name "_ROW", #name "_COVERED", #name "_SHADED",

@@ -1,9 +1,9 @@
 /*
- * memory.c - RAM and flash that a mesh on a panel takes on a board.
+ * memory.c - RAM and flash that a mesh on a panel needs on a board.
  */
 #include <stdint.h>
 
-/* The boards' pointers have 32 bits, whatever those of this machine have: sheen_arena.h goes by this. */
+/* The boards' pointers have 32 bits, whatever this machine's have; sheen_arena.h takes their size from this macro. */
 #undef UINTPTR_MAX
 #define UINTPTR_MAX 0xffffffffu
 #include "sheen_arena.h"
@@ -88,7 +88,7 @@ static unsigned room_of(const struct sheen_shader *shader)
     return room;
 }
 
-/* What a scene names: a bit a room, and above them a bit an extra. cuts: triangles. */
+/* What a scene names: one bit per shader, above them one bit per extra. cuts: 1 if triangles are clipped. */
 static uint32_t named_of(const struct sheen_scene *scene, int cuts)
 {
     uint32_t rooms = 0, extras = (uint32_t)(cuts != 0) << SHEEN_PLAN_EXTRA_CLIPPER;
@@ -108,7 +108,7 @@ static uint32_t named_of(const struct sheen_scene *scene, int cuts)
     return rooms | extras << SHEEN_PLAN_ROOMS;
 }
 
-/* A room adds what it has more than flat. */
+/* The core's B of flash: flat, and for each shader named what it has more than flat. small: 1 for -Os. */
 static uint32_t core_flash(enum sheen_plan_cpu cpu, unsigned small, uint32_t named)
 {
     const uint32_t *room = sheen_plan_core_flash[cpu][small], *extra = sheen_plan_extra_flash[cpu][small];
@@ -121,7 +121,7 @@ static uint32_t core_flash(enum sheen_plan_cpu cpu, unsigned small, uint32_t nam
     return sum;
 }
 
-/* The polygons' normals go with every mesh: they pass over what faces away. */
+/* Every mesh counts with its polygons' normals, because they are used to pass over polygons that face away. */
 void sheen_plan_flash(struct sheen_plan_flash *flash, enum sheen_plan_cpu cpu, const struct sheen_scene *scene,
                       int cuts, const struct sheen_panel_record *record)
 {

@@ -1,5 +1,5 @@
 /*
- * plan.c - times of a turn, from what its frames are made of.
+ * plan.c - times of a turn, computed from what its frames are made of.
  */
 #include "plan.h"
 
@@ -47,7 +47,7 @@ double sheen_plan_drawing(const struct sheen_plan_time *time)
 
 /* ---- a frame ---- */
 
-/* Seconds of what was counted by stage, added to *time; their sum. */
+/* Adds the seconds that the counts cost to *time, by stage. Returns their sum. */
 static double band_time(const struct sheen_plan_counts *counts, const struct sheen_plan_board *board,
                         struct sheen_plan_time *time)
 {
@@ -67,17 +67,17 @@ static double band_time(const struct sheen_plan_counts *counts, const struct she
 /* Seconds of a frame's parts. */
 struct frame_parts {
     double front, drawing[480], bus[480];
-    double again[480]; /* where the band above is not its core's: what goes on from there is set up once more */
+    double again[480]; /* more, if another core drew the band above: what is carried from there is set up again */
     unsigned bands;
 };
 
-/* Bands that are left of a core's own. */
+/* The bands that are left of a core's share. */
 struct core_share {
-    unsigned next, end, below; /* below: the band under its last one */
-    double clock;              /* when it is free */
+    unsigned next, end, below; /* below: the band below the last one that it drew */
+    double clock;              /* when the core is free; negative: there is no such core */
 };
 
-/* The core that has its next band ready first, and which: of its own the first, or else of the other's the last. */
+/* The core whose next band is ready first; *band: the first of its share, or if none is left, the other's last one. */
 static unsigned next_ready(struct core_share core[2], const struct frame_parts *frame, unsigned *band, double *ready)
 {
     unsigned first = 2;
@@ -98,8 +98,9 @@ static unsigned next_ready(struct core_share core[2], const struct frame_parts *
 }
 
 /*
- * With one buffer a band is drawn when the last one has left; with two it is drawn meanwhile, and sent once both are
- * done; two cores share bands as sheen_bands() does. A frame begins when the last band of the one before has left.
+ * Seconds from one frame to the next. With one buffer a band is drawn when the one before has been sent; with two it is
+ * drawn meanwhile and sent once both are done; two cores share bands as sheen_bands() does. A frame begins when the
+ * last band of the frame before has been sent.
  */
 static double period_of(const struct frame_parts *frame, enum sheen_plan_period how)
 {
@@ -181,7 +182,7 @@ static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
 
 /* ---- a turn ---- */
 
-/* The frame before the first one is drawn as well: of what follows only what changes is sent. */
+/* The frame before the first one is drawn as well, uncounted, so that the first one sends only what changed, too. */
 static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, struct sheen_problem *problem)
 {
     int error = SHEEN_OK;
@@ -205,7 +206,7 @@ static const char *texture_of(const struct sheen_scene *scene)
     return !is_shown ? "" : scene->options->bilinear ? ", textured bilinear" : ", textured";
 }
 
-/* How it is shown, in words: ", textured, under fog, dithered". */
+/* Describes the look in words: ", textured, under fog, dithered". */
 static void note_look(struct sheen_plan *plan, const struct sheen_scene *scene)
 {
     static const char *const edges[SHEEN_EDGINGS] = {"", ", smooth", ", with outlines", ", wire"};
@@ -219,7 +220,7 @@ static void note_look(struct sheen_plan *plan, const struct sheen_scene *scene)
              scene->view.dither ? ", dithered" : "");
 }
 
-/* Once a frame has been drawn. */
+/* Takes over sizes and computes RAM and flash, once the frames have been drawn. */
 static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run)
 {
     const struct sheen_scene *scene = &run->table.scene;

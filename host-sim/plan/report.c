@@ -1,6 +1,6 @@
 /*
- * report.c - a plan as text. Each line says how it came about: measured, cycles of an emulated processor; estimated,
- * instructions times a factor; counted, exact on any machine.
+ * report.c - a plan as text. Each line says how its numbers were found: measured, cycles of an emulated processor;
+ * estimated, instructions times a factor; counted, exact on any machine.
  */
 #include "report.h"
 
@@ -59,7 +59,7 @@ static void put_times(FILE *out, const struct sheen_plan *plan, const struct she
                     1 / times[whole].mean.period[two], 1 / times[whole].worst[two]);
 }
 
-/* A second core, where there is one and RAM does. */
+/* The rates with a second core, if there is one and RAM suffices. */
 static void put_two_cores(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board,
                           const struct sheen_plan_times times[2])
 {
@@ -112,7 +112,8 @@ static void put_flash(FILE *out, const struct sheen_plan *plan, const struct she
 }
 
 /*
- * A mesh that RAM would do for: as many vertices a triangle as this one, smaller bands and fewer carried set-ups first.
+ * The size of a mesh that RAM would suffice for, with as many vertices per triangle as this one. If the largest bands
+ * leave no room for a mesh, smaller ones are tried, then fewer carried set-ups.
  */
 static void put_fitting(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board)
 {

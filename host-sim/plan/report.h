@@ -8,13 +8,13 @@
 
 #include "plan.h"
 
-/* board: of one board all there is; -1: of all boards a line each. */
+/* board: everything about that board; -1: one line for each board. */
 void sheen_plan_text(FILE *out, const struct sheen_plan *plan, int board);
 
-/* One object, a line. */
+/* One JSON object, on one line. */
 void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board);
 
-/* One line: the rows of a band, RAM, and frames a second on every board that has it, of what changes. */
+/* One line: rows per band, RAM, and frames per second (what changed is sent) on each board with memory enough. */
 void sheen_plan_brief(FILE *out, const struct sheen_plan *plan);
 
 extern const char *const sheen_plan_stage_names[SHEEN_PLAN_STAGES];

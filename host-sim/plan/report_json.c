@@ -1,5 +1,5 @@
 /*
- * report_json.c - a plan as one object of JSON. Seconds, bytes, frames a second.
+ * report_json.c - a plan as one JSON object, in seconds, bytes and frames per second.
  */
 
 #include "report.h"

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* What the last push sent has left once the next one begins, or the frame's end. */
+/* Notes what the last push sent. Call it when the next push begins or the frame has ended: by then all has left. */
 static void note_bus(struct sheen_plan_run *run)
 {
     struct sheen_sim_counters bus = sheen_sim_bus_counters(sheen_sim_panel_bus(run->table.panel));
@@ -60,7 +60,7 @@ void sheen_plan_close(struct sheen_plan_run *run)
     sheen_turntable_close(&run->table);
 }
 
-/* What is not before a push, and the frame's own counters. */
+/* Adds what was counted after the last push, and the frame's own counters. */
 static void count_rest(struct sheen_plan_run *run)
 {
     const struct sheen_scene *scene = &run->table.scene;
@@ -87,7 +87,7 @@ int sheen_plan_draw(struct sheen_plan_run *run, int number, int whole, struct sh
     unsigned room;
     int error;
 
-    do { /* once more where the frame had to be made anew, larger: what it took to find that is not the frame's */
+    do { /* again if the frame was made anew with more room: the attempts that found it too small are not counted */
         room = scene->config.max_clipped;
         if (whole)
             sheen_invalidate(scene->frame);

@@ -1,6 +1,6 @@
 /*
- * taps.h - the core's taps in the build that counts (SHEEN_TAPS, core/pixel/pixel.h). One thread at a time draws with
- * it.
+ * taps.h - the core's taps in the build that counts (SHEEN_TAPS, core/pixel/pixel.h). Only one thread at a time may
+ * draw, because the counts are global.
  */
 #ifndef SHEEN_PLAN_TAPS_H
 #define SHEEN_PLAN_TAPS_H
