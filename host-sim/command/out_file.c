@@ -97,8 +97,7 @@ static char *named_by(const char *link)
     return *name == '/' ? strdup(name) : in_folder_of(link, name);
 }
 
-/* Where a chain of links ends, even if no file exists there yet, which realpath() cannot tell; free() it. */
-/* On failure NULL and errno. */
+/* Where links end, even if no file is there yet, which realpath() cannot tell; free() it. On failure NULL and errno. */
 static char *end_of_links(const char *path)
 {
     char *end = strdup(path);
