@@ -95,8 +95,10 @@ void sheen_viewer_record(struct sheen_viewer *viewer);
 
 /* ---- the window and the terminal: each runs until a key or options.view_frames ends it ---- */
 
-/* The px of the screen that a glass may take up; asks SDL. frames: how many are shown; 0: until a user, who needs to */
-/* see the window, ends it. */
+/*
+ * The px of the screen that a glass may take up; asks SDL. frames: how many are shown; 0: until a user, who needs to
+ * see the window, ends it.
+ */
 int sheen_view_window_room(unsigned room[2], int frames, struct sheen_problem *problem);
 int sheen_view_window(struct sheen_viewer *viewer, struct sheen_problem *problem);
 int sheen_view_terminal(struct sheen_viewer *viewer, struct sheen_problem *problem);
