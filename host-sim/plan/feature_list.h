@@ -124,7 +124,7 @@ enum sheen_plan_stage {
     K(CONSTANT_DITHERED)                                                                                               \
     K(CONSTANT_GREY_DITHERED)                                                                                          \
     K(SHADES)      /* one linear intensity, finished pixels from the shades */                                         \
-    K(SHADES_WIDE) /* the same on triangles wider than 32 px */                                                        \
+    K(SHADES_WIDE) /* the same on triangles larger than 32 px */                                                       \
     K(SHADES_DITHERED)                                                                                                 \
     K(PACKED) /* channels in two words */                                                                              \
     K(PACKED_DITHERED)                                                                                                 \
