@@ -1,9 +1,8 @@
 /*
- * controller.c - what all simulated controllers share: power, reset, the virtual clock, taking in commands.
+ * controller.c - what all simulated controllers share: power, reset, the virtual clock, receiving commands.
  *
- * A command byte opens a command of the chip's list; its parameters follow, with
- * D/C high (DCS, SSD1351) or low (the other OLEDs). Bytes that nobody waits for
- * are reported and dropped.
+ * A command byte begins a command of the chip's list; its parameters follow, with D/C high (DCS, SSD1322, SSD1351) or
+ * low (the other OLEDs). Unexpected bytes are reported and dropped.
  */
 #include "controller.h"
 
@@ -42,13 +41,13 @@ void sheen_sim_controller_close(struct sheen_sim_controller *controller)
     controller->ram = NULL;
 }
 
-/* The interface is ready for a command again. */
+/* Forgets the command under way, so that the interface is ready for the next one. */
 static void forget_command(struct sheen_sim_controller *controller)
 {
     controller->missing = controller->streaming = controller->count = controller->half_set = 0;
 }
 
-/* The RAM wakes up with noise, so that a pixel nobody wrote shows; always the same, so that tests repeat. */
+/* The RAM starts with noise, so that a pixel never written shows; it is always the same, so that tests repeat. */
 void sheen_sim_power_cycle(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -65,7 +64,7 @@ void sheen_sim_power_cycle(struct sheen_sim_controller *controller)
     module->chip->defaults(controller);
 }
 
-/* The registers change at the rising edge; while the line is low nothing is received. */
+/* The registers are reset at the rising edge; while the line is low nothing is received. */
 void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level)
 {
     const struct sheen_sim_chip *chip = controller->module->chip;
@@ -89,7 +88,7 @@ void sheen_sim_advance(struct sheen_sim_controller *controller, uint32_t us)
     controller->now_us += us;
 }
 
-#define REFRESH_US 16667u /* 60 pictures a second */
+#define REFRESH_US 16667u /* 60 pictures per second */
 
 int sheen_sim_tearing(struct sheen_sim_controller *controller)
 {
@@ -115,7 +114,7 @@ static const struct sheen_sim_command *find_command(const struct sheen_sim_contr
     return found ? found : find(chip->vendor, chip->vendor_count, code);
 }
 
-/* A new command ends whatever ran before it. */
+/* Begins a new command, which ends whatever was under way. */
 static void begin(struct sheen_sim_controller *controller, uint8_t code)
 {
     const struct sheen_sim_command *command = find_command(controller, code);
@@ -133,7 +132,7 @@ static void begin(struct sheen_sim_controller *controller, uint8_t code)
         command->run(controller);
 }
 
-/* count stays below 16: no command of a list has more parameters. */
+/* count is below 16 here, because no command of a list has more than 16 parameters. */
 static void parameter(struct sheen_sim_controller *controller, uint8_t byte)
 {
     const struct sheen_sim_command *command = find_command(controller, controller->command);
@@ -143,7 +142,7 @@ static void parameter(struct sheen_sim_controller *controller, uint8_t byte)
         command->run(controller);
 }
 
-/* With D/C low: a parameter where those are commands too, else a new command. */
+/* A byte with D/C low: a parameter if the chip takes parameters with D/C low, otherwise a new command. */
 static void take_command(struct sheen_sim_controller *controller, uint8_t byte)
 {
     if (controller->now_us < controller->quiet_until_us)
@@ -159,7 +158,7 @@ static void take_command(struct sheen_sim_controller *controller, uint8_t byte)
     begin(controller, byte);
 }
 
-/* With D/C high: a parameter, or a byte of the picture. */
+/* A byte with D/C high: a parameter, or a byte of the picture. */
 static void take_data(struct sheen_sim_controller *controller, uint8_t byte)
 {
     const struct sheen_sim_chip *chip = controller->module->chip;
@@ -197,7 +196,7 @@ void sheen_sim_window_start(struct sheen_sim_controller *controller)
     controller->wrapped = 0;
 }
 
-/* Pixels that fall outside the RAM are lost. */
+/* Pixels outside the RAM are lost and reported. */
 void sheen_sim_store(struct sheen_sim_controller *controller, unsigned column, unsigned row, uint16_t value)
 {
     const struct sheen_sim_module *module = controller->module;

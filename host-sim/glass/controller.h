@@ -1,12 +1,11 @@
 /*
  * controller.h - simulated display controllers: bytes in, panel memory out.
  *
- * The simulator's own knowledge of the hardware. It shares nothing with the
- * records of hal/: RAM size, the part of it that lies behind the glass, how the
- * glass is wired, and address counters. What a driver believes is not in here.
+ * This is the simulator's own knowledge of the hardware: the RAM's size, the part of it that lies behind the glass, how
+ * the glass is wired, and address counters. It shares nothing with hal's records, which say what a driver believes.
  *
- * A controller never stops at nonsense, as the real one would not; it counts a
- * complaint and keeps the text of the first.
+ * Like a real controller, a simulated one does not stop at nonsense; it counts complaints and keeps the first one's
+ * text.
  */
 #ifndef SHEEN_CONTROLLER_H
 #define SHEEN_CONTROLLER_H
@@ -29,18 +28,18 @@ struct sheen_sim_command {
     void (*run)(struct sheen_sim_controller *controller);
 };
 
-/* What a kind of controller does. Times are minima, us. */
+/* A kind of controller. Times are minima, in us. */
 struct sheen_sim_chip {
     const char *name;
-    const struct sheen_sim_command *commands, *vendor; /* vendor: registers that are taken without effect */
+    const struct sheen_sim_command *commands, *vendor; /* vendor: registers accepted, most without effect */
     size_t command_count, vendor_count;
     void (*defaults)(struct sheen_sim_controller *controller);             /* registers after power-on or reset */
     void (*pixels)(struct sheen_sim_controller *controller, uint8_t byte); /* a byte of picture data */
     void (*stream_end)(struct sheen_sim_controller *controller);           /* another command ends the picture data */
     uint16_t (*shown)(const struct sheen_sim_controller *controller, unsigned column, unsigned row);
     uint16_t max_level;          /* 0: RGB565; else grey levels 0..max_level */
-    uint8_t reset_command;       /* may cut any other command off; 0: there is none */
-    uint8_t bits_18;             /* 1: three bytes a pixel, and no other way (colour) */
+    uint8_t reset_command;       /* a command that may interrupt any other; 0: there is none */
+    uint8_t bits_18;             /* 1: colour comes in three bytes per pixel and no other format */
     uint8_t params_are_commands; /* 1: parameters come with D/C low, data is always picture data */
     uint32_t reset_low_us, reset_us;
 };
@@ -56,28 +55,29 @@ struct sheen_sim_module {
     uint8_t inverted;                        /* 1: the glass shows the complement unless the chip inverts */
     uint8_t round;                           /* 1: the glass is the disc that touches all four sides */
     uint8_t i2c_address;                     /* 7 bits; 0: it has no I2C */
-    uint8_t no_current;                      /* 1: no resistor at IREF, the chip has to make the segments' current */
+    uint8_t no_current; /* 1: no resistor at IREF, so that the chip has to make the segments' current */
 };
 
 struct sheen_sim_controller {
     const struct sheen_sim_module *module;
-    uint16_t *ram;                              /* ram_w * ram_h values: RGB565, or a level */
-    uint64_t now_us;                            /* the virtual clock: moved by delays only */
-    uint64_t quiet_until_us;                    /* nothing may be sent before */
-    uint64_t sleep_out_from_us;                 /* DCS: sleep out not before */
-    uint64_t display_on_from_us;                /* DCS: display on not before */
-    uint64_t reset_since_us;                    /* when the reset line fell */
-    uint8_t reset_level;                        /* of the line; 0 holds the chip in reset */
-    uint8_t command, count, missing, streaming; /* the command being taken in, its parameters */
+    uint16_t *ram;               /* ram_w * ram_h values: RGB565, or a level */
+    uint64_t now_us;             /* the virtual clock: moved by delays only */
+    uint64_t quiet_until_us;     /* no command may come before this time */
+    uint64_t sleep_out_from_us;  /* DCS: sleep out may not come before */
+    uint64_t display_on_from_us; /* DCS: display on may not come before */
+    uint64_t reset_since_us;     /* when the reset line fell */
+    uint8_t reset_level;         /* the reset line's; 0 holds the chip in reset */
+    uint8_t command, count, missing,
+        streaming; /* the command under way, its parameters so far and to come; 1: picture data */
     uint8_t params[16];
     uint16_t x0, x1, y0, y1, x, y; /* window and address counter, in the chip's own units */
-    uint8_t wrapped;               /* the counter has been through the whole window */
-    uint8_t half, half_set;        /* of a pixel of two or three bytes, the last that came, and how many have */
-    uint8_t red;                   /* of three, the first */
+    uint8_t wrapped;               /* 1: the counter has been through the whole window */
+    uint8_t half, half_set;        /* of a pixel's two or three bytes, the last one that came, and how many have */
+    uint8_t red;                   /* the first of a pixel's three bytes */
     uint8_t awake, on, inverted, scan, format;
-    uint8_t brightness, lit_by_it; /* the register; DCS: whether the backlight follows it */
-    uint8_t tearing;               /* the TE output is on */
-    uint8_t com_remap, all_on;     /* OLED: COM lines count downwards; every pixel lit */
+    uint8_t brightness, lit_by_it; /* the register; DCS: 1 if the backlight follows it */
+    uint8_t tearing;               /* 1: the TE output is on */
+    uint8_t com_remap, all_on;     /* OLED, 1: COM lines count downwards; 1: every pixel is lit */
     uint8_t unlocked, mode, multiplex, start_line, row_offset, pump, own_current; /* the SSD13xx and SH1106 families */
     unsigned rectangles;                                                          /* RAM writes begun */
     unsigned complaints;
@@ -91,16 +91,16 @@ void sheen_sim_controller_close(struct sheen_sim_controller *controller);
 /* Power off and on: noise in the RAM, registers at their defaults. */
 void sheen_sim_power_cycle(struct sheen_sim_controller *controller);
 
-/* What arrives on the wires. */
+/* The controller's inputs: bytes, the reset line's level, and the time that passes. */
 void sheen_sim_receive(struct sheen_sim_controller *controller, enum sheen_sim_dc dc, const uint8_t *bytes,
                        size_t count);
 void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level);
 void sheen_sim_advance(struct sheen_sim_controller *controller, uint32_t us);
 
-/* Lets the time pass to the next pulse of the TE output: 0, or SHEEN_ERR_TIMEOUT where it is off. */
+/* Advances the clock to the next pulse of the TE output. 0, or SHEEN_ERR_TIMEOUT if it is off or the chip sleeps. */
 int sheen_sim_tearing(struct sheen_sim_controller *controller);
 
-/* For the chips: a complaint; the address counter; a store that checks its place. */
+/* For the chips: report a complaint; set the address counter to the window's start; store a pixel, if in the RAM. */
 void sheen_sim_complain(struct sheen_sim_controller *controller, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 void sheen_sim_window_start(struct sheen_sim_controller *controller);
@@ -121,7 +121,7 @@ extern const struct sheen_sim_chip sheen_sim_chip_ideal, sheen_sim_chip_ili9341,
     sheen_sim_chip_ssd1351, sheen_sim_chip_ssd0323, sheen_sim_chip_ssd1325, sheen_sim_chip_ssd1327,
     sheen_sim_chip_ssd1306, sheen_sim_chip_sh1106;
 
-/* The module of that whole name; NULL where there is none. */
+/* The module of exactly that name; NULL if there is none. */
 const struct sheen_sim_module *sheen_sim_module_find(const char *name);
 
 #endif

@@ -1,9 +1,8 @@
 /*
  * controller_dcs.c - the simulated MIPI-DCS controllers.
  *
- * MADCTL as the ILI9341 and ST7789 data sheets tabulate it ("Memory to display
- * address mapping"): MV sends the host's columns to RAM rows, MX and MY then
- * count RAM columns and rows from their last.
+ * MADCTL works as the ILI9341 and ST7789 data sheets tabulate it ("Memory to display address mapping"): MV maps the
+ * host's columns to RAM rows; MX and MY then count RAM columns and rows from the last one.
  */
 #include "controller.h"
 
@@ -12,19 +11,23 @@
 #define MV 0x20
 #define BGR 0x08
 
-/* Minima, us: command after sleep out, or after a reset; sleep out after a reset in sleep-out mode; display on. */
+/*
+ * Minimum waits, us: from sleep out or a reset to a command; from a reset in sleep-out mode to sleep out; from sleep
+ * out to display on.
+ */
 #define AFTER_COMMAND_US 5000u
 #define RESET_TO_SLEEP_OUT_US 120000u
 #define SLEEP_OUT_TO_DISPLAY_ON_US 120000u
 
-/* After power-on and either reset; the RAM keeps what it has. Sleep is as deep as after sleep in. */
+/* After power-on and after either kind of reset. The RAM keeps its content; the chip sleeps as after sleep in. */
 static void defaults(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
 
     controller->awake = controller->on = controller->inverted = controller->scan = 0;
     controller->tearing = controller->brightness = controller->lit_by_it = 0;
-    controller->format = controller->module->chip->bits_18 ? 0x55 : 0x66; /* pixels sent before COLMOD are an error */
+    controller->format =
+        controller->module->chip->bits_18 ? 0x55 : 0x66; /* wrong, so that pixels before COLMOD are an error */
     controller->x0 = controller->y0 = 0;
     controller->x1 = (uint16_t)(module->ram_w - 1);
     controller->y1 = (uint16_t)(module->ram_h - 1);
@@ -45,7 +48,7 @@ static void sleep_in(struct sheen_sim_controller *controller)
     controller->sleep_out_from_us = controller->now_us + RESET_TO_SLEEP_OUT_US;
 }
 
-/* Both waits after it are minima of the data sheets: 5 ms to any command, 120 ms to display on. */
+/* Both waits after sleep out are minima of the data sheets: 5 ms to any command, 120 ms to display on. */
 static void sleep_out(struct sheen_sim_controller *controller)
 {
     if (controller->now_us < controller->sleep_out_from_us)
@@ -83,7 +86,7 @@ static void madctl(struct sheen_sim_controller *controller)
     controller->scan = controller->params[0];
 }
 
-/* The pixel format that the chip takes on SPI: 5, 16 bits, or 6, 18 bits in three bytes. */
+/* The pixel format that the chip accepts on SPI: 5 (16 bits), or 6 (18 bits in three bytes). */
 static unsigned right_format(const struct sheen_sim_controller *controller)
 {
     return controller->module->chip->bits_18 ? 6 : 5;
@@ -118,7 +121,7 @@ static void tearing(struct sheen_sim_controller *controller)
     controller->tearing = controller->command & 1;
 }
 
-/* 51 the register, 53 whether it counts. */
+/* 51 sets the register, 53 whether the backlight follows it. */
 static void brightness(struct sheen_sim_controller *controller)
 {
     if (controller->command == 0x51)
@@ -141,7 +144,7 @@ static void memory_write(struct sheen_sim_controller *controller)
     controller->rectangles++;
 }
 
-/* A pixel through MADCTL to its RAM place, then on to the next in the window. */
+/* Stores a pixel at its place in the RAM by MADCTL, then goes on to the next place in the window. */
 static void store(struct sheen_sim_controller *controller, uint16_t value)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -152,7 +155,7 @@ static void store(struct sheen_sim_controller *controller, uint16_t value)
     if (controller->wrapped)
         sheen_sim_complain(controller, "pixel outside the window %u..%u, %u..%u", controller->x0, controller->x1,
                            controller->y0, controller->y1);
-    /* A counter past the RAM turns into a huge number here, which the store reports. */
+    /* A counter beyond the RAM becomes a huge number here if it counts from the last; the store reports it. */
     sheen_sim_store(controller, scan & MX ? module->ram_w - 1u - column : column,
                     scan & MY ? module->ram_h - 1u - row : row, value);
     if (controller->x++ < controller->x1)
@@ -164,7 +167,7 @@ static void store(struct sheen_sim_controller *controller, uint16_t value)
     controller->wrapped = 1;
 }
 
-/* Of three bytes the upper six bits count; what is kept are the upper five of red and blue, so that it is RGB565. */
+/* Of three bytes the upper six bits count; of red and blue only five are kept, so that the RAM holds RGB565. */
 static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
 {
     unsigned last = controller->module->chip->bits_18 ? 2 : 1;
@@ -188,7 +191,7 @@ static void stream_end(struct sheen_sim_controller *controller)
         sheen_sim_complain(controller, "half a pixel before command");
 }
 
-/* What the glass makes of it: dark unless awake and on, the complement unless inversion suits it. */
+/* What the glass shows: dark unless the chip is awake and on, the complement if inversion is not as the glass needs. */
 static uint16_t shown(const struct sheen_sim_controller *controller, unsigned column, unsigned row)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -211,10 +214,10 @@ static const struct sheen_sim_command commands[] = {
     {0x3A, 0x3A, 1, colmod},         {0x3C, 0x3C, 0, memory_continue},
 };
 
-/* Brightness, where the data sheet has it. */
+/* Brightness, for chips whose data sheets have it. */
 static const struct sheen_sim_command vendor_brightness[] = {{0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}};
 
-/* Registers of their own that drivers set; tabled in the data sheets under "System function command list 2". */
+/* The chips' own registers that drivers set; the data sheets list them under "System function command list 2". */
 static const struct sheen_sim_command vendor_st7789[] = {{0xB0, 0xB0, 2, NULL},
                                                          {0xB2, 0xB2, 5, NULL},
                                                          {0xC6, 0xC6, 1, NULL},
@@ -225,7 +228,7 @@ static const struct sheen_sim_command vendor_st7735[] = {
     {0xC1, 0xC1, 1, NULL}, {0xC2, 0xC4, 2, NULL}, {0xC5, 0xC5, 1, NULL}, {0xE0, 0xE1, 16, NULL},
 };
 
-/* Undocumented but for the register's length. NOP (00) is not among them: the chip must not get it. */
+/* Undocumented except for the registers' lengths. NOP (00) is left out, because the chip must not get it. */
 static const struct sheen_sim_command vendor_gc9a01[] = {
     {0x51, 0x51, 1, brightness}, {0x53, 0x53, 1, brightness}, {0xFE, 0xFE, 0, NULL},  {0xEF, 0xEF, 0, NULL},
     {0xEB, 0xEB, 1, NULL},       {0x84, 0x8F, 1, NULL},       {0xB6, 0xB6, 2, NULL},  {0x90, 0x90, 4, NULL},

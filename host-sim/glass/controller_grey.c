@@ -1,9 +1,9 @@
 /*
- * controller_grey.c - simulated SSD0323, SSD1325 and SSD1327: 16 levels, two pixels a byte.
+ * controller_grey.c - simulated SSD0323, SSD1325 and SSD1327: 16 levels, two pixels per byte.
  *
- * Remap (A0), as the data sheets draw it: bit 0 counts the pairs of segments from
- * the last, bit 1 gives the high nibble to the lower segment of a pair, bit 2 runs
- * the address down first, bit 4 counts COM lines from the last.
+ * Remap (A0), as the data sheets draw it: bit 0 counts the pairs of segments from the last, bit 1 gives the high nibble
+ * to the lower segment of a pair, bit 2 makes the address run down the rows first, bit 4 counts COM lines from the
+ * last.
  */
 #include "controller.h"
 
@@ -53,7 +53,7 @@ static unsigned segment(const struct sheen_sim_controller *controller, unsigned 
     return 2 * pair + (controller->scan & 2 ? low : !low);
 }
 
-/* The RAM is kept a value a segment, as written through the column remap of that time. */
+/* The RAM holds one value per segment, placed by the column remap that is set when the byte is written. */
 static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
 {
     sheen_sim_check_window(controller, controller->module->ram_w / 2u, controller->module->ram_h);
@@ -119,7 +119,7 @@ static const struct sheen_sim_command vendor_ssd1327[] = {
     .vendor_count = sizeof extra / sizeof extra[0], .defaults = defaults, .pixels = pixels, .shown = shown,            \
     .max_level = 15, .params_are_commands = 1
 
-/* Reset pulse: SSD1325 data sheet 3 us, SSD1327 100 us ("Power ON and OFF sequence", t1), and as much after it. */
+/* Reset pulse: SSD1325 data sheet 3 us, SSD1327 100 us ("Power ON and OFF sequence", t1); the same wait after it. */
 const struct sheen_sim_chip sheen_sim_chip_ssd0323 = {GREY("SSD0323", vendor_ssd1325), .reset_low_us = 3,
                                                       .reset_us = 3};
 const struct sheen_sim_chip sheen_sim_chip_ssd1325 = {GREY("SSD1325", vendor_ssd1325), .reset_low_us = 3,

@@ -1,10 +1,9 @@
 /*
  * controller_ideal.c - plain RGB565 memory behind a bus: the panel `ideal`.
  *
- * It is lit from the start and never turned, inverted or asleep. Its three
- * commands are those of a DCS controller (2A columns, 2B rows, 2C pixels), so that
- * bytes count alike; it shares no code with the simulated ones, with which it is
- * compared.
+ * It is lit from the start and never turned, inverted or asleep. Its three commands are those of a DCS controller (2A
+ * columns, 2B rows, 2C pixels), so that byte counts compare. It shares no code with the simulated controllers, because
+ * it is compared with them.
  */
 #include <string.h>
 

@@ -1,10 +1,9 @@
 /*
- * controller_mono.c - simulated SSD1306 and SH1106: one bit a pixel, eight rows a page.
+ * controller_mono.c - simulated SSD1306 and SH1106: one bit per pixel, eight rows per page.
  *
- * A1 stores columns from the last segment on (only what is written after it), C8
- * counts COM lines from the multiplex ratio down. Neither shows anything before
- * its supply was switched on: 8D 14 (charge pump), AD 8B (DC-DC); a module without a
- * resistor for the segments' current nothing before AD 30, the SSD1306B's own (it would be dim).
+ * A1 stores columns, if written after it, from the last segment on; C8 counts COM lines from the multiplex ratio down.
+ * Neither chip shows anything before its supply is switched on: 8D 14 (charge pump), AD 8B (DC-DC). A module without a
+ * resistor for the segments' current shows nothing before AD 30, the SSD1306B's own reference (really it would be dim).
  */
 #include "controller.h"
 
@@ -71,7 +70,7 @@ static void segment_remap(struct sheen_sim_controller *controller)
     controller->scan = controller->command & 1;
 }
 
-/* A4 shows the RAM, A5 everything. */
+/* A4 shows the RAM, A5 lights every pixel. */
 static void all_on(struct sheen_sim_controller *controller)
 {
     controller->all_on = controller->command & 1;
@@ -108,7 +107,7 @@ static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
         sheen_sim_store(controller, column, controller->y * 8u + bit, byte >> bit & 1);
     if (controller->mode == MODE_PAGE) {
         controller->rectangles += !controller->streaming;
-        controller->streaming = 1; /* until the next command: a run of bytes */
+        controller->streaming = 1; /* until the next command, so that a run of bytes counts as one rectangle */
         controller->x++;
         return;
     }
@@ -156,7 +155,7 @@ static const struct sheen_sim_command commands_sh1106[] = {
     .name = label, .commands = list, .command_count = sizeof list / sizeof list[0], .defaults = defaults,              \
     .pixels = pixels, .shown = shown, .max_level = 1, .params_are_commands = 1
 
-/* Reset pulse: SSD1306 data sheet 8.9 (t1) 3 us; SH1106 data sheet, "Reset timing", 10 us; and as much after it. */
+/* Reset pulse: SSD1306 data sheet 8.9 (t1) 3 us; SH1106 data sheet, "Reset timing", 10 us; the same wait after it. */
 const struct sheen_sim_chip sheen_sim_chip_ssd1306 = {MONO("SSD1306", commands_ssd1306), .reset_low_us = 3,
                                                       .reset_us = 3};
 const struct sheen_sim_chip sheen_sim_chip_sh1106 = {MONO("SH1106", commands_sh1106), .reset_low_us = 10,

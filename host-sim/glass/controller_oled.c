@@ -1,16 +1,15 @@
 /*
  * controller_oled.c - what the simulated OLED controllers share: COM lines, address counters.
  *
- * Their glass is wired to outputs (segments and COM lines), so the module's gap
- * and mirror speak of those; which RAM row a COM line shows is up to registers.
+ * The glass is wired to outputs (segments and COM lines), so a module's gap and mirror are given in these; which RAM
+ * row a COM line shows depends on registers.
  */
 #include "controller.h"
 
 /*
- * The RAM row that COM line `com` shows; -1 where it is not driven. Lines are
- * counted from `top` downwards where the COM remap is on. That the display offset
- * comes in before the multiplex ratio, the start line after it, agrees with the
- * published settings of glasses that use a part of the lines, upright and turned.
+ * The RAM row that COM line `com` shows; -1 if the line is not driven. With COM remap on, lines are counted from `top`
+ * downwards. The display offset is added before the multiplex ratio is applied and the start line after it, which
+ * agrees with the published settings of glasses that use only some of the lines, upright and turned.
  */
 int sheen_sim_com_row(const struct sheen_sim_controller *controller, unsigned com, unsigned top)
 {
@@ -20,7 +19,7 @@ int sheen_sim_com_row(const struct sheen_sim_controller *controller, unsigned co
     return line > controller->multiplex ? -1 : (int)((line + controller->start_line) % height);
 }
 
-/* The next address in the window: along x first, or along y where `vertical`. */
+/* Goes on to the next address in the window: along x first, or if `vertical`, along y first. */
 void sheen_sim_next_address(struct sheen_sim_controller *controller, int vertical)
 {
     uint16_t *fast = vertical ? &controller->y : &controller->x, *slow = vertical ? &controller->x : &controller->y;
@@ -36,7 +35,10 @@ void sheen_sim_next_address(struct sheen_sim_controller *controller, int vertica
         *slow = slow_start;
 }
 
-/* To be called with each picture byte: counts rectangles, and reports a window that cannot be, in units of its axes. */
+/*
+ * Call it when picture data arrive for an address: counts rectangles and reports an impossible window. width, height:
+ * the RAM's, in units of the address.
+ */
 void sheen_sim_check_window(struct sheen_sim_controller *controller, unsigned width, unsigned height)
 {
     if (controller->x == controller->x0 && controller->y == controller->y0)
@@ -58,13 +60,13 @@ void sheen_sim_set_on(struct sheen_sim_controller *controller)
     controller->on = controller->command & 1;
 }
 
-/* A4 to A7, whose meanings differ. */
+/* A4 to A7, whose meanings differ from chip to chip. */
 void sheen_sim_set_mode(struct sheen_sim_controller *controller)
 {
     controller->mode = controller->command & 3;
 }
 
-/* Setting a range sets its address counter back to the range's start. */
+/* Setting a range also sets its address counter to the range's start. */
 void sheen_sim_set_columns(struct sheen_sim_controller *controller)
 {
     controller->x = controller->x0 = controller->params[0];

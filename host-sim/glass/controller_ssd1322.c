@@ -1,5 +1,5 @@
 /*
- * controller_ssd1322.c - the simulated SSD1322: 16 levels, four pixels a column address.
+ * controller_ssd1322.c - the simulated SSD1322: 16 levels, four pixels per column address.
  *
  * Parameters and pixels come with D/C high. Remap (A0, two bytes), as public drivers
  * use it upright (06 11) and upside down (14 11): bit 1 counts segments from the last,
@@ -58,13 +58,13 @@ static void multiplex(struct sheen_sim_controller *controller)
     controller->multiplex = controller->params[0] & 127;
 }
 
-/* The address stays where it is. */
+/* Begins picture data at the present address. */
 static void write_ram(struct sheen_sim_controller *controller)
 {
     controller->streaming = 1;
 }
 
-/* Nibble i (0..3) of a column address, as it came, to its segment. */
+/* Stores nibble i (0..3, in the order of arrival) of a column address at its segment. */
 static void store(struct sheen_sim_controller *controller, unsigned i, unsigned level)
 {
     unsigned position = 4u * controller->x + (controller->scan & REMAP_NIBBLE ? i : 3 - i);
@@ -119,14 +119,14 @@ static const struct sheen_sim_command commands[] = {
     {0xFD, 0xFD, 1, lock},
 };
 
-/* Supply, clocks, grey table; A8 and A9, the partial display. */
+/* Supply, clocks, grey table; A9 ends the partial display. */
 static const struct sheen_sim_command vendor[] = {
     {0x00, 0x00, 0, NULL}, {0xA9, 0xA9, 0, NULL}, {0xAB, 0xAB, 1, NULL},  {0xB1, 0xB1, 1, NULL}, {0xB3, 0xB3, 1, NULL},
     {0xB4, 0xB4, 2, NULL}, {0xB5, 0xB6, 1, NULL}, {0xB8, 0xB8, 15, NULL}, {0xB9, 0xB9, 0, NULL}, {0xBB, 0xBB, 1, NULL},
     {0xBE, 0xBE, 1, NULL}, {0xC7, 0xC7, 1, NULL}, {0xD1, 0xD1, 2, NULL},
 };
 
-/* Reset pulse: 2 us, as u8g2 has it from the data sheet; and as much after it. */
+/* Reset pulse: 2 us, which u8g2 has from the data sheet; the same wait after it. */
 const struct sheen_sim_chip sheen_sim_chip_ssd1322 = {.name = "SSD1322",
                                                       .commands = commands,
                                                       .command_count = sizeof commands / sizeof commands[0],

@@ -1,10 +1,9 @@
 /*
- * controller_ssd1351.c - the simulated colour OLED SSD1351, in its 65k colours.
+ * controller_ssd1351.c - the simulated colour OLED SSD1351, in its 65k-colour format.
  *
- * Remap bits as in the data sheet (A0h): 0 the address runs down the rows first,
- * 1 columns are stored from the last segment, 2 sub-pixels C, B, A, 4 COM lines are
- * scanned from the last. Column remap acts on what is written after it, COM remap
- * and start line on what is shown.
+ * Remap bits as in the data sheet (A0h): 0: the address runs down the rows first, 1: columns are stored from the last
+ * segment, 2: sub-pixels are C, B, A, 4: COM lines are scanned from the last. Column remap acts on what is written
+ * after it, COM remap and start line on what is shown.
  */
 #include "controller.h"
 
@@ -21,7 +20,7 @@ enum mode {
     MODE_INVERSE = 3
 };
 
-/* The display offset wakes up as 0x60, so a driver that leaves A2 out is seen. */
+/* The display offset starts as 0x60, so a driver that omits A2 is noticed. */
 static void defaults(struct sheen_sim_controller *controller)
 {
     const struct sheen_sim_module *module = controller->module;
@@ -38,7 +37,7 @@ static void defaults(struct sheen_sim_controller *controller)
     sheen_sim_window_start(controller);
 }
 
-/* FD 12 unlocks the interface (and is its state after reset); FD B1 and B0 open and close six registers. */
+/* FD 12 unlocks the interface, which is its state after reset; FD B1 unlocks six registers, FD B0 locks them. */
 static void lock(struct sheen_sim_controller *controller)
 {
     if (controller->params[0] == 0xB1 || controller->params[0] == 0xB0)
@@ -47,7 +46,7 @@ static void lock(struct sheen_sim_controller *controller)
         sheen_sim_complain(controller, "command lock 0x%02X", controller->params[0]);
 }
 
-/* Taken only after FD B1 (data sheet, command table, FDh). */
+/* Registers that are accepted only after FD B1 (data sheet, command table, FDh). */
 static void locked(struct sheen_sim_controller *controller)
 {
     if (!controller->unlocked)
@@ -93,7 +92,7 @@ static void pixels(struct sheen_sim_controller *controller, uint8_t byte)
         return;
     }
     sheen_sim_check_window(controller, module->ram_w, module->ram_h);
-    /* Kept a value a segment, as written through the column remap of that time. */
+    /* The RAM holds one value per segment, placed by the column remap that is set when the pixel is written. */
     sheen_sim_store(controller, controller->scan & REMAP_COLUMN ? module->ram_w - 1u - controller->x : controller->x,
                     controller->y, (uint16_t)(controller->half << 8 | byte));
     sheen_sim_next_address(controller, controller->scan & REMAP_VERTICAL);

@@ -5,7 +5,7 @@
 
 int sheen_sim_glass_has(const struct sheen_sim_module *module, unsigned column, unsigned row)
 {
-    /* Twice the distance of the pixel's centre from the glass's, against twice the radius. */
+    /* Twice the distance of the pixel's centre from the glass's centre, compared with twice the radius. */
     int dx = 2 * (int)column + 1 - module->glass_w, dy = 2 * (int)row + 1 - module->glass_h;
 
     return !module->round || dx * dx + dy * dy <= module->glass_w * module->glass_w;
@@ -41,7 +41,7 @@ void sheen_sim_glass_place(const struct sheen_sim_module *module, unsigned orien
     case 2:
         *column = w - 1 - x, *row = h - 1 - y;
         break;
-    default: /* its bottom left */
+    default: /* the viewer's top left is the glass's bottom left */
         *column = y, *row = h - 1 - x;
         break;
     }

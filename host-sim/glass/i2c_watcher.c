@@ -15,7 +15,7 @@ static int complain(struct sheen_i2c_watcher *watcher, const char *what)
     return SHEEN_ERR_BUS;
 }
 
-/* SCL's last rise, before SDA moved, was the start's or stop's own: one bit that is none. */
+/* 1 if a start or stop comes inside a byte. Its own rise of SCL, before SDA moved, was counted as one bit. */
 static int cuts_a_byte(const struct sheen_i2c_watcher *watcher)
 {
     return watcher->inside && watcher->bits != 1;
@@ -62,7 +62,7 @@ static int take_bit(struct sheen_i2c_watcher *watcher)
         watcher->bits++;
         return 0;
     }
-    watcher->bits = 0; /* the ninth */
+    watcher->bits = 0; /* the ninth, the acknowledgement */
     if (watcher->count == sizeof watcher->message)
         return complain(watcher, "a message of more than 256 bytes");
     watcher->message[watcher->count++] = watcher->shift;

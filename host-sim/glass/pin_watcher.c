@@ -15,7 +15,7 @@ static int complain(struct sheen_pin_watcher *watcher, const char *what)
     return SHEEN_ERR_BUS;
 }
 
-/* Modes 0 and 3 sample on the rising edge, 1 and 2 on the falling one: CPOL xor CPHA. */
+/* SCLK's level after the sampling edge: modes 0 and 3 sample on the rising edge, 1 and 2 on the falling one. */
 static int samples_on(const struct sheen_pin_watcher *watcher)
 {
     return watcher->mode == 0 || watcher->mode == 3;

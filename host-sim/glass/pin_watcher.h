@@ -1,15 +1,13 @@
 /*
  * pin_watcher.h - edges on five wires to bytes: the receiving half of an SPI panel.
  *
- * A trace of what a board did to its pins, edge by edge and in order, goes in;
- * what comes out are the calls of a struct sheen_bus, a byte each: a simulated
- * controller, which cannot tell them from a panel driver's own. So the last stretch of wire,
- * which no bus-level test sees, is tested too: bit order, clock mode, chip
- * select, and D/C that changes at the wrong moment.
+ * It takes a trace of what a board did to its pins, edge by edge and in order, and makes calls of a struct sheen_bus
+ * from it, one per byte. They go to a simulated controller, which cannot tell them from a panel driver's own. This
+ * tests the last stretch of wire as well, which no bus-level test sees: bit order, clock mode, chip select, and D/C
+ * that changes at the wrong moment.
  *
- * Panels shift MOSI in on the sampling edge of SCLK, high bit first, while CS is
- * low, and take D/C with the eighth bit (ILI9341 datasheet, "4-line serial
- * interface": D/CX is sampled at the rising edge of the last bit).
+ * Panels shift MOSI in on the sampling edge of SCLK, high bit first, while CS is low, and sample D/C with the eighth
+ * bit (ILI9341 datasheet, "4-line serial interface": D/CX is sampled at the rising edge of the last bit).
  */
 #ifndef SHEEN_PIN_WATCHER_H
 #define SHEEN_PIN_WATCHER_H
@@ -32,10 +30,10 @@ enum sheen_wire {
 
 struct sheen_pin_watcher {
     const struct sheen_bus *to;      /* gets each byte in a call, and the reset edges */
-    uint8_t level[SHEEN_WIRE_COUNT]; /* 0 or 1, as it stands */
+    uint8_t level[SHEEN_WIRE_COUNT]; /* the present levels, 0 or 1 */
     uint8_t mode;                    /* SPI mode 0..3 */
     uint8_t shift;                   /* the bits of the byte under way, right-aligned */
-    uint8_t bits;                    /* how many, 0..7 */
+    uint8_t bits;                    /* how many bits, 0..7 */
     uint8_t dc;                      /* D/C at the byte's first bit */
     size_t bytes[2];                 /* decoded so far, by enum sheen_sim_dc */
     size_t resets;                   /* falling edges of RESET */
@@ -44,20 +42,20 @@ struct sheen_pin_watcher {
 };
 
 /*
- * level: how the wires stand before the first edge; a wire that is not there
- * stays as given (CS 0: always selected; RESET 1). mode: SPI mode 0..3.
+ * level: the wires' levels before the first edge; a wire that does not exist keeps the given level (CS 0: always
+ * selected; RESET 1). mode: SPI mode 0..3.
  */
 void sheen_pin_watcher_init(struct sheen_pin_watcher *watcher, const struct sheen_bus *to, unsigned mode,
                             const uint8_t level[SHEEN_WIRE_COUNT]);
 
 /*
- * A wire was driven to a level; the same level again is no edge. Returns 0, a
- * negative code of the controller's, or SHEEN_ERR_BUS where no panel would have
- * understood; watcher->complaint then says why, and the byte under way is lost.
+ * A wire was driven to a level; the same level again is no edge. Returns 0, a negative code of the controller's, or
+ * SHEEN_ERR_BUS if no panel would have understood the edge; watcher->complaint then says why, and the byte under way
+ * is lost.
  */
 int sheen_pin_watcher_edge(struct sheen_pin_watcher *watcher, enum sheen_wire wire, int level);
 
-/* The trace is over: SHEEN_ERR_BUS where it ends inside a byte or held none. */
+/* The trace is over: 0, or SHEEN_ERR_BUS if it ends inside a byte, held no byte or broke a rule before. */
 int sheen_pin_watcher_finish(struct sheen_pin_watcher *watcher);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 /*
  * sim_bus.c - the simulated bus: DMA that reads late, I2C, counters, faults.
  *
- * Every call is an operation with a number. A planned fault strikes at one of
- * them, whatever it is; bytes under way then arrive in part or not at all.
+ * Every call is an operation with a number. A planned fault strikes at one of them, of whatever kind; bytes under way
+ * then arrive in part or not at all.
  */
 #include "sim_bus.h"
 
@@ -23,9 +23,8 @@ static uint32_t sum_of(const uint8_t *bytes, size_t count)
 }
 
 /*
- * An I2C message: control bytes say what follows. 80: one byte more, then another
- * control byte; 40: data, not commands (SSD1306 data sheet, 8.1.5.2). whole: it was
- * not cut short on its way.
+ * Receives an I2C message: control bytes say what follows them. Bit 80: one byte, then another control byte; bit 40:
+ * data, not commands (SSD1306 data sheet, 8.1.5.2). whole: 1 unless the message was cut short on its way.
  */
 static void take_message(struct sheen_sim_controller *controller, const uint8_t *bytes, size_t count, int whole)
 {
@@ -52,7 +51,7 @@ static size_t smaller(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* The call under way ends: of its bytes, command first, `count` arrive. */
+/* Ends the call under way: the first `count` of its bytes arrive, commands before data. */
 static void land(struct sheen_sim_bus *bus, size_t count)
 {
     size_t commands = smaller(count, bus->flight_commands), data = smaller(count - commands, bus->flight_bytes);
@@ -71,7 +70,7 @@ static void land(struct sheen_sim_bus *bus, size_t count)
     bus->flying = 0;
 }
 
-/* Counts an operation; the code that a planned fault makes of it, else 0. */
+/* Counts an operation. Returns the code of the fault that is planned for it, else 0. */
 static int operate(struct sheen_sim_bus *bus)
 {
     bus->operations++;
@@ -100,7 +99,7 @@ static int operate(struct sheen_sim_bus *bus)
     }
 }
 
-/* What a caller must not do; 0 where it has not. */
+/* Complains about a send that a caller must not make. 0, or SHEEN_ERR_ARGUMENT if it cannot be made. */
 static int refuse(struct sheen_sim_bus *bus, const void *command, size_t commands, const void *data, size_t count)
 {
     const char *what = NULL;
@@ -162,7 +161,7 @@ static int sim_wait(void *ctx)
     return error;
 }
 
-/* A stuck line does not follow, which a board finds by reading it back. */
+/* A stuck line does not follow. */
 static int sim_reset(void *ctx, int level)
 {
     struct sheen_sim_bus *bus = ctx;
@@ -179,7 +178,7 @@ static int sim_reset(void *ctx, int level)
     return SHEEN_OK;
 }
 
-/* Time passes by delays alone: a bus faster than any. */
+/* Only delays let time pass: the bus is faster than any real one. */
 static int sim_delay(void *ctx, uint32_t us)
 {
     struct sheen_sim_bus *bus = ctx;

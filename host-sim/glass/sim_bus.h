@@ -1,12 +1,11 @@
 /*
  * sim_bus.h - a bus with a simulated controller at its far end, with DMA, counters and faults.
  *
- * Data are read at the wait, as a slow DMA would: a buffer that was touched in
- * between sends the wrong pixels, and is complained about.
+ * Data are read at the wait, as a slow DMA would read them: a buffer that was touched before the wait sends the wrong
+ * pixels and is complained about.
  *
- * 4-wire SPI, or I2C: then a call is a message to an address, as sheen_i2c.h makes
- * them. On I2C the faults are an address or a byte that nobody acknowledges (error,
- * short write) and a bus that is stuck (timeout).
+ * The bus is 4-wire SPI, or I2C. On I2C a call is a message to an address, as sheen_i2c.h makes it, and faults stand
+ * for an address or a byte that nobody acknowledges (error, short write) and for a stuck bus (timeout).
  */
 #ifndef SHEEN_SIM_BUS_H
 #define SHEEN_SIM_BUS_H
@@ -14,7 +13,7 @@
 #include "controller.h"
 #include "sheen_bus.h"
 
-/* Faults, at one operation (send, wait, reset, delay, acquire or tearing, counted from 1). */
+/* Faults; each strikes at one operation (send, wait, reset, delay, acquire or tearing, counted from 1). */
 enum sheen_sim_fault {
     SHEEN_FAULT_NONE = 0,
     SHEEN_FAULT_ERROR,      /* the operation does nothing: SHEEN_ERR_BUS */
@@ -25,7 +24,7 @@ enum sheen_sim_fault {
 };
 #define SHEEN_FAULT_COUNT 6
 
-/* bytes = commands + data; transactions are calls of send. On I2C all bytes are data, control bytes too. */
+/* bytes = commands + data; transactions: calls of send. On I2C all bytes count as data, control bytes too. */
 struct sheen_sim_counters {
     uint64_t bytes, commands, transactions, rectangles;
 };
@@ -33,16 +32,16 @@ struct sheen_sim_counters {
 struct sheen_sim_bus {
     struct sheen_bus bus; /* what a driver is given; ctx is this struct */
     struct sheen_sim_controller *controller;
-    uint8_t address;                            /* of the I2C messages; 0: SPI */
-    uint8_t locks, held;                        /* 1: others use it too; it is acquired */
-    uint8_t flying;                             /* a call is under way: */
-    uint8_t flight_command[SHEEN_BUS_COMMANDS]; /* its command, */
-    const uint8_t *flight;                      /* its data */
+    uint8_t address;                            /* that I2C messages go to; 0: SPI */
+    uint8_t locks, held;                        /* 1: the bus is shared; 1: it is acquired */
+    uint8_t flying;                             /* 1: a call is under way */
+    uint8_t flight_command[SHEEN_BUS_COMMANDS]; /* that call's commands */
+    const uint8_t *flight;                      /* that call's data */
     size_t flight_commands, flight_bytes;
     uint32_t flight_sum;
     uint64_t operations; /* since the start */
     uint64_t bytes, commands, transactions;
-    unsigned rectangles; /* of the controller's, when the counters were set to 0 */
+    unsigned rectangles; /* the controller's count when the counters were reset */
     enum sheen_sim_fault fault;
     uint64_t fault_at; /* the operation that fails */
     uint8_t reset_stuck;
@@ -51,16 +50,16 @@ struct sheen_sim_bus {
 /* 4-wire SPI. reset_line: 0 for a board without one. */
 void sheen_sim_bus_open(struct sheen_sim_bus *bus, struct sheen_sim_controller *controller, int reset_line);
 
-/* From now on I2C, each call a message to a 7-bit address; nobody answers but at the module's. */
+/* Makes the bus I2C (0: SPI): each call is a message to this 7-bit address. Only the module's own is acknowledged. */
 void sheen_sim_bus_i2c(struct sheen_sim_bus *bus, uint8_t address);
 
 /* From now on the bus must be acquired before anything is sent. */
 void sheen_sim_bus_share(struct sheen_sim_bus *bus);
 
-/* Plans a fault at the operation that comes after `after` more; SHEEN_FAULT_NONE lifts any. */
+/* Plans a fault at the operation that follows `after` more; SHEEN_FAULT_NONE lifts any fault. */
 void sheen_sim_bus_fault(struct sheen_sim_bus *bus, enum sheen_sim_fault fault, uint64_t after);
 
-/* The name of a fault: "short write". */
+/* The name of a fault, such as "short write". */
 const char *sheen_sim_fault_name(enum sheen_sim_fault fault);
 
 struct sheen_sim_counters sheen_sim_bus_counters(const struct sheen_sim_bus *bus);

@@ -13,13 +13,13 @@ struct sheen_sim_panel {
     struct sheen_sim_module ideal_module; /* of the size asked for */
     struct sheen_sim_controller controller;
     struct sheen_sim_bus bus;
-    struct sheen_i2c i2c; /* around it, where choice.i2c */
+    struct sheen_i2c i2c; /* the layer around bus, if choice.i2c */
     struct sheen_panel driver;
     struct sheen_sim_ideal ideal;
     struct sheen_target target;
 };
 
-/* A driver knows nothing of its controller when it starts: it is opened anew. */
+/* Opens the driver anew, because a driver knows nothing of its controller when it starts. */
 int sheen_sim_panel_restart(struct sheen_sim_panel *panel)
 {
     const struct sheen_sim_choice *choice = &panel->choice;
@@ -34,7 +34,7 @@ int sheen_sim_panel_restart(struct sheen_sim_panel *panel)
     return error < 0 ? error : sheen_panel_target(&panel->driver, &panel->target);
 }
 
-/* The hardware is found by the record's name, not by what the record says. */
+/* The simulated hardware is found by the record's name alone; the record's other fields are not used. */
 int sheen_sim_panel_open(struct sheen_sim_panel **out, const struct sheen_sim_choice *choice)
 {
     struct sheen_sim_panel *panel = calloc(1, sizeof *panel);
@@ -87,7 +87,7 @@ int sheen_sim_panel_init(struct sheen_sim_panel *panel)
     return panel->choice.record ? sheen_panel_init(&panel->driver) : SHEEN_OK;
 }
 
-/* The viewer's pixel on the glass. The ideal glass stands as the viewer does. */
+/* Finds the viewer's pixel on the glass. The ideal glass is turned with the viewer. */
 static void place(const struct sheen_sim_panel *panel, unsigned x, unsigned y, unsigned *column, unsigned *row)
 {
     unsigned orientation = panel->choice.record ? panel->choice.orientation : 0;
@@ -95,7 +95,7 @@ static void place(const struct sheen_sim_panel *panel, unsigned x, unsigned y, u
     sheen_sim_glass_place(panel->controller.module, orientation, x, y, column, row);
 }
 
-/* Reads the glass, not the RAM: unlit, inverted or masked is what it is for the viewer. */
+/* Reads the glass, not the RAM, so that pixels are unlit, inverted or masked as the viewer sees them. */
 int sheen_sim_panel_picture(struct sheen_sim_panel *panel, uint16_t *values)
 {
     if (panel->bus.flying)

@@ -1,5 +1,5 @@
 /*
- * sim_panel_choose.c - which orientation and size a panel is looked at in.
+ * sim_panel_choose.c - chooses the orientation and size in which a panel is viewed.
  */
 #include <stdio.h>
 #include <string.h>
@@ -28,7 +28,7 @@ static int choose_ideal(struct sheen_sim_choice *choice, int orientation, unsign
     return SHEEN_OK;
 }
 
-/* What the panel can have, for the error line: "320x240", or both ways round. */
+/* Writes the error line with the sizes that the panel can have: "320x240", or both ways round. */
 static void refuse_size(const struct sheen_sim_choice *choice, int given, unsigned width, unsigned height, char *why,
                         size_t why_size)
 {
@@ -72,7 +72,7 @@ int sheen_sim_choose(struct sheen_sim_choice *choice, const char *panel, int ori
     if (width == 0 || (choice->width == width && choice->height == height))
         return SHEEN_OK;
     if (orientation < 0 && choice->height == width && choice->width == height) {
-        /* Not 0's size but 1's: the quarter turn. */
+        /* The size is not orientation 0's but orientation 1's, the quarter turn. */
         choice->orientation = 1;
         choice->width = (uint16_t)width;
         choice->height = (uint16_t)height;

@@ -1,8 +1,8 @@
 /*
- * sim_panel_ideal.c - the driver of the panel `ideal`: a window where it changed, then pixels.
+ * sim_panel_ideal.c - the driver of the panel `ideal`: sends the window if it changed, then pixels.
  *
- * It sends what the DCS driver sends for a panel without gap, and shares no code
- * with it: the one can stand for the other in a comparison.
+ * It sends what the DCS driver sends for a panel without gap, but shares no code with it, so that the two can be
+ * compared.
  */
 #include "sim_panel_ideal.h"
 
@@ -21,7 +21,7 @@ static int push(void *ctx, struct sheen_rect rect, const void *pixels)
     const uint8_t write_memory = 0x2C;
     int error = SHEEN_OK;
 
-    ideal->window = (struct sheen_rect){0}; /* unknown until all of this has gone well */
+    ideal->window = (struct sheen_rect){0}; /* unknown until all of this has been sent */
     if (rect.x0 != held.x0 || rect.x1 != held.x1)
         error = send_range(ideal->bus, 0x2A, rect.x0, rect.x1 - 1);
     if (error == SHEEN_OK && (rect.y0 != held.y0 || rect.y1 != held.y1))

@@ -9,7 +9,7 @@
 
 struct sheen_sim_ideal {
     const struct sheen_bus *bus;
-    struct sheen_rect window; /* last sent; empty: none */
+    struct sheen_rect window; /* the last one sent; empty: none */
 };
 
 /* A target of that size, RGB565_BE, without alignment. */

@@ -1,10 +1,9 @@
 /*
- * sim_panel_modules.c - the hardware that can be simulated: what stands behind which glass.
+ * sim_panel_modules.c - the hardware that can be simulated: which chip is behind which glass, and how it is wired.
  *
- * Written from data sheets and module drawings, not from hal's records: where the
- * two differ, the tests see it. Gap: the first RAM column and row (OLED: segment
- * and COM line) behind the glass. Mirrored: RAM column 0 is wired to the right,
- * row 0 to the bottom, so that the upright picture needs MX, MY.
+ * Written from data sheets and module drawings, not from hal's records, so that tests notice where the two differ. Gap:
+ * the first RAM column and row (OLED: segment and COM line) behind the glass. Mirrored: RAM column 0 is wired to the
+ * right, row 0 to the bottom, so that the upright picture needs MX, MY.
  */
 #include <string.h>
 
