@@ -1,12 +1,13 @@
 /*
- * host.js - the WebAssembly module's operating system: a few files, and what it prints. For the page, its worker and
- * the tests alike.
+ * host.js - the WebAssembly module's operating system: gives it a few files and collects what it prints. For the page,
+ * its worker and the tests alike.
  */
 'use strict';
 
 /*
- * An instance of the compiled module. files: a Map of names to bytes, which may change. Has exports `x`; `output`, all bytes
- * that went to standard output, and `errors`, the text of standard error, both the caller's to empty.
+ * Makes an instance of the compiled module. files: a Map of names to bytes, which may change later. The instance has
+ * the module's exports `x`; `output`, all bytes that went to standard output, and `errors`, the text of standard error,
+ * which the caller empties.
  */
 async function sheenHost(code, files) {
     const OK = 0, BAD = 8, MISSING = 44, NO_SEEK = 70; // WASI's errno
@@ -89,7 +90,7 @@ async function sheenHost(code, files) {
     host.x = (await WebAssembly.instantiate(code, { wasi_snapshot_preview1: wasi })).exports;
     host.x._initialize();
 
-    // Text at an address, null at 0; a list of words into the module, which returns how many there are.
+    // text: the string at an address, null at 0. words: writes a list of words into the module; returns their number.
     host.text = at => {
         const all = new Uint8Array(memory());
         return at ? new TextDecoder().decode(all.subarray(at, all.indexOf(0, at))) : null;
@@ -103,14 +104,15 @@ async function sheenHost(code, files) {
     return host;
 }
 
-/* What exit() throws. */
+/* What the module's exit() throws. */
 function SheenEnd(status) {
     this.status = status;
 }
 
 /*
- * Reads a mesh file, and the pictures that it shows, as the words of a command line ask, in an instance of its own, which
- * may do what it likes. The answer is for the instance that draws, under the mesh's name. Throws where there is none.
+ * Reads a mesh file, and the pictures that it shows, as the words of a command line ask, in an instance of its own, so
+ * that whatever happens there is no harm to another. Returns the answer, which the instance that draws has to find
+ * under the mesh's name. Throws if there is none.
  */
 async function sheenRead(code, files, name, words) {
     const host = await sheenHost(code, files);

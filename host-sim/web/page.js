@@ -1,5 +1,5 @@
 /*
- * page.js - the page: what its controls say becomes the words of a command line, which the module obeys.
+ * page.js - the page: makes the words of a command line from its controls' values, and the module obeys them.
  */
 'use strict';
 
@@ -18,19 +18,19 @@ const PRESETS = { // color, ambient, diffuse, specular, shininess
     jade: ['3f9a72', .2, .7, .55, 40], chrome: ['b8c0cc', .1, .55, 1.1, 80], 'blue plastic': ['3a6fd8', .2, .75, .7, 64],
     rubber: ['3c3c40', .3, .8, .18, 6],
 };
-const SPIN_DEGREES = 36; // a second
+const SPIN_DEGREES = 36; // per second
 const READ_SECONDS = 10;
 
-let code, sheen; // the module, its instance that draws
+let code, sheen; // the compiled module, its instance that draws
 const defaults = {}, choices = {}, helps = {}; // of the options of `sheen view`, by name
-let settings = {}; // those that are not the default; lights: a list
+let settings = {}; // options whose value is not the default; lights are in a list of their own
 let lights = [];
 let mesh = 'builtin:teapot';
 let own = null; // the mesh of a file: { files: all that came with it, name, read: the words that it was read with }
-let frame = null; // another frame of the mesh, likewise
-let chosen = 0; // of the lights, the one that moves
+let frame = null; // another frame of the mesh, in the same form
+let chosen = 0; // the number of the light that moves
 let shown = false, spinning = false, moves_light = false, is_stale = true, is_busy = false;
-let times = [], timed = '', last = 0; // ms of the latest frames, of this mesh; when the last one was
+let times = [], timed = '', last = 0; // ms of the latest frames; the mesh that they show; when the last tick was
 
 /* ---- settings and words ---- */
 
@@ -59,8 +59,8 @@ function setLights(list) {
 }
 
 const LOOK = ['theme', 'gap', 'scale'];
-const NOT_PLANNED = [...LOOK, 'yaw-step', 'edges']; // a plan is of a whole turn, and of no edges unless told
-const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // what a file's pictures are read with
+const NOT_PLANNED = [...LOOK, 'yaw-step', 'edges']; // a plan is of a whole turn; planWords() adds the edges
+const READS = ['texture', 'wrap', 'texture-size', 'alpha-cutoff']; // options that decide how a file's pictures are read
 const BAKES = ['normals', 'weights', 'crease', 'up', 'reduce', 'filter', 'palette', 'morph', 'morph-target', 'vertex-colors',
     ...READS];
 
@@ -84,7 +84,7 @@ function commandLine() {
 
 /* ---- the link ---- */
 
-const FIRST = '#distance=2.4&specular=0.6&cull=none'; // where a page without a link begins
+const FIRST = '#distance=2.4&specular=0.6&cull=none'; // the settings of a page that was opened without a link
 
 function link() {
     const query = new URLSearchParams();
@@ -97,7 +97,7 @@ function link() {
     return '#' + query.toString().replace(/%2C/g, ',').replace(/%3A/g, ':');
 }
 
-/* Three numbers: what the page can move. A light with a colour, or what is none, is a setting like others. */
+/* Three numbers are a light that the page can move. A light with a colour, or any other text, stays a plain setting. */
 const isDirection = text => /^[^,]+,[^,]+,[^,]+$/.test(text) &&
     text.split(',').every(part => part.trim() !== '' && Number.isFinite(Number(part)));
 
@@ -136,7 +136,7 @@ function say(lines, kind = '') {
     }));
 }
 
-/* What the module printed as warnings since. */
+/* Takes the warnings that the module has printed since the last call. */
 function takeWarnings() {
     const lines = sheen.errors.split('\n').filter(Boolean);
     sheen.errors = '';
@@ -166,7 +166,7 @@ function paint() {
     $('module').classList.toggle('round', !!x.web_is_round());
 }
 
-/* The median of the latest frames. */
+/* The median time of the latest frames. */
 const timeText = () => times.length ? `${[...times].sort((a, b) => a - b)[times.length >> 1].toFixed(1)} ms` : '–';
 const count = n => Math.round(n).toLocaleString('en-US');
 
@@ -201,7 +201,7 @@ function failed(why) {
     say([`sheen: ${why}`], 'bad');
 }
 
-/* Draws what the settings ask for. */
+/* Draws what the settings ask for. Returns whether that succeeded. */
 function show() {
     is_stale = false;
     const words = ['view', ...optionWords(() => true), '--', mesh];
@@ -216,7 +216,7 @@ function show() {
             $('messages').append(make('li', {}, 'The link is to a file of somebody’s own. Dropped here it is shown as the link says.'));
         return false;
     }
-    const is_first = !shown || timed !== mesh; // which loads it
+    const is_first = !shown || timed !== mesh; // this frame loads the mesh, its time does not count
     times = is_first ? [] : [...times.slice(-24), ms];
     timed = mesh;
     const was_shown = shown, warnings = takeWarnings();
@@ -256,7 +256,7 @@ const READABLE = /\.(obj|stlb?|stla|ply|c?n?off|glb|gltf|vrm)$/i, PICTURE = /\.(
 
 const readWords = name => ['view', ...optionWords(option => READS.includes(option)), '--', name];
 
-/* The module's answer to a file, from a worker that is given up after a while. */
+/* The module's answer to a file, from a worker that is ended after READ_SECONDS. */
 function answerFrom(given, name, words) {
     const source = $('host').textContent + `
         onmessage = async ({ data }) => {
@@ -284,7 +284,7 @@ function answerFrom(given, name, words) {
     });
 }
 
-const frameKey = name => `frame of ${name}`; // as web_mesh.c has it
+const frameKey = name => `frame of ${name}`; // as in web_mesh.c
 const frameWords = name => ['view', '--morph', name, '--morph-target', setting('morph-target'), '--', name];
 
 function dropFrame() {
@@ -292,7 +292,7 @@ function dropFrame() {
     ['morph', 'morph-target', 'morph-weight'].forEach(name => set(name, ''));
 }
 
-/* Takes over what `act` changes and shows it. Throws the lines on what is wrong; what was shown stays then. */
+/* Lets `act` change what is shown and shows it. On an error, shows the state before again and throws the error lines. */
 function showChanged(act) {
     const was = { mesh, own, frame, settings: { ...settings }, files: new Map(sheen.files) };
     act();
@@ -307,7 +307,7 @@ function showChanged(act) {
     }
 }
 
-/* Reads a file's mesh and pictures and shows it. */
+/* Reads a file's mesh and pictures and shows them. */
 async function showFile(files, name) {
     const words = readWords(name), answer = await answerFrom(files, name, words);
     showChanged(() => {
@@ -320,7 +320,7 @@ async function showFile(files, name) {
     });
 }
 
-/* Reads another frame of the mesh and shows what lies between, half way at first. */
+/* Reads another frame of the mesh and shows a morph between the two, half way at first. */
 async function showFrame(files, name) {
     const words = frameWords(name), answer = await answerFrom(files, name, words);
     showChanged(() => {
@@ -332,7 +332,7 @@ async function showFrame(files, name) {
     });
 }
 
-/* Does it while the page waits, and says what is wrong. */
+/* Runs `act` while the page is marked as busy, and shows its errors. */
 async function busily(act) {
     is_busy = true;
     document.body.dataset.state = 'busy';
@@ -346,7 +346,7 @@ async function busily(act) {
     document.body.dataset.state = 'ready';
 }
 
-/* Files that were dropped or chosen, and which of them is the mesh; undefined where there is none. */
+/* Reads files that were dropped or chosen. Returns them and the name of the mesh, undefined if there is no file. */
 async function readFiles(list) {
     const files = new Map();
     for (const file of list)
@@ -355,7 +355,7 @@ async function readFiles(list) {
     return [files, names.find(n => READABLE.test(n)) ?? names[0]];
 }
 
-/* A mesh, and what it names, or a picture for the mesh of a file. */
+/* Takes files: a mesh with the files that it names, or a picture for the mesh of a file that is shown. */
 const take = list => busily(async () => {
     const [given, name] = await readFiles(list);
     if (!name)
@@ -382,7 +382,7 @@ const takeFrame = list => busily(async () => {
         await showFrame(given, name);
 });
 
-/* A file is read once more where its pictures or its target are asked for in another way. Whether it had to be. */
+/* Reads a file again if its pictures or its morph target are to be read with other options. Returns whether it does. */
 function readAgain() {
     if (frame && settings.morph === frame.name && frame.read !== frameWords(frame.name).join('\0')) {
         frame.read = frameWords(frame.name).join('\0');
@@ -391,7 +391,7 @@ function readAgain() {
     }
     if (!own || mesh !== own.name || own.read === readWords(mesh).join('\0'))
         return false;
-    own.read = readWords(mesh).join('\0'); // once, whatever comes of it
+    own.read = readWords(mesh).join('\0'); // noted at once, so that a failure is not tried again
     busily(() => showFile(own.files, own.name));
     return true;
 }
@@ -403,13 +403,13 @@ let planTimer = 0;
 const planWords = () => [...optionWords(name => !NOT_PLANNED.includes(name)),
     '--edges', choices.edges.split('|')[sheen.x.web_edges()]];
 
-/* What `sheen plan` says of what is shown: where it is open, once nothing has changed for a moment. */
+/* Shows what `sheen plan` says of the mesh, if that part of the page is open, once nothing has changed for a moment. */
 function plan() {
     clearTimeout(planTimer);
     if (!$('plan').open || !shown)
         return;
     planTimer = setTimeout(() => {
-        if (!shown) // any more
+        if (!shown) // it may have failed meanwhile
             return;
         const words = ['plan', ...planWords(), '--', mesh];
         const error = sheen.x.web_plan(sheen.words(words), +$('board').value);
@@ -469,7 +469,7 @@ function showSlider(name) {
 
 function chooser(name) {
     const words = choices[name];
-    const isWords = words && words.includes('|'), isText = words && /,|COLOR/.test(words); // of several numbers
+    const isWords = words && words.includes('|'), isText = words && /,|COLOR/.test(words); // numbers or a colour
     const input = isWords ? make('select', {}, make('option', { value: '' }, defaults[name] ?? 'as it comes'),
         ...words.split('|').filter(word => word !== defaults[name] && word !== 'FILE').map(word => make('option', {}, word)))
         : make('input', isText ? { type: 'text', placeholder: words } :
@@ -585,7 +585,7 @@ function showControls() {
     drawLights();
 }
 
-/* ---- lights: a ball seen from the eye, a dot where each light stands ---- */
+/* ---- lights: a ball seen from the eye, a dot at each light's direction ---- */
 
 const unit = v => v.map(x => x / (Math.hypot(...v) || 1));
 
@@ -614,7 +614,7 @@ function drawLights() {
     });
 }
 
-/* A place on the ball, -1..1 right and up, as a direction. */
+/* The direction of a place on the ball: x to the right, y upwards, -1..1. */
 function lightAt(x, y) {
     const far = Math.hypot(x, y), k = far > .995 ? .995 / far : 1;
     return [x * k, y * k, Math.sqrt(1 - (x * k) ** 2 - (y * k) ** 2)];
@@ -736,7 +736,7 @@ function nextPanel() {
     showControls();
 }
 
-/* Quarter turns keep the mirror, and the other way round. */
+/* Changes the orientation; quarter turns keep the mirroring, mirroring keeps the turn. */
 function orient(change) {
     if (!shown)
         return;
@@ -851,7 +851,7 @@ function holdPage() {
 function learnOptions() {
     for (let i = 0, name; (name = sheen.text(sheen.x.web_option(i, 0))) !== null; i++) {
         const help = sheen.text(sheen.x.web_option(i, 3));
-        if (help === null) // not of `view`
+        if (help === null) // not an option of `view`
             continue;
         helps[name] = help;
         choices[name] = sheen.text(sheen.x.web_option(i, 1));

@@ -1,9 +1,8 @@
 /*
- * web.c - the door of the WebAssembly module: `sheen view`, `sheen plan` and `sheen bake` for a page.
+ * web.c - what the WebAssembly module exports: `sheen view`, `sheen plan` and `sheen bake` for a page.
  *
- * The page hands over the words of a command line, as the command gets them, so options,
- * ranges and the lines on what is wrong are the command's own. What the command prints the
- * page is given as its output and errors (host.js).
+ * The page hands over the words of a command line, as the command gets them, so that options, ranges and error lines
+ * are the command's own. What the command prints reaches the page as the module's output and errors (host.js).
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,14 +34,14 @@ static const struct sheen_command bake_command = {"bake", "MESH", "", SHEEN_BAKE
 static struct sheen_viewer viewer;
 static int is_open;
 static struct sheen_problem problem;
-static char *words[2]; /* of the options that are in use, and the page's */
+static char *words[2]; /* [0]: those of the options in use, [1]: those that the page hands over */
 static uint32_t *pixels;
-static char *text; /* what was made last: a header, a line of numbers */
+static char *text; /* the text that was made last: a header, a plan, statistics */
 static size_t text_size;
 
 /* ---- the command line ---- */
 
-/* Room for `size` bytes of words, each ended by a 0. NULL without memory. */
+/* Room for `size` bytes of words, each ended by a 0, for the page to fill in. NULL: not enough memory. */
 char *EXPORT(web_words)(size_t size)
 {
     free(words[1]);
@@ -55,7 +54,7 @@ char *EXPORT(web_words)(size_t size)
 static int parse(struct sheen_options *options, const struct sheen_command *command, int count,
                  struct sheen_problem *why)
 {
-    static char *list[WORDS + 1]; /* options point to the words, not into it */
+    static char *list[WORDS + 1]; /* options point to the words, not into this list */
     char *at = words[1];
 
     if (count > WORDS)
@@ -72,7 +71,7 @@ int sheen_web_options(struct sheen_options *options, int count, struct sheen_pro
     return parse(options, &view_command, count, why);
 }
 
-/* The line on what was wrong last. */
+/* The error line of the last failure. */
 const char *EXPORT(web_problem)(void)
 {
     return problem.text;
@@ -117,7 +116,7 @@ static void copy_panel(struct sheen_options *to, const struct sheen_options *fro
     to->buffers = from->buffers;
 }
 
-/* Whether they are the same, the names by their letters. Parsed into zeroed memory, so that gaps are equal. */
+/* 1 if both are the same; strings are compared by content. They were parsed into zeroed memory: padding is equal. */
 static int are_equal(struct sheen_options a, const struct sheen_options *b)
 {
     if ((a.morph == NULL) != (b->morph == NULL) || (a.morph && strcmp(a.morph, b->morph) != 0))
@@ -154,7 +153,7 @@ static int open_viewer(const struct sheen_options *options)
     return sheen_viewer_open(&viewer, options, &choice, &problem);
 }
 
-/* As much is made anew as the options ask for. */
+/* Makes only as much anew as the options need: everything, the panel, or the look. */
 static int change(const struct sheen_options *options)
 {
     struct sheen_options same_mesh = *options, same_panel = *options;
@@ -196,13 +195,13 @@ void EXPORT(web_forget)(void)
     close_viewer();
 }
 
-/* The next band, of a frame turned by yaw_step where none is under way. 0, or a negative code and web_problem(). */
+/* Sends the next band; if no frame is under way, of a new one, turned by yaw_step. 0, or a code and web_problem(). */
 int EXPORT(web_band)(void)
 {
     return sheen_viewer_band(&viewer, &problem);
 }
 
-/* The band that was sent by itself last, -1: whole frames; its rows: first, end; the frame's count of bands. */
+/* The last band that was sent by itself, -1 after whole frames; its first row, and its end; the frame's band count. */
 int EXPORT(web_shown_band)(void)
 {
     return viewer.shown_band;
@@ -221,7 +220,7 @@ unsigned EXPORT(web_bands)(void)
     return sheen_band_count(viewer.table.scene.frame);
 }
 
-/* The frame once more, all of it sent, for a clock: core, driver and controller. 0, or a negative code. */
+/* Draws the frame again and sends all of it, to time core, driver and controller by. 0, or a negative code. */
 int EXPORT(web_again)(void)
 {
     struct sheen_scene *scene = &viewer.table.scene;
@@ -231,7 +230,7 @@ int EXPORT(web_again)(void)
     return error ? error : sheen_wait(scene->frame);
 }
 
-/* The picture: 3 bytes r, g, b a pixel. */
+/* The picture: its size, and 3 bytes r, g, b per pixel. */
 unsigned EXPORT(web_width)(void)
 {
     return viewer.table.choice.width;
@@ -247,7 +246,7 @@ const uint8_t *EXPORT(web_rgb)(void)
     return viewer.table.rgb;
 }
 
-/* The glass as it looks at `scale`: 4 bytes r, g, b, a a pixel of the screen. NULL without memory. */
+/* The glass as it looks at `scale`: 4 bytes r, g, b, a per pixel of the screen. NULL: not enough memory. */
 const uint32_t *EXPORT(web_glass)(unsigned scale)
 {
     viewer.options.scale = (int)scale;
@@ -266,7 +265,7 @@ const uint32_t *EXPORT(web_glass)(unsigned scale)
 
 /* ---- numbers and texts ---- */
 
-/* `sheen render --stats`: a line of JSON on the last frame. NULL without memory. */
+/* As `sheen render --stats`: a line of JSON about the last frame. NULL: not enough memory. */
 const char *EXPORT(web_stats)(void)
 {
     free(text);
@@ -279,7 +278,7 @@ const char *EXPORT(web_stats)(void)
     return fclose(stream) == 0 ? text : NULL;
 }
 
-/* Of the panel: its name; Hz, 0 for ideal; B of a whole frame on the wire; whether it is round. */
+/* The panel's name; its clock in Hz, 0 for ideal; the B of a whole frame on the wire; 1 if it is round; orientation. */
 const char *EXPORT(web_panel)(void)
 {
     return sheen_turntable_panel_name(&viewer.table);
@@ -308,19 +307,19 @@ unsigned EXPORT(web_orientation)(void)
     return viewer.table.choice.orientation;
 }
 
-/* B of the frame's memory. */
+/* The B of the frame's arena. */
 unsigned EXPORT(web_arena)(void)
 {
     return (unsigned)sheen_arena_size(&viewer.table.scene.config);
 }
 
-/* What is drawn of edges, by the number of --edges' word. */
+/* What is drawn of edges, as the number of a word of --edges. */
 unsigned EXPORT(web_edges)(void)
 {
     return (unsigned)sheen_scene_edging(&viewer.table.scene);
 }
 
-/* B of flash that the meshes take, baked with their polygons' normals. */
+/* The B of flash that the meshes need if they are baked with their polygons' normals. */
 unsigned EXPORT(web_flash)(void)
 {
     size_t bytes = 0;
@@ -339,7 +338,10 @@ unsigned EXPORT(web_vertices)(void)
     return count;
 }
 
-/* The panels' names; an option's name, words or value's name, default and help; NULL past the last. */
+/*
+ * The panels' names, NULL past the last, and notes. part 0..3 of an option: its name, NULL past the last; its words or
+ * its value's name, its default, its help, NULL if `view` does not have the option.
+ */
 const char *EXPORT(web_panel_name)(unsigned index)
 {
     const struct sheen_panel_record *record = sheen_panel_at(index);
@@ -390,7 +392,7 @@ static int plan(const struct sheen_options *options, int board)
     return error;
 }
 
-/* What `sheen plan` prints on the words of web_words(), of one board or, -1, of all: in web_text(). 0, or negative. */
+/* Runs `sheen plan` on the words of web_words(), for one board or all (-1), into web_text(). 0, or a negative code. */
 int EXPORT(web_plan)(int count, int board)
 {
     static struct sheen_options options;
@@ -403,7 +405,7 @@ int EXPORT(web_plan)(int count, int board)
 
 /* ---- sheen bake ---- */
 
-/* Runs `sheen bake` on the words of web_words(). 0 and the header in web_text(), or what it ended with. */
+/* Runs `sheen bake` on the words of web_words(). 0 and the header in web_text(), or the command's exit status. */
 int EXPORT(web_bake)(int count)
 {
     static struct sheen_options options;
@@ -420,7 +422,7 @@ const char *EXPORT(web_text)(void)
     return text;
 }
 
-/* What the command hands to the rest of it. */
+/* Functions that the command's other files call, as a page needs them. */
 
 enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *why)
 {
@@ -441,7 +443,7 @@ int sheen_out_file(const char *path, const void *bytes, size_t count, struct she
 
 int sheen_textures_out_check(const struct sheen_options *options, struct sheen_problem *why)
 {
-    (void)options, (void)why; /* whatever the name, see below */
+    (void)options, (void)why; /* no name is wrong: sheen_textures_out refuses them all */
     return SHEEN_OK;
 }
 

@@ -1,11 +1,10 @@
 /*
  * web_mesh.c - mesh files in the page.
  *
- * The command reads a file in a confined child process (mesh_file.h). The page reads it in an
- * instance of this module of its own, in a worker, which it gives up afterwards: web_read() writes
- * the answer of mesh_wire.h to its output, and the instance that draws finds that answer where the
- * command finds the file; that of another frame of a mesh, which may be the mesh's own file, under
- * FRAME_OF and its name.
+ * The command reads a file in a confined child process (mesh_file.h). The page reads it in a worker, in a separate
+ * instance of this module that is discarded afterwards: web_read() writes an answer in the format of mesh_wire.h to its
+ * output, and the instance that draws finds this answer where the command finds the file. The answer for another frame
+ * of a mesh, whose file may be the mesh's own, is found under FRAME_OF and the file's name.
  */
 #include "web_mesh.h"
 
@@ -45,7 +44,7 @@ void sheen_web_refuse(int error, const char *why)
     answer(error, NULL, &problem);
 }
 
-/* Room for the file's name. NULL without memory. */
+/* Room for the file's name, for the page to fill in. NULL: not enough memory. */
 __attribute__((export_name("web_path"))) char *web_path(size_t size)
 {
     char *path = calloc(size + 1, 1);
@@ -55,8 +54,8 @@ __attribute__((export_name("web_path"))) char *web_path(size_t size)
 }
 
 /*
- * Reads the file of that name as the words of web_words() ask, with --morph as another frame; answers, and ends this
- * instance: never returns.
+ * Reads the file named by web_path() as the words of web_words() ask, with --morph as another frame of a mesh. Writes
+ * the answer and ends this instance: never returns.
  */
 __attribute__((export_name("web_read"))) void web_read(int count)
 {
@@ -80,7 +79,7 @@ __attribute__((export_name("web_read"))) void web_read(int count)
     answer(error, &polygons, &problem);
 }
 
-/* A page is confined as it is. */
+/* Nothing to do: a page is confined anyway. */
 void sheen_confine_file(int file)
 {
     (void)file;

@@ -12,13 +12,13 @@ extern "C" {
 
 struct sheen_options;
 
-/* The command line of the words of web_words(). 1, or a negative code and *problem. In web.c. */
+/* Parses the words of web_words() as a command line of `sheen view`. 1, or a negative code and *problem. In web.c. */
 int sheen_web_options(struct sheen_options *options, int count, struct sheen_problem *problem);
 
 /* The file that is being read. */
 extern const char *sheen_web_path;
 
-/* Answers that it cannot be read, for this reason, and ends this instance of the module. */
+/* Answers that the file cannot be read and why, and ends this instance of the module. */
 _Noreturn void sheen_web_refuse(int error, const char *why);
 
 #ifdef __cplusplus

@@ -1,9 +1,9 @@
 /*
- * web_picture.c - PNG and JPEG in the page, by stb_image: libpng and libjpeg return from their errors in a way that
- * WebAssembly as Debian's clang makes it does not have.
+ * web_picture.c - PNG and JPEG in the page, with stb_image, because libpng and libjpeg return from their errors by
+ * longjmp, which WebAssembly as Debian's clang makes it does not have.
  *
- * PNGs give the same pixels as in the command. Of a JPEG a channel may lie a few steps off, and one whose data end
- * before its end mark is shown with what there is, where the command refuses it.
+ * PNGs give the same pixels as in the command. In a JPEG a channel may be a few steps off, and a JPEG whose data end
+ * before its end mark is shown as far as it goes, whereas the command refuses it.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -20,7 +20,7 @@
 
 #include "picture.h"
 
-/* ---- what stb_image lets pass ---- */
+/* ---- faults that stb_image does not report ---- */
 
 static uint32_t word_of(const unsigned char *at)
 {
@@ -39,7 +39,7 @@ static uint32_t checksum(const unsigned char *bytes, size_t count)
     return ~sum;
 }
 
-/* Chunk by chunk to the end (PNG, 5.3): what is wrong, or NULL. */
+/* Checks a file chunk by chunk to its end (PNG, 5.3). Returns what is wrong, or NULL. */
 static const char *png_fault(const unsigned char *bytes, size_t count)
 {
     size_t at = 8;
@@ -59,7 +59,7 @@ static const char *png_fault(const unsigned char *bytes, size_t count)
 
 /* ---- pixels ---- */
 
-/* 16 bits a channel to the nearest of 8: 4 channels a pixel. */
+/* Reads 16 bits per channel and rounds them to the nearest 8-bit value; 4 channels per pixel. */
 static stbi_uc *read_wide(const unsigned char *bytes, size_t count)
 {
     int width, height, had;

@@ -1,9 +1,9 @@
 /*
- * web_without.cpp - what the page does without: Assimp, Draco, meshoptimizer, and C++'s exceptions.
+ * web_without.cpp - replaces what the page does without: Assimp, Draco, meshoptimizer, and C++'s exceptions.
  *
- * WebAssembly as Debian's clang makes it has none of the last: what throws is compiled and what
- * catches is left out. All that the readers throw ends the reading of a file, so here it ends the instance of
- * the module that reads, with the line that mesh_gltf.cpp and gltf_file.cpp would have made of it.
+ * WebAssembly as Debian's clang makes it has no exceptions: code that throws is compiled, code that catches is left
+ * out. Everything that the readers throw ends the reading of a file, so here it ends the instance of the module that
+ * reads, with the error line that mesh_gltf.cpp and gltf_file.cpp would have made of it.
  */
 #include <cstdlib>
 #include <meshoptimizer.h>
@@ -48,7 +48,7 @@ void *__cxa_allocate_exception(size_t size) noexcept
 {
     if (*type == typeid(gltf::refusal))
         sheen_web_refuse(SHEEN_ERR_ARGUMENT, static_cast<gltf::refusal *>(thrown)->text.c_str());
-    /* Both are an exception of nlohmann's and nothing more. */
+    /* Both have nlohmann's exception as their only base, so that the pointer may be cast. */
     if (*type == typeid(nlohmann::json::parse_error) || *type == typeid(nlohmann::json::out_of_range))
         gltf::refuse_json(static_cast<nlohmann::json::exception *>(thrown)->what());
     no_memory();
@@ -64,7 +64,7 @@ int sheen_mesh_assimp_read(struct sheen_polygons *, const char *, struct sheen_p
     without("not OBJ, STL, PLY, OFF or glTF");
 }
 
-/* As meshoptimizer's C interface has it. */
+/* Functions of meshoptimizer's C interface. */
 
 int meshopt_decodeVertexBuffer(void *, size_t, size_t, const unsigned char *, size_t)
 {
