@@ -15,7 +15,7 @@
 #include "stats_json.h"
 #include "textures_out.h"
 
-#define GIF_DELAY_CS 5 /* 20 frames a second */
+#define GIF_DELAY_CS 5 /* 20 frames per second */
 
 static int is_gif(const char *path)
 {

@@ -18,7 +18,7 @@ enum sheen_exit sheen_cmd_panels(struct sheen_options *options);
 enum sheen_exit sheen_cmd_lecture(struct sheen_options *options);
 enum sheen_exit sheen_cmd_man(struct sheen_options *options);
 
-/* Prints the one line on standard error: "sheen: ...", for a wrong command line with the help to see. Returns status. */
+/* Prints the one error line, "sheen: ...", after a wrong command line with the help to see. Returns status. */
 enum sheen_exit sheen_fail(enum sheen_exit status, const struct sheen_problem *problem);
 
 #endif

@@ -255,7 +255,7 @@ static int set_defaults(struct sheen_options *options, unsigned command, struct 
 /* Checks what the range of a single value cannot express. */
 static int check_values(const struct sheen_options *options, unsigned command, struct sheen_problem *problem)
 {
-    /* in view a key switches to the matcap later */
+    /* in `view` a key may switch to the matcap later */
     if (options->matcap_given && options->shade < SHEEN_MATCAP && command != SHEEN_VIEW)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--matcap: it is shown by --shade matcap or matcap-vertex");
     if (options->palette == 1)

@@ -23,7 +23,7 @@ enum sheen_option_kind {
     SHEEN_OPTION_FLAG,   /* int: 1 if given */
     SHEEN_OPTION_REAL,   /* double */
     SHEEN_OPTION_WHOLE,  /* int */
-    SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, separated by | */
+    SHEEN_OPTION_CHOICE, /* int: the number of the word in `argument`, whose words are separated by | */
     SHEEN_OPTION_COLOR,  /* uint8_t[3]: six hex digits, with # or without, or a name (color_names.h) */
     SHEEN_OPTION_PAINT,  /* struct sheen_paint: a colour, or the word `file` if `argument` lists it */
     SHEEN_OPTION_SIZE,   /* unsigned[2] */

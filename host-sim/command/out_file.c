@@ -114,8 +114,8 @@ static char *end_of_links(const char *path)
 }
 
 /*
- * A file without write permission is not replaced either. A link stays a link; the file where it ends is replaced or
- * made. The new file's temporary name is short, so that it is valid however long the final name is.
+ * A file without write permission is not replaced. A link stays a link; the file at its end is replaced or made. The
+ * new file's temporary name is short, so that it is valid however long the final name is.
  */
 static int write_regular(const char *path, int exists, const void *bytes, size_t count)
 {

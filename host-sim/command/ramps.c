@@ -78,7 +78,7 @@ const struct sheen_ramp *sheen_ramp_of(struct sheen_ramp *room, const struct she
             make_curve(room, ambient, diffuse, gamma);
         else if (sheen_ramp_make_gamma(room, (sheen_q16_t)lround(ambient * 65536),
                                        (sheen_q16_t)lround(diffuse * 65536)) != SHEEN_OK)
-            return NULL; /* not after sheen_ramp_check */
+            return NULL; /* cannot happen after sheen_ramp_check */
         return room;
     default:
         return NULL;

@@ -11,7 +11,7 @@ enum sheen_shading {
     SHEEN_GOURAUD,
     SHEEN_PHONG,
     SHEEN_SLERP,
-    SHEEN_SHADINGS, /* the number of the lecture's, lit ones; from here on: pictures of a lit sphere */
+    SHEEN_SHADINGS, /* how many the lecture has, which are lit; those from here on show a picture of a lit sphere */
     SHEEN_MATCAP = SHEEN_SHADINGS,
     SHEEN_MATCAP_VERTEX,
     SHEEN_ALL_SHADINGS

@@ -15,7 +15,7 @@ struct sheen_turntable {
     struct sheen_sim_choice choice;
     struct sheen_sim_panel *panel;
     uint16_t *values; /* the picture as the viewer sees it: 565 values or grey levels */
-    uint8_t *rgb;     /* the same, 3 bytes a pixel */
+    uint8_t *rgb;     /* the same, 3 bytes per pixel */
     int warned;       /* 1: the warning that nothing is to be seen was printed */
 };
 
@@ -35,7 +35,7 @@ int sheen_turntable_open(struct sheen_turntable *table, const struct sheen_optio
                          const struct sheen_sim_choice *choice, struct sheen_problem *problem);
 void sheen_turntable_close(struct sheen_turntable *table);
 
-/* Opens the panel alone, which suffices for sheen_turntable_read(); *table MUST be zeroed. Returns as the above. */
+/* Opens the panel alone, in a zeroed *table, as sheen_turntable_read() needs it. Returns as sheen_turntable_open(). */
 int sheen_turntable_open_panel(struct sheen_turntable *table, const struct sheen_sim_choice *choice,
                                struct sheen_problem *problem);
 
