@@ -13,13 +13,13 @@
 #include "triangle/quotient.h"
 #include "triangle/tinted.h"
 
-#define LONG 2048 /* 1/64 px: longer edges do not use the table of reciprocals, without a divider (edge.c) */
+#define LONG 2048 /* 1/64 px: without a divider, only shorter edges use the table of reciprocals (edge.c) */
 
 uint32_t sheen_plan_counted[SHEEN_PLAN_COUNTS];
 static struct sheen_plan_counts taken; /* what sheen_plan_counts_take has already returned */
 static int is_new;                     /* 1: the set-up whose rows are drawn next has just been made */
 
-/* 1 if loops for any target draw it, on 565 too, whose own loops know no ramp, pattern or fog. */
+/* 1 if loops for any target draw it: on 565 they draw ramps, patterns and fog, which 565's own loops do not know. */
 static int is_general(const struct setup *s)
 {
     return !s->draw->is_565 || !s->draw->loop.usable;
@@ -148,7 +148,7 @@ static unsigned kind_of(const struct tile *t, const struct setup *s)
             return k->choose ? k->choose(t, s) : k->kind;
     if (s->way == SHEEN_WAY_GOURAUD_QUADRATIC || s->way == SHEEN_WAY_PHONG_QUADRATIC) /* loops are chosen at set-up */
         return quadric_kind(t, s);
-    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's, a static function */
+    if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT) /* fog's rows, drawn by a static function */
         return quotient_kind(t, s);
     if (s->draw->fog && s->way <= SHEEN_WAY_GOURAUD_LINEAR)
         return t->dither                  ? SHEEN_PLAN_FOGGED_DITHERED_SETUP

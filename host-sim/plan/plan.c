@@ -182,7 +182,7 @@ static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
 
 /* ---- a turn ---- */
 
-/* The frame before the first one is drawn as well, uncounted, so that the first one sends only what changed, too. */
+/* If only what changed is sent, the frame before the first one is drawn as well, but not counted. */
 static int turn(struct sheen_plan *plan, struct sheen_plan_run *run, int views, struct sheen_problem *problem)
 {
     int error = SHEEN_OK;
