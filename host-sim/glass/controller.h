@@ -61,7 +61,7 @@ struct sheen_sim_module {
 struct sheen_sim_controller {
     const struct sheen_sim_module *module;
     uint16_t *ram;               /* ram_w * ram_h values: RGB565, or a level */
-    uint64_t now_us;             /* the virtual clock: moved by delays only */
+    uint64_t now_us;             /* the virtual clock: delays, TE pulses and timeouts move it, bytes do not */
     uint64_t quiet_until_us;     /* no command may come before this time */
     uint64_t sleep_out_from_us;  /* DCS: sleep out may not come before */
     uint64_t display_on_from_us; /* DCS: display on may not come before */

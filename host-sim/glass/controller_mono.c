@@ -3,7 +3,7 @@
  *
  * A1 stores columns, if written after it, from the last segment on; C8 counts COM lines from the multiplex ratio down.
  * Neither chip shows anything before its supply is switched on: 8D 14 (charge pump), AD 8B (DC-DC). A module without a
- * resistor for the segments' current shows nothing before AD 30, the SSD1306B's own reference (really it would be dim).
+ * resistor for the segments' current shows nothing before AD 30, the SSD1306B's own reference (a real one is dim).
  */
 #include "controller.h"
 

@@ -15,7 +15,7 @@ static int complain(struct sheen_pin_watcher *watcher, const char *what)
     return SHEEN_ERR_BUS;
 }
 
-/* SCLK's level after the sampling edge: modes 0 and 3 sample on the rising edge, 1 and 2 on the falling one. */
+/* 1 if SCLK's rising edge samples, as in modes 0 and 3; 0 if the falling one, as in 1 and 2: CPOL xor CPHA. */
 static int samples_on(const struct sheen_pin_watcher *watcher)
 {
     return watcher->mode == 0 || watcher->mode == 3;

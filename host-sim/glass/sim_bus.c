@@ -178,7 +178,7 @@ static int sim_reset(void *ctx, int level)
     return SHEEN_OK;
 }
 
-/* Only delays let time pass: the bus is faster than any real one. */
+/* Delays let time pass; bytes take none, as on a bus faster than any real one. */
 static int sim_delay(void *ctx, uint32_t us)
 {
     struct sheen_sim_bus *bus = ctx;
