@@ -446,7 +446,7 @@ static void i2c_words(void **state)
     assert_int_equal(machine.address, 0x3D);
     assert_int_equal(canvas_push_all(&rig.canvas, 64), SHEEN_ERR_BUS);
     assert_non_null(strstr(rig.why.text, "/dev/i2c-1: "));
-    assert_non_null(strstr(rig.why.text, "nobody answers at address 0x3d"));
+    assert_non_null(strstr(rig.why.text, "no device answers at address 0x3d"));
     rig_close(&rig);
 
     power_up(&rig, record, 0, &wiring);

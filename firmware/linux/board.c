@@ -34,7 +34,7 @@ static int open_bus(struct board *board, const struct options *options, struct s
         return sheen_failed(why, error, "%s", board->sending.text);
     error = sheen_sender_open(&board->sender, &board->bus.bus);
     board->has_sender = error == 0;
-    return error < 0 ? sheen_failed(why, error, "no thread to send with") : 0;
+    return error < 0 ? sheen_failed(why, error, "no thread to send from") : 0;
 }
 
 static int open_panel(struct board *board, const struct options *options, struct sheen_failure *why)

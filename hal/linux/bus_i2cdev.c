@@ -23,7 +23,7 @@ static int message_fail(struct sheen_linux_bus *bus, int error)
     case EIO:
         return sheen_failed(
             bus->why, SHEEN_ERR_BUS,
-            "%s: %s: nobody answers at address 0x%02x; see `i2cdetect`, the wiring, or another --address", bus->path,
+            "%s: %s: no device answers at address 0x%02x; see `i2cdetect`, the wiring, or another --address", bus->path,
             strerror(error), bus->address);
     case ETIMEDOUT:
         return sheen_failed(bus->why, SHEEN_ERR_TIMEOUT, "%s: the bus is stuck (SCL or SDA low); are both pulled up?",

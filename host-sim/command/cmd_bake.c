@@ -88,8 +88,8 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
             "--name '%s': not a C identifier of 1..39 letters, or a keyword or another name that C or sheen has",
             options->name);
     if (sheen_bake_is_own_header(options->out))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: called as a header of sheen's own, which it includes",
-                             options->out);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
+                             "%s: sheen has a header of that name, which the output includes", options->out);
     int error = sheen_textures_out_check(options, problem);
     if (error)
         return error;

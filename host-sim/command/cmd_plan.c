@@ -25,10 +25,10 @@ static int judge(const struct sheen_plan *plan, int board, struct sheen_problem 
     uint32_t ram = b ? sheen_plan_ram_short(plan, b) : 0, flash = b ? sheen_plan_flash_short(plan, (unsigned)board) : 0;
 
     if (ram)
-        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s takes %u B of RAM, %u more than there are",
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s needs %u B of RAM, %u more than it has",
                              plan->options->mesh, b->name, plan->ram.all, ram);
     if (flash)
-        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s takes %u B of flash, %u more than there are",
+        return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s needs %u B of flash, %u more than it has",
                              plan->options->mesh, b->name, plan->flash[board].all, flash);
     return SHEEN_OK;
 }

@@ -22,7 +22,7 @@ static int check(const struct sheen_options *options, struct sheen_sim_choice *c
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gap '%d': out of range 0..%d", options->gap,
                              options->scale - 1);
     if (options->out && options->terminal)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gif and --terminal are two different things");
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--gif and --terminal exclude each other");
     const char *ending = sheen_ending(options->out ? options->out : "");
     if (*ending && strcasecmp(ending, ".gif") != 0)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no animations in %s are written, only .gif",

@@ -257,11 +257,11 @@ static int check_values(const struct sheen_options *options, unsigned command, s
 {
     /* in `view` a key may switch to the matcap later */
     if (options->matcap_given && options->shade < SHEEN_MATCAP && command != SHEEN_VIEW)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--matcap: it is shown by --shade matcap or matcap-vertex");
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--matcap needs --shade matcap or matcap-vertex");
     if (options->palette == 1)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--palette '1': not 0, nor 2..256");
     if (!options->morph && (options->morph_target > 0 || options->morph_weight > 0))
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--morph-%s: there is no --morph",
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--morph-%s needs --morph",
                              options->morph_target > 0 ? "target" : "weight");
     if (options->morph && options->reduce)
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--reduce: a mesh with --morph keeps its faces");

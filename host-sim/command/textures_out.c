@@ -36,7 +36,7 @@ int sheen_textures_out_check(const struct sheen_options *options, struct sheen_p
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: no textures in %s are written, only .png",
                              options->texture_out, ending);
     if (options->texture_out && options->out && strcmp(options->texture_out, options->out) == 0)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--texture-out and -o are one file, %s", options->out);
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "--texture-out and -o name the same file, %s", options->out);
     return SHEEN_OK;
 }
 

@@ -68,8 +68,8 @@ static void put_two_cores(FILE *out, const struct sheen_plan *plan, const struct
     if (board->cores < 2 || plan->ram.all + more > board->ram)
         return;
     for (int whole = 0; whole < 2; whole++)
-        fprintf(out, "%s  %-12s two cores    %5.1f frames/s in the mean, %5.1f at worst, %u B of RAM more\n",
-                how(board), whole ? "whole frames" : "what changed", 1 / times[whole].mean.period[SHEEN_PLAN_TWO_CORES],
+        fprintf(out, "%s  %-12s two cores    %5.1f frames/s in the mean, %5.1f at worst, %u B more RAM\n", how(board),
+                whole ? "whole frames" : "what changed", 1 / times[whole].mean.period[SHEEN_PLAN_TWO_CORES],
                 1 / times[whole].worst[SHEEN_PLAN_TWO_CORES], more);
 }
 
@@ -136,7 +136,7 @@ static void put_fitting(FILE *out, const struct sheen_plan *plan, const struct s
         }
         if (most < 12)
             continue;
-        fprintf(out, "counted    RAM would do for %u triangles in bands of %u rows", most, tries[i].rows);
+        fprintf(out, "counted    RAM would suffice for %u triangles in bands of %u rows", most, tries[i].rows);
         fprintf(out, tries[i].carried < 80 ? ", with max_carried %u\n" : "\n", tries[i].carried);
         return;
     }
@@ -150,11 +150,11 @@ static void put_changes(FILE *out, const struct sheen_plan *plan, const struct s
     unsigned n = sheen_plan_changes(plan, number, changes, &now);
 
     if (ram) {
-        fprintf(out, "counted    RAM does not do: %u B short\n", ram);
+        fprintf(out, "counted    not enough RAM: %u B short\n", ram);
         put_fitting(out, plan, board);
     }
     if (flash)
-        fprintf(out, "counted    flash does not do: %u B short\n", flash);
+        fprintf(out, "counted    not enough flash: %u B short\n", flash);
     fprintf(out, "%s  limit: %s\n", how(board), sheen_plan_limit(plan, number));
     for (unsigned i = 0; i < n; i++)
         fprintf(out, "%s  %-10s %5.1f frames/s with %s\n", how(board), i ? "then try" : "first try", changes[i].rate,
