@@ -3,13 +3,13 @@
  */
 #include "quotient.h"
 
-/* A channel may be off by 3/64 of a 64th of 1.0, as Gouraud's colours. */
+/* 1 if perspective changes a channel by at most 3/64 of a 64th of 1.0, as with Gouraud's colours. */
 static int is_straight(const struct surface_corners *c, const struct colour_terms *terms, int32_t d1, int32_t d2)
 {
     return sheen_straight(c, d1, d2, 3u << terms->unit >> 20);
 }
 
-/* 1 where perspective shows in none of the channels, nor in their sum, which is what counts on greys. */
+/* 1 if perspective shows in no channel and, on grey targets, where the sum is what counts, not in their sum. */
 static int channels_straight(const struct setup *s, const struct surface_corners *c, uint32_t channel[3][3])
 {
     const struct colour_terms *terms = &s->draw->colour;

@@ -1,11 +1,11 @@
 /*
- * constant.c - one colour a triangle: what flat shading and degenerate triangles use.
+ * constant.c - one colour per triangle: for flat shading and for triangles too flat for gradients.
  */
 #include "triangle.h"
 
 SETUP_FITS(struct constant_setup);
 
-/* Dithered a colour is planes without steps, else it is finished here. */
+/* A dithered colour becomes planes without steps; otherwise the finished pixel is made here. */
 void sheen_setup_colour(struct setup *s, uint32_t channel[3])
 {
     const struct draw *d = s->draw;
@@ -35,7 +35,7 @@ void sheen_setup_constant(struct setup *s, const struct lit *lit)
     sheen_setup_colour(s, channel);
 }
 
-/* One colour from the mean of the corners' normals: triangles too flat for gradients, or without a light. */
+/* One colour from the mean of the corners' normals: for triangles too flat for gradients, or without a light. */
 COLD void sheen_setup_mean_normal(struct setup *s, const struct surface_corners *c)
 {
     sheen_q30_t sum[3], unit[3] = {0, 0, 0};

@@ -1,5 +1,6 @@
 /*
- * constant_rows.c - one colour a triangle (lecture, "Uniform Shading"), finished at set-up or by a pixel's threshold.
+ * constant_rows.c - rows of one colour per triangle (lecture, "Uniform Shading"), finished at set-up or dithered per
+ * pixel.
  */
 #include "triangle.h"
 
@@ -18,7 +19,7 @@ SPECIALISED void constant_rows(const struct tile *t, const struct constant_setup
         const uint16_t *end = line + span->x1;
         uint32_t z = z_row + (uint32_t)x * depth.dx;
         for (; at < end; at++, z += depth.dx) {
-            OPAQUE(end); /* else gcc counts pixels before a row */
+            OPAQUE(end); /* else gcc computes each row's count of pixels first */
             if (!nearer(t, at, z))
                 continue;
             if (grey)
@@ -41,17 +42,17 @@ void sheen_constant_rows(const struct tile *t, const struct setup *s)
 }
 
 #if FAST_LOOPS
-/* 565 whose thresholds are the frame's. A set-up of planes without steps, here and below. */
+/* 565 with the frame's own thresholds. Here and below the set-up is planes without steps. */
 SPECIALISED void packed_constant_rows(const struct tile *t, const struct linear_setup *s, unsigned swap)
 {
     const struct plane *c = s->channel;
     const unsigned fraction = s->s.draw->colour.fraction, down = fraction - 11;
     const uint32_t dz = s->s.depth.dx;
-    /* cut to 1/2048 level, of which a threshold is a multiple: no sum reaches a level that it would not */
+    /* cut to 1/2048 level, of which thresholds are multiples, so no sum reaches a level that it would not uncut */
     struct packed colour = {(c[0].base >> down << 16) + (c[2].base >> down), c[1].base << (26 - fraction)};
     const intptr_t to_pixel = t->to_pixel;
 
-    OPAQUE(colour.red_blue); /* else gcc makes it anew a row */
+    OPAQUE(colour.red_blue); /* else gcc makes it again for each row */
     OPAQUE(colour.green);
     for (unsigned row = 0; row < t->rows; row++) {
         int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;

@@ -1,13 +1,13 @@
 /*
  * edge.c - where edges cross pixel rows, exactly: the spans of a triangle.
  *
- * A crossing is a multiple of 1/(64 height) px, at least 2^-22. It is stepped in 2^-32 px from a start that lies
- * below it by more than nothing and by less than that: the column, the first centre at or right of the crossing, is
- * then one more than the whole part, in every row.
+ * A crossing is a multiple of 1/(64 height) px, and that is at least 2^-22. Edges are stepped in units of 2^-32 px from
+ * a start that lies below the exact crossing by more than 0 and less than 1/(64 height) px. So in every row the integer
+ * part, after 1/2 px is added, is the column: the first one whose centre is at or right of the crossing.
  */
 #include "triangle.h"
 
-/* 1 where a division is a call: courses of short edges then come from the reciprocal's table. Columns are the same. */
+/* 1 if division is a library call: courses of short edges then use the reciprocal table. The columns are the same. */
 #ifndef SHEEN_NO_DIVIDER
 #if defined(__ARM_ARCH_6M__) || (defined(__riscv) && !defined(__riscv_div))
 #define SHEEN_NO_DIVIDER 1
@@ -16,23 +16,23 @@
 #endif
 #endif
 
-#define SHORT 2048 /* 1/64 px: a short edge's height is below it, its width from -SHORT to below */
+#define SHORT 2048 /* 1/64 px: a short edge has a height below SHORT and a width from -SHORT to below SHORT */
 
-/* Along an edge, Q31.32 px: where it crosses its first row, and a row. */
+/* An edge's x where it crosses its first row, and the step per row; Q31.32 px. */
 struct course {
     int64_t start, step;
 };
 
-/* x * 2^n, 1 <= n <= 31: two shifts, of which gcc makes more. */
+/* x * 2^n, 1 <= n <= 31, as two shifts; for the plain expression gcc emits more. */
 static inline int64_t shifted64(int32_t x, unsigned n)
 {
     return (int64_t)((uint64_t)(uint32_t)asr32(x, 32 - n) << 32 | (uint32_t)x << n);
 }
 
 /*
- * From x, 1/64 px: width / height px a row, and `rest` / 64 of it down to the first. Both floors: a start is off by at
- * most 2 * 2^-32 px and a row adds at most 2^-32, 480 rows 2^-23. Range: height < 2^16, so a remainder times 2^16 fits
- * 32 bits.
+ * The course of an edge that begins at x, 1/64 px: width / height px per row, and `rest` / 64 of that down to the
+ * first row's centre. Both are rounded down: a start is off by at most 2 * 2^-32 px and each row adds at most 2^-32,
+ * 480 rows 2^-23. Range: height < 2^16, so a remainder times 2^16 fits 32 bits.
  */
 static inline struct course by_division(int32_t x, int32_t width, int32_t height, int32_t rest)
 {
@@ -49,9 +49,9 @@ static inline struct course by_division(int32_t x, int32_t width, int32_t height
 }
 
 /*
- * The same of a short edge: 32 rows at most, off by less than 2^-18 px in all. `slope` comes near width / height in
- * Q.20, `more` is what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits;
- * |x| < 2^17 - 2^12, so a start in Q.20 does.
+ * The same for a short edge, which has at most 32 rows: off by less than 2^-18 px in all. slope: nearly width / height,
+ * Q.20; more: what it lacks, Q.25. Range: rest < height, or else the slope is below 2^25, so their product fits; |x| <
+ * 2^17 - 2^12, so a start in Q.20 fits.
  */
 static inline struct course course_of(int32_t x, int32_t slope, int32_t more, int32_t rest)
 {
@@ -64,15 +64,15 @@ static inline struct course course_of(int32_t x, int32_t slope, int32_t more, in
 
 #if SHEEN_NO_DIVIDER
 /*
- * With the seed of a reciprocal, 16 bits, and one residual. Below 1 px of height there is one row at most and a step
- * that wraps is not used.
+ * By a reciprocal's seed of 16 bits and one residual. An edge less than 1 px high has at most one row, so its step,
+ * which may wrap, is not used.
  */
 static inline struct course short_course(int32_t x, int32_t width, int32_t height, int32_t rest)
 {
-    unsigned down = 10; /* to 0 */
+    unsigned down = 10; /* 10..0 */
     uint32_t normal = (uint32_t)height << (31 - down);
 
-    for (; (normal & 0x80000000u) == 0; normal <<= 1) /* shorter than the call that clz32 is here */
+    for (; (normal & 0x80000000u) == 0; normal <<= 1) /* shorter than calling clz32, which is no instruction here */
         down--;
     int32_t seed = (int32_t)reciprocal_seed(normal), slope = asr32(width * seed * 16, down);
     int32_t left = (int32_t)(((uint32_t)width << 20) - (uint32_t)slope * (uint32_t)height);
@@ -88,7 +88,10 @@ static inline struct course short_course(int32_t x, int32_t width, int32_t heigh
 }
 #endif
 
-/* The edge's next `rows` columns, one at least, every second int16_t from *column on; returns where it goes on. */
+/*
+ * Writes the edge's next `rows` columns, at least one, to every second int16_t from *column on, which is one side of
+ * the spans. Returns the edge's x in the row after them.
+ */
 static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *column)
 {
     const int16_t *end = column + 2 * rows;
@@ -97,14 +100,14 @@ static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *c
         *column = (int16_t)asr64(at, 32);
         column += 2;
         at += step;
-        OPAQUE(column); /* else gcc multiplies for what `at` becomes */
+        OPAQUE(column); /* else gcc computes the final `at` by a multiplication */
     } while (column != end);
     return at;
 }
 
 /*
- * The edge from `upper` down to `lower`: its columns in `to`, and *e for what is left of them. whole: `to` has all rows
- * of the triangle; *e then is not used.
+ * Sets up the edge from `upper` down to `lower`: writes its columns in the rows of `to`, and to *e what later rows
+ * need. to->whole: `to` has all rows of the triangle, so *e is not used.
  */
 static inline void edge_begin(struct edge *e, const struct screen_corner *upper, const struct screen_corner *lower,
                               const struct edge_rows *to, int16_t *column)
@@ -120,7 +123,7 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
     }
     if (end <= row)
         return;
-    const int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y; /* 0..63: down to the first row */
+    const int32_t rest = first * SUBPIXEL_ONE + SUBPIXEL_HALF - upper->y; /* 0..63: to the first row\'s centre */
     const int32_t x = upper->x;
     struct course c;
     if ((uint32_t)((width + SHORT) | height * 2) < 2 * SHORT)
@@ -137,7 +140,7 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
     }
 }
 
-/* Clockwise corners: an edge that goes down bounds the right, one that goes up the left. */
+/* Corners run clockwise, so an edge that goes down bounds the right and one that goes up the left. */
 unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, const struct edge_rows *to,
                            struct span *spans)
 {
@@ -163,7 +166,7 @@ unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, co
     }
 }
 
-/* ---- rows below ---- */
+/* ---- later rows ---- */
 
 void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
 {

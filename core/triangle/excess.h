@@ -1,5 +1,5 @@
 /*
- * excess.h - private: what light has more at the middles of a triangle's edges than the mean of their ends, of one of a
+ * excess.h - private: the excess, 4 (middle - mean of the ends), of L.N and 1 - R.V on a triangle's edges, for one of a
  * draw's lights; see reflection.c.
  */
 #ifndef SHEEN_EXCESS_H
@@ -7,9 +7,9 @@
 
 #include "reflection.h"
 
-#define REFLECTION_LEAN 32768 /* 1/m at an edge's ends in the ratio of 1 1/8 at most */
-#define MAGNIFIED 12          /* gradients' bits: 16 bits of L.N and N.V at corners 64 px apart show in highlights */
-#define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: what a quadric makes of it does not wrap */
+#define REFLECTION_LEAN 32768 /* the largest lean: 1/m at an edge's ends is in the ratio of 1 1/8 */
+#define MAGNIFIED 12 /* most bits of gradients with a highlight: from 64 px on L.N's and N.V's 16 bits show in it */
+#define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: up to there no value of a quadric wraps */
 
 static inline int32_t least3(const int32_t x[3])
 {
@@ -21,26 +21,26 @@ static inline int32_t most3(const int32_t x[3])
     return max32(x[0], max32(x[1], x[2]));
 }
 
-/* As sheen_cosine_excess, of 1 - R.V, Q.15; u: at the corners, Q2.29. */
+/* The excess of 1 - R.V on the edge from i to j, Q.15; see sheen_cosine_excess. u: 1 - R.V at the corners, Q2.29. */
 static inline int32_t reflected_excess(const struct facing *f, const int32_t u[3], int i, int j, int32_t h,
                                        int32_t lean)
 {
     int32_t e = h + asr32(h * h, 18);
     int32_t difference = asr32((f->ln[i] - f->ln[j]) * (f->nv[i] - f->nv[j]), 14);
-    int32_t sum = asr32(asr32(f->ln[i] + f->ln[j], 1) * asr32(f->nv[i] + f->nv[j], 1), 15); /* a quarter of it */
+    int32_t sum = asr32(asr32(f->ln[i] + f->ln[j], 1) * asr32(f->nv[i] + f->nv[j], 1), 15); /* product / 4 */
 
     return difference - asr32(sum * e, 15) + asr32(asr32(u[i] - u[j], 14) * lean, 18);
 }
 
-/* Of edges 01, 02, 12, whatever the light: as sheen_cosine_excess takes them. */
+/* What sheen_cosine_excess needs to know about edges 01, 02, 12, whatever the light. */
 struct edge_terms {
     int32_t h[3], lean[3]; /* Q0.18 */
 };
 
-/* A triangle's quadrics before they are brought to pixels. */
+/* What a triangle's quadrics for one light are made from; excesses are those of edges 01, 02, 12. */
 struct excesses {
     struct edge_terms edges;
-    int32_t light[3];        /* Q.16 */
+    int32_t light[3];        /* excess of L.N, Q.16 */
     int32_t u[3], second[3]; /* 1 - R.V at the corners, Q2.29; its excess, Q.15 */
     int32_t most;            /* the largest u of all corners */
 };
@@ -51,7 +51,7 @@ static inline void angle_excesses(struct excesses *e, const struct facing *f)
         e->edges.h[k] = (int32_t)(f->h[k] >> 14);
 }
 
-/* With angle_excesses, of a light's L.N in *f. */
+/* After angle_excesses: the excesses of L.N of the light that is in *f. */
 static inline void light_excesses(struct excesses *e, const struct facing *f)
 {
     e->light[0] = sheen_cosine_excess(f->ln[0], f->ln[1], e->edges.h[0], e->edges.lean[0]);
@@ -74,9 +74,10 @@ static inline void reflected_excesses(struct excesses *e, const struct facing *f
 }
 
 /*
- * 1 where some pixel may have a highlight: a rough bound first, then e->second's, a product of coordinates is 1/4.
- * Dithered, one is left out as well that is faint throughout and beyond power.limit at two corners: over the triangle
- * it is about as little as what is left out everywhere.
+ * 1 if some pixel may have a highlight: by a rough bound first, then by the excesses in e->second, which count 1/4
+ * because a product of two barycentric coordinates is at most that. If the draw is dithered, a highlight is also left
+ * out if it is faint throughout and two corners are beyond power.limit: over the triangle it adds about as little as
+ * those that are left out everywhere.
  */
 static inline int has_highlight(struct excesses *e, const struct facing *f, const struct draw *d, unsigned light)
 {
@@ -102,22 +103,22 @@ static inline int has_highlight(struct excesses *e, const struct facing *f, cons
     return least < d->power.faint << 16 || (e->u[0] < limit) + (e->u[1] < limit) + (e->u[2] < limit) > 1;
 }
 
-/* How far apart normals may be where the draw has highlights: see too_sharp. */
+/* How far apart normals may be on triangles with a highlight; see too_sharp. */
 static inline uint32_t widest_with_highlight(const struct draw *d)
 {
-    /* 20 degrees for n <= 32, else 14; 13 and 9 for one above 1/2: what it is off by grows with both */
+    /* 20 degrees for n <= 32, else 14; 13 and 9 if the highlight is strong: the error grows with both */
     static const uint32_t widest_highlight[2][2] = {{129509111u, 63789442u}, {55039867u, 26439087u}};
 
     return widest_highlight[d->strong][d->power.shininess > 32];
 }
 
-/* 1 where a highlight is too sharp for the angle, or its argument may wrap. */
+/* 1 if a highlight is too sharp for how far apart the normals are, or the power table's argument may wrap. */
 static inline int too_sharp(const struct excesses *e, const struct facing *f, const struct draw *d)
 {
     return f->apart > widest_with_highlight(d) || e->most >= (int32_t)(MOST_ARGUMENT >> d->power.up);
 }
 
-/* Of light_excesses: Q1.30 and half a step of UQ1.15. */
+/* The quadric of L.N, from light_excesses: Q1.30 plus half a step of UQ1.15. */
 static inline void light_quadric(struct quadric *q, const struct quadric_steps *steps, const struct facing *f,
                                  const struct excesses *e)
 {
@@ -125,7 +126,7 @@ static inline void light_quadric(struct quadric *q, const struct quadric_steps *
                          (f->ln[2] - f->ln[0]) * 2, e->light);
 }
 
-/* Of reflected_excesses: the power table's argument. */
+/* The quadric of 1 - R.V, from reflected_excesses, as the power table's argument. */
 static inline void second_quadric(struct quadric *q, const struct quadric_steps *steps, const struct excesses *e,
                                   unsigned up)
 {

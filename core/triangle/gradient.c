@@ -1,8 +1,9 @@
 /*
- * gradient.c - planes over a triangle: from three values to a value and two steps.
+ * gradient.c - planes over a triangle: from an attribute's three values at the corners to one value and two steps.
  *
- * One reciprocal of the area serves all attributes of a triangle. Its seed's 15 bits do, and products of 32, but for
- * needles, whose steps are much larger than what they make up over the triangle, and for triangles of 256 px.
+ * One reciprocal of the area serves all attributes of a triangle. Its seed's 15 bits and 32-bit products suffice except
+ * for needles, whose steps are much larger than the differences that they add up to, and for triangles of 256 px and
+ * more.
  */
 #include "triangle.h"
 
@@ -15,8 +16,9 @@ static inline uint32_t scaled_step(int32_t x, int shift)
 /*
  * b1x = 64 (y2 - y0) / area and so on, coordinates in 1/64 px, area in 1/4096 px^2 and > 0 for corners that run
  * clockwise on the screen (y down).
- * Range: a difference is below 2^bits, so a product with the seed, of 16 bits, is below 2^30 once both are cut to 30.
- * Returns 0 where the triangle is too flat, see FLATTEST.
+ * Range: a difference is below 2^bits, and the seed, of 16 bits, is cut by as many as `bits` exceeds NARROW_BITS, so
+ * their product is below 2^30.
+ * Returns 0 if the triangle is too flat, see FLATTEST.
  */
 int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 {
@@ -43,13 +45,13 @@ int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
     return 1;
 }
 
-/* The steps with 31 bits: raw / 2^exponent. */
+/* The steps of b1 and b2 with 31 bits: value = raw / 2^exponent. */
 struct wide_steps {
     int32_t b1[2], b2[2];
     unsigned exponent; /* 20..40 */
 };
 
-/* (a x + b y) / 2^shift, rounded; no product by 0, which is a call on an M0+. */
+/* (a x + b y) / 2^shift, rounded. A product with y = 0 is skipped because it costs a call on an M0+. */
 static APART int64_t wide_sum(int64_t a, int32_t x, int64_t b, int32_t y, unsigned shift)
 {
     return round_shift64(y != 0 ? a * x + b * y : a * x, shift);
@@ -70,9 +72,9 @@ static void wide_steps_of(const struct gradients *g, struct wide_steps *w)
 
 /*
  * The steps carry `up` more fraction bits than the values.
- * Range: |value differences| < 2^31, so two products stay 2^47 below 2^63; and
- * times 2^up at most 2^32 (z16: 2^16 with up 16), so steps, of gradients below
- * 2^11 a px, are below 2^44, and half a pixel of both below 2^50.
+ * Range: |value differences| < 2^31, so two products stay 2^47 below 2^63. Differences times 2^up are at most 2^32
+ * (z16: 2^16 with up 16) and gradients are below 2^11 per pixel, so steps are below 2^44, and half a pixel of both
+ * below 2^50.
  */
 void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s)
 {
@@ -86,7 +88,7 @@ void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up,
     s->value = value[0] * ((int64_t)1 << up) + wide_sum(s->dx, g->centre[0], s->dy, g->centre[1], SUBPIXEL_BITS);
 }
 
-/* Modulo 2^32, moved from the origin pixel to pixel (0, 0) of the target. */
+/* A slope as a plane modulo 2^32, moved from the origin pixel to pixel (0, 0) of the target. */
 struct plane sheen_slope_plane(const struct gradients *g, const struct slope *s)
 {
     struct plane p = {(uint32_t)s->value, (uint32_t)s->dx, (uint32_t)s->dy};
@@ -113,8 +115,9 @@ static APART struct plane wide_plane(const struct gradients *g, uint32_t base, i
 }
 
 /*
- * Range: a step of f is at most 2^15 2^15 in each of its two products, and half of that times half a pixel 2^30 in all.
- * Beyond 32 bits a step wraps only where pixel centres lie so close that modulo 2^32 it is right.
+ * Range: in dx and dy each of the two products is at most 2^15 2^15; to_centre, half of such a step times half a pixel,
+ * twice, is at most 2^30. A step exceeds 32 bits and wraps only if pixel centres in the triangle lie so close together
+ * that the plane is still right modulo 2^32.
  */
 void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
 {
@@ -131,8 +134,8 @@ void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int3
 }
 
 /*
- * A polynomial given at a pixel (value, first and second differences) about pixel
- * (0, 0) of the target; exact modulo 2^32.
+ * Moves a quadric that is given at a pixel (its value, first and second differences there) to pixel (0, 0) of the
+ * target; exact modulo 2^32.
  */
 struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
                              uint32_t dxy, uint32_t dyy)

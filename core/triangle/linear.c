@@ -1,5 +1,5 @@
 /*
- * linear.c - set-up of what is linear on the screen (lecture, "Gouraud Shading").
+ * linear.c - set-up of channels and intensities that are linear on the screen (lecture, "Gouraud Shading").
  */
 #include <string.h>
 
@@ -11,10 +11,10 @@ SETUP_FITS(struct packed_setup);
 SETUP_FITS(struct shades_setup);
 
 /*
- * Linear on the screen in place of in space is off by at most dI (sqrt q - 1) / (sqrt q + 1) <= dI (q - 1) / 4, q the
- * ratio of the weights at an edge's ends. Of weights, z16 differs by what they do, >> weight_shift.
- * Range: |d| <= 64000 (of greys the sum of three channels), |z| <= 65020, so products fit 32 bits; unit < 2^13; a
- * weight >> weight_shift is below 2^25.
+ * Interpolation that is linear on the screen in place of in space is off by at most dI (sqrt q - 1) / (sqrt q + 1) <=
+ * dI (q - 1) / 4, where q is the ratio of the weights at an edge's ends. Differences of z16 are those of weights >>
+ * weight_shift. Range: |d| <= 64000 (on grey, the sum of three channels), |z| <= 65020, so products fit 32 bits; unit <
+ * 2^13; a weight >> weight_shift is below 2^25.
  */
 int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit)
 {
@@ -31,7 +31,7 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
     return most >> 6 <= (least >> 6) * unit;
 }
 
-/* Steps of 11 fraction bits do for 64 px: corners lie on both sides of corner 0. */
+/* 1 if steps with 11 fraction bits suffice: they do for 64 px, as corners may lie on both sides of corner 0. */
 static int packable(const struct gradients *g)
 {
     return g->bits <= SUBPIXEL_BITS + COLUMN_BITS;
@@ -46,7 +46,7 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
     sheen_plane(&r->diffuse, g, (diffuse << 15) + ((uint32_t)SHADES_GUARD << (30 - SHADES_BITS)), d1, d2, 15);
 }
 
-/* 1 where a corner's channel lies within `margin` of 0 or 1.0, or beyond; where it is the same at all, only beyond. */
+/* 1 if some corner's channel is within `margin` of 0 or 1.0, or beyond; for a constant channel, only if beyond. */
 int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin)
 {
     int leave = 0;
@@ -63,9 +63,9 @@ int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3
 }
 
 /*
- * c: channels with `fraction` bits modulo 2^32, of which red and blue are given at the origin pixel besides their
- * steps. They are exact there, whatever band is drawn: taken about MIDDLE, from which they are not farther than 2^31
- * but for needles so thin that they hold no pixel's centre.
+ * c: planes of the channels with `fraction` bits, modulo 2^32. red, blue: these channels at the origin pixel, where
+ * they are exact whatever band is drawn. They are packed relative to MIDDLE, from which they are less than 2^31 away
+ * except on needles so thin that they contain no pixel's centre.
  */
 #define MIDDLE 16u /* level */
 
@@ -74,7 +74,7 @@ SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, 
 {
     const int32_t x = g->origin[0], y = g->origin[1];
     const unsigned up = 26 - fraction;
-    const uint32_t early = p->s.draw->dither ? 0 : 1u << 10; /* half of a level */
+    const uint32_t early = p->s.draw->dither ? 0 : 1u << 10; /* half a level */
     struct plane *rb = &p->red_blue;
 
     rb->dx = pack_red_blue(c[0].dx, c[2].dx, fraction);
@@ -86,7 +86,7 @@ SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, 
     p->s.rows = sheen_packed_rows;
 }
 
-/* Of the intensity's, with 2 more fraction bits. */
+/* A channel's plane from the intensity's plane `l`; it has 2 more fraction bits than the draw's channels. */
 SPECIALISED struct plane diffuse_channel(const struct colour_terms *terms, int k, const struct plane *l)
 {
     const uint32_t b = terms->b[k];
@@ -95,9 +95,9 @@ SPECIALISED struct plane diffuse_channel(const struct colour_terms *terms, int k
 }
 
 /*
- * The intensity in 2^-17, from which the channels follow: a step counts up to 1/4 a px, and between `low` and `high` no
- * channel comes near 0 or 1.0. Range: at the origin pixel, at most half a px each way beyond the triangle, red and blue
- * are within -8 and 39 levels.
+ * Makes the diffuse intensity's plane in units of 2^-17, and the channels' planes from that. The intensity may change
+ * by up to 1/4 per pixel; between `low` and `high` no channel comes near 0 or 1.0. Range: the origin pixel's centre is
+ * at most half a pixel each way beyond the triangle, so red and blue are within -8 and 39 levels there.
  */
 int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
@@ -121,8 +121,8 @@ int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t dif
 }
 
 /*
- * channel: by component and corner. A difference is cut to 15 bits, 2^-10 level. fast: no sum with a threshold leaves
- * a word's field, whatever the planes have rounded, below 1/32 level.
+ * channel: by component and corner. Differences are cut to 15 bits, 2^-10 level. fast: no sum of a channel and a
+ * threshold leaves its field of a word, even with the planes' rounding, which is below 1/32 level.
  */
 void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3])
 {

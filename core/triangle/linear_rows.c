@@ -1,9 +1,9 @@
 /*
- * linear_rows.c - colours that are linear on the screen (lecture, "Gouraud Shading").
+ * linear_rows.c - rows of colours that are linear on the screen (lecture, "Gouraud Shading").
  *
- * Outside the highlight a colour is a function of the diffuse intensity alone: one number is stepped and finished
- * pixels come from the draw's shades. Else colour is linear in the intensities, so the channels are stepped, in levels,
- * and rounded once a pixel.
+ * Outside the highlight a colour is a function of the diffuse intensity alone, so that one number is stepped and
+ * finished pixels come from the draw's shades. Otherwise the channels are stepped, in levels, because a colour is
+ * linear in the intensities; they are rounded once per pixel.
  */
 #include "thumb_runs.h"
 
@@ -36,7 +36,7 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
         const uint16_t *last = line + span->x1;
         struct shades_at at = {z + (uint32_t)x * step.z, f + (uint32_t)x * step.f};
         for (; pixel < last; pixel++) {
-            OPAQUE(last); /* else gcc counts pixels before a row */
+            OPAQUE(last); /* else gcc computes each row's count of pixels first */
             shades_pixel(t, pixel, to_pixel, &at, step, shades);
         }
         line += pitch;
@@ -76,10 +76,10 @@ SPECIALISED void packed_rows(const struct tile *t, const struct packed_setup *s,
 
     do {
         int32_t x = span->x0, count = span->x1 - x;
-        OPAQUE(s); /* the pixels' loop has the registers */
+        OPAQUE(s); /* its fields are loaded again: the pixel loop needs the registers */
         if (count > 0) {
             const threshold_t *thresholds = DITHER_ROW(t, line, y);
-            OPAQUE(thresholds); /* early: what loads them needs registers, too */
+            OPAQUE(thresholds); /* loaded early: later no registers are free */
             const struct packed_at step = {s->s.depth.dx, {s->red_blue.dx, s->green.dx}};
             const struct packed_at at = {plane_at(&s->s.depth, x, y),
                                          {plane_at(&s->red_blue, x, y), plane_at(&s->green, x, y)}};
@@ -95,7 +95,7 @@ static COLD void any_packed_rows(const struct tile *t, const struct packed_setup
     packed_rows(t, s, t->dither, t->format->swap);
 }
 
-/* Loops of their own, here and below, are in the order of a panel's bus. */
+/* Specialised loops, here and below, are for the byte order of a panel's bus only. */
 void sheen_packed_rows(const struct tile *t, const struct setup *s)
 {
     const struct packed_setup *p = (const struct packed_setup *)s;
@@ -108,7 +108,7 @@ void sheen_packed_rows(const struct tile *t, const struct setup *s)
         packed_rows(t, p, 0, 1);
 }
 
-/* packed_run, written for where it counts. */
+/* packed_run, in assembly where that pays. */
 SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, const struct packed_at *at,
                           const struct packed_at *step, const uint16_t *line, int32_t y, unsigned dither, unsigned swap)
 {
@@ -123,7 +123,7 @@ SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, 
     packed_run(t, depth, count, *at, *step, way, DITHER_ROW(t, line, y));
 }
 
-/* Wide triangles: packed anew every COLUMN px. */
+/* Wide triangles: channels are packed again every COLUMN px. */
 SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
 {
     const struct plane *c = l->channel;
@@ -158,7 +158,7 @@ static COLD void any_column_rows(const struct tile *t, const struct linear_setup
 
 /* ---- any format, clamped ---- */
 
-/* As put_general, with its constants in registers: bytes may be anything's, so stores would have them read again. */
+/* As put_general with its constants in locals: a byte store may alias anything and would have them loaded again. */
 static COLD void clamped_rows(const struct tile *t, const struct linear_setup *l)
 {
     const struct colour_terms *terms = &l->s.draw->colour;
@@ -181,7 +181,7 @@ static COLD void clamped_rows(const struct tile *t, const struct linear_setup *l
 }
 
 #if FAST_LOOPS
-/* 565 whose channels have LOOP_FRACTION bits: held to the levels as wholes, which a core may do in the shift. */
+/* 565 with LOOP_FRACTION bits: clamped after the shift to whole levels, which some cores do in one instruction. */
 SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setup *l, unsigned dither)
 {
     const struct plane *c = l->channel;

@@ -1,11 +1,11 @@
 /*
- * lit.c - what light a triangle's set-up begins with: at its corners, or at the polygon that it is of.
+ * lit.c - the light that a triangle's set-up starts from: at its corners, or at its polygon.
  */
 #include "../math/vector.h"
 #include "morph.h"
 
 /*
- * The normal of a triangle from its corners, for meshes that have none: the cross product of two edges. Range:
+ * A triangle's normal from its corners, for meshes without polygon normals: the cross product of two edges. Range:
  * differences < 2^17, so its parts are below 2^35.
  */
 static int corner_normal(const struct sheen_mesh *mesh, const int16_t *positions, uint32_t triangle,
@@ -49,7 +49,10 @@ void sheen_facet_normal(const struct draw *d, uint32_t triangle, int back, int16
             normal[i] = (int16_t)-max32(normal[i], -32767);
 }
 
-/* Triangles of equal facets have the same normal: the polygon, where it has one that does not change. */
+/*
+ * A number that only triangles with the same normal share: the polygon's if it has a stored normal that does not morph,
+ * else the triangle's.
+ */
 static uint32_t facet_of(const struct draw *d, uint32_t triangle)
 {
     const struct sheen_mesh *mesh = d->mesh;

@@ -1,17 +1,17 @@
 /*
- * normal.h - private: pixels from their normals, of any length, and any number of lights: a root a pixel.
+ * normal.h - private: pixels lit from normals of any length by any number of lights, with a root per pixel.
  */
 #ifndef SHEEN_NORMAL_H
 #define SHEEN_NORMAL_H
 
 #include "fog.h"
 
-/* N.N inside the root table: UQ1.31 from 1/4 to 1 + 1/512. */
+/* The range of N.N in the root table: UQ1.31 from 1/4 to 1 + 1/512. */
 #define ROOT_LOWEST (1u << 29)
 #define ROOT_RANGE ((3u << 29) + (1u << 22))
 #define HALF (1u << 14) /* rounding: floors would darken highlights of n = 128 by a tenth of a level */
 
-/* Any format, clamp and dither; builds for size have it once. */
+/* Stores a pixel in any format, clamped and dithered; in builds for size it is not inlined. */
 #if FAST_LOOPS
 SPECIALISED void put_any(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at, int32_t x,
                          const struct lit *lit)
@@ -38,35 +38,38 @@ SPECIALISED void put_lit(const struct tile *t, const struct draw *d, struct roun
     }
 }
 
-/* A unit normal, or a shorter one, times a unit vector in Q1.30: Q0.15, 1.0 as 32767. */
+/* Dot product of a unit normal, or a shorter one, and a unit vector in Q1.30: Q0.15, 1.0 as 32767. */
 static inline int32_t cosine_of(const int16_t normal[3], const int32_t v[3])
 {
-    int32_t dot = dot_q29(normal, v); /* 1.0 is 32767 */
+    int32_t dot = dot_q29(normal, v); /* 1.0 is 32767 * 2^14 */
 
     dot = asr32(dot + asr32(dot, 15) + (1 << 13), 14);
     return min32(max32(dot, -32767), 32767);
 }
 
-/* A difference of Q0.30 in 2^-14: |f - f0| <= 2^31 - 2^16. */
+/* The difference of two numbers in Q0.30, in steps of 2^-14; |f - f0| <= 2^31 - 2^16. */
 static inline int32_t cut_cosine(int32_t f, int32_t f0)
 {
     return asr32(asr32(f, 1) - asr32(f0, 1) + (1 << 14), 15);
 }
 
-/* weighted.c: weights, UQ0.15, up to 1.0; a cosine, or a part of N, at the corners, Q0.15, times them: Q1.30. */
+/*
+ * weighted.c: the corners' weights, UQ0.15, up to 1.0; the plane of a cosine, or of a component of N, that is x at the
+ * corners, Q0.15, times weight: Q1.30.
+ */
 void sheen_corner_weights(struct surface_corners *c, int32_t w[3]);
 struct plane sheen_weighted_plane(const struct gradients *g, const int32_t w[3], const int32_t x[3]);
 
-/* Pixels along which the normal is linear, times any factor: at the first, and what the next one has more. */
+/* Pixels along which the normal, times any factor, is linear: values at the first one, and steps per pixel. */
 struct normal_run {
     uint32_t z, dz;
     uint32_t n[3], dn[3]; /* Q1.30, modulo 2^32 */
 };
 
-/* normal_rows.c, without a ramp: columns x to before x1, x < x1. */
+/* normal_rows.c, for light without a ramp: draws columns x to x1 - 1, x < x1. */
 void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct normal_run *run);
-/* Of a struct sheen_ramp_reader. */
+/* A struct sheen_ramp_reader's normal_run. */
 void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                               const struct normal_run *run);
 

@@ -1,5 +1,5 @@
 /*
- * normal_rows.c - pixels from their normals and any number of lights: 1/sqrt(N.N), a dot product a light.
+ * normal_rows.c - pixels lit from their normals by any number of lights: 1/sqrt(N.N), and a dot product per light.
  */
 #include "normal_rows.h"
 

@@ -1,5 +1,5 @@
 /*
- * normal_rows.h - private: the loop of normal_rows.c, for light without a ramp and by one.
+ * normal_rows.h - private: the loop of normal_rows.c, for light with and without a ramp.
  */
 #ifndef SHEEN_NORMAL_ROWS_H
 #define SHEEN_NORMAL_ROWS_H
@@ -7,9 +7,9 @@
 #include "normal.h"
 
 /*
- * A pixel's normal, Q0.15 of a length in [1/2, 1], and 1/|N|: a root seed, UQ1.15, and the share, Q.28, that it lacks
- * of it. Where a triangle is magnified, what the seed is off by is that of thousands of pixels, and of it a highlight
- * makes n times as much; what rounding turns N by does not show.
+ * A pixel's normal, Q0.15, scaled to a length in [1/2, 1], and 1/|N|: a root seed, UQ1.15, and the share of itself,
+ * Q.28, by which it is too small. That correction is for magnified triangles: there thousands of pixels have the seed's
+ * error, and a highlight multiplies it by n. The angle by which rounding turns N does not show.
  */
 struct pixel_normal {
     int32_t n[3];
@@ -17,7 +17,7 @@ struct pixel_normal {
     int32_t lacks;
 };
 
-/* Half of 1 - D root^2, D UQ1.31, Q.28: below 2^15. */
+/* (1 - D root^2) / 2, Q.28, below 2^15; D: UQ1.31. */
 static int32_t root_lacks(uint32_t d, uint32_t root)
 {
     const uint32_t square = root * root, high = d >> 16, low = d & 0xffffu; /* UQ2.30 */
@@ -27,7 +27,7 @@ static int32_t root_lacks(uint32_t d, uint32_t root)
     return asr32((int32_t)((1u << 29) - product), 2);
 }
 
-/* Returns 0 where there is no direction left. */
+/* Returns 0 if N is too short to have a direction. */
 SPLIT int pixel_normal(const uint32_t plane[3], struct pixel_normal *p)
 {
     int32_t *n = p->n;
@@ -52,7 +52,7 @@ SPLIT int pixel_normal(const uint32_t plane[3], struct pixel_normal *p)
     return 1;
 }
 
-/* v.N over |N|, held at +-1.0: Q2.29. Range: |dot| < 2^31, so root times its high half stays below 2^31. */
+/* v.N / |N|, clamped to +-1.0: Q2.29. Range: |dot| < 2^31, so root times its high half stays below 2^31. */
 SPECIALISED int32_t unit_dot_at(const struct pixel_normal *p, const int32_t v[3])
 {
     int32_t dot = 2 * dot32_q29(p->n, v);
@@ -68,7 +68,7 @@ SPECIALISED int32_t rounded_cosine(int32_t ln)
     return asr32(ln + (1 << 13), 14);
 }
 
-/* Of light i, at L.N = ln > 0 and V.N = facing, Q2.29: UQ1.15. */
+/* The highlight of light i, UQ1.15, for L.N = ln > 0 and V.N = facing, both Q2.29. */
 SPLIT uint32_t pixel_highlight(const struct draw *d, unsigned i, int32_t ln, int32_t facing)
 {
     const int32_t product = mul_16_32(asr32(ln, 14), facing) + asr32((ln & 0x3fff) * asr32(facing, 15), 15); /* Q.28 */
@@ -77,7 +77,7 @@ SPLIT uint32_t pixel_highlight(const struct draw *d, unsigned i, int32_t ln, int
                         (uint32_t)rounded_cosine(ln));
 }
 
-/* Sum over the lights, each with its weight. */
+/* Sums up the lights, each with its weight. */
 SPLIT void light_pixel(const struct draw *d, const struct pixel_normal *p, struct lit *lit, int by_ramp)
 {
     const struct lighting *l = &d->light;

@@ -1,29 +1,29 @@
 /*
- * packed_rows.h - private: a run of pixels whose channels, in two words, are linear along it.
+ * packed_rows.h - private: a run of pixels along which the channels, packed in two words, are linear.
  */
 #ifndef SHEEN_PACKED_ROWS_H
 #define SHEEN_PACKED_ROWS_H
 
 #include "triangle.h"
 
-/* What changes along a run, and its steps. */
+/* What is stepped along a run: its values at a pixel, or its steps per pixel. */
 struct packed_at {
     uint32_t z;
     struct packed colour;
 };
 
-/* The same of shades: see linear_rows.c. */
+/* The same for pixels from shades; see linear_rows.c. */
 struct shades_at {
     uint32_t z, f;
 };
 
-/* Without dither rounding is in the words. */
+/* Without dither the rounding's 1/2 is in the packed words already. */
 struct packed_way {
     intptr_t to_pixel;
     unsigned dither, swap;
 };
 
-/* late: nothing is made of the colour before the pixel is seen. */
+/* late: the colour is not computed before the pixel has passed the depth test. */
 SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct packed_at *at, const struct packed_at *step,
                               const struct packed_way *way, const threshold_t *thresholds, unsigned late)
 {
@@ -39,7 +39,7 @@ SPECIALISED void packed_pixel(const struct tile *t, uint16_t *depth, struct pack
     at->colour.green += step->colour.green;
 }
 
-/* thresholds: of the row, where the way dithers. */
+/* thresholds: the row's, if the way dithers. */
 SPECIALISED void packed_run(const struct tile *t, uint16_t *depth, int32_t count, struct packed_at at,
                             struct packed_at step, struct packed_way way, const threshold_t *thresholds)
 {

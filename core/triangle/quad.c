@@ -1,11 +1,11 @@
 /*
- * quad.c - whether intensities at the corners of a plane quad, of which a set-up knows three, are one function of it.
+ * quad.c - whether the intensities at a plane quad's corners, of which a set-up reads only three, are one function.
  */
 #include "triangle.h"
 
 /*
- * What corner 3 has beyond what is linear on the screen, UQ1.15. Range: areas are cut to 13 bits and the others to 14,
- * so that all products stay below 2^31 in all.
+ * How far corner 3's intensity is off the plane through the others on the screen, UQ1.15. Range: area[0] is cut to 13
+ * bits, and thereby the others to at most 14, so that the products' sum stays below 2^31.
  */
 static uint32_t bent(const struct quad *q)
 {
@@ -21,8 +21,9 @@ static uint32_t bent(const struct quad *q)
 }
 
 /*
- * On the lit side L.N is linear in space as N is. So any way will do for a quad that has no highlight there and, for
- * ways that are linear on the screen, is so within 1/8 of a 64th of 1.0. What they make of corner 3 stays inside too.
+ * On the lit side L.N is linear in space, because N is. So any way is right for a quad without a highlight on that
+ * side, provided that corner 3 is off the plane of the others by at most 1/8 of a 64th of 1.0; ways that are linear on
+ * the screen need that. What they make of corner 3 has to stay between low and high, too.
  */
 int sheen_lit_linearly(const struct draw *d, const struct quad *q)
 {

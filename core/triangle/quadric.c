@@ -1,14 +1,14 @@
 /*
- * quadric.c - a quadratic function over a triangle from its corners and from what it has more at the middles of the
- * edges, so that triangles that share an edge agree along it.
+ * quadric.c - a quadratic function over a triangle, made from its values at the corners and its excess at the middle of
+ * each edge, so that triangles that share an edge agree along it.
  *
  * With barycentric coordinates b and f's excess k = 4 middle - 2 (end + end) on an edge,
  *   f = plane through the corners + k01 b0 b1 + k02 b0 b2 + k12 b1 b2.
- * Steps of b have 15 bits, their products 20, excesses 8: 32-bit arithmetic throughout.
+ * Steps of b have 15 bits, their products 20, excesses 8, so 32-bit arithmetic suffices throughout.
  */
 #include "quadric.h"
 
-#define MOST_EXCESS 203 /* of k: ten products below 2^20 and one k stay below 2^31 */
+#define MOST_EXCESS 203 /* of k: the sum of ten products of a k and a number below 2^20 stays below 2^31 */
 #define MOST_SLOPE 16383
 
 int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
@@ -30,7 +30,7 @@ int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
     return 1;
 }
 
-/* x * 2^-shift, rounded; modulo 2^32 where bits leave at the top. */
+/* x * 2^-shift, rounded; modulo 2^32 if bits leave at the top. */
 static inline int32_t shifted(int32_t x, int shift)
 {
     return shift > 0 ? asr32(asr32(x, (unsigned)min32(shift, 31) - 1) + 1, 1) : (int32_t)((uint32_t)x << -shift);
@@ -41,7 +41,7 @@ static inline uint32_t magnitudes(int32_t x, int32_t y, int32_t z)
     return magnitude32(x) | magnitude32(y) | magnitude32(z);
 }
 
-/* Bits to drop so that no more than `most` is left. */
+/* How many low bits to drop from `all` so that it is at most `most`. */
 static inline unsigned surplus(uint32_t all, uint32_t most)
 {
     unsigned drop = 0;
@@ -56,7 +56,7 @@ static inline int32_t rounded(int32_t x, unsigned drop)
     return drop > 0 ? asr32(asr32(x, drop - 1) + 1, 1) : x;
 }
 
-/* By how much sums of that size, shifted so, would leave 30 bits; of triangles of about a pixel. */
+/* By how many bits numbers as large as `all`, shifted so, exceed 30 bits; on triangles of about a pixel they do. */
 static int room_of(uint32_t all, int shift)
 {
     return max32(0, 2 - (int)clz32(all) - shift);
@@ -71,7 +71,7 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     int second = 2 * g->exponent - 24 - (int)drop, first = g->exponent - 14 - (int)cut, room = 0;
     const int32_t k01 = rounded(k[0], drop), k02 = rounded(k[1], drop), k12 = rounded(k[2], drop);
     const int32_t mixed = k12 - k01 - k02, a = rounded(d1 + k[0], cut), b = rounded(d2 + k[1], cut);
-    /* half of the second differences; what cancels may exceed 31 bits on the way */
+    /* half of the second differences; terms that cancel may exceed 31 bits on the way */
     int32_t xx = mixed * p->b1b2[0] - k01 * p->b1b1[0] - k02 * p->b2b2[0];
     int32_t xy = mixed * p->b1b2[1] - k01 * p->b1b1[1] - k02 * p->b2b2[1];
     int32_t yy = mixed * p->b1b2[2] - k01 * p->b1b1[2] - k02 * p->b2b2[2];
@@ -85,7 +85,7 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     x = shifted(x, first + room);
     y = shifted(y, first + room);
 
-    /* from corner 0 to the first pixel's centre; Range: |centre| <= 32, and 30 bits */
+    /* from corner 0 to the origin pixel's centre. Range: |centre| <= 32, the other factors have 30 bits */
     const int32_t cx = g->centre[0], cy = g->centre[1];
     int32_t tx = asr32(xx, 6) * cx + asr32(xy, 7) * cy, ty = asr32(yy, 6) * cy + asr32(xy, 7) * cx;
     q->base = f0 + ((uint32_t)(asr32(x + tx, 6) * cx + asr32(y + ty, 6) * cy) << room);
@@ -112,7 +112,7 @@ COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, u
     int32_t high[3], low[3];
     struct quadric rest;
 
-    for (int e = 0; e < 3; e++) { /* towards 0, so that no more bits are dropped of it */
+    for (int e = 0; e < 3; e++) { /* `high` is rounded towards 0, so that sheen_corner_quadric drops no bits of it */
         int32_t whole = (int32_t)(magnitude32(k[e]) >> drop << drop);
         high[e] = k[e] < 0 ? -whole : whole;
         low[e] = k[e] - high[e];
@@ -128,8 +128,9 @@ COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, u
 }
 
 /*
- * Weights' differences are those of z16 (vertex.h). The mean of the three stands for that of two.
- * Range: |z - z| < 2^16, `over` at most 2^15; none of three weights, 0 at least, is more than three times the mean.
+ * Differences of weights are those of z16 (vertex.h). The mean of all three weights is used in place of that of an
+ * edge's two. Range: |z - z| < 2^16, `over` at most 2^15; as weights are at least 0, none is more than three times the
+ * mean.
  */
 int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
 {

@@ -6,17 +6,23 @@
 
 #include "triangle.h"
 
-#define LOWEST_SCALE 12 /* steps up to 8 a px */
-/* A product of coordinates is off by about 2^-20 (extent * step)^2, and extent * step < 2^(stretch + 1). */
+#define LOWEST_SCALE 12 /* least exponent of gradients: steps up to 8 per pixel */
+/*
+ * The most stretch: products of barycentric coordinates are off by about 2^-20 (extent * step)^2, extent * step <
+ * 2^(stretch + 1).
+ */
 #define QUADRIC_STRETCH 6
 
-/* Of a triangle's gradients; else it is too small or a needle. */
+/* 1 if a triangle's gradients are good enough for quadrics; otherwise it is too small or a needle. */
 static inline int quadric_fits(int exponent, int stretch)
 {
     return exponent >= LOWEST_SCALE && stretch <= QUADRIC_STRETCH;
 }
 
-/* The same by twice the area and the bits of coordinates' differences: exponent and stretch are 40 and -32 +- those. */
+/*
+ * The same from twice the area and the bits of differences: exponent = 40 - z - bits, stretch = z + 2 bits - 32, z =
+ * clz32(area).
+ */
 static inline int quadric_fits_area(unsigned bits, uint32_t area)
 {
     const unsigned small = bits + LOWEST_SCALE - 9, thin = 2 * bits - QUADRIC_STRETCH - 1;
@@ -24,45 +30,46 @@ static inline int quadric_fits_area(unsigned bits, uint32_t area)
     return area >> (bits > LOWEST_SCALE + QUADRIC_STRETCH - 8 ? thin : small) != 0;
 }
 
-/* Products of the gradients' steps, xx, xy and yx, yy, for any function on a triangle: raw / 2^(2 exponent - 10). */
+/* Products of b's steps, xx, xy + yx, yy, that serve any function on a triangle: raw / 2^(2 exponent - 10). */
 struct quadric_steps {
     const struct gradients *g;
     int32_t b1b1[3], b1b2[3], b2b2[3];
 };
 
-/* 0 where the triangle is a needle or too small. */
+/* Returns 0 if the triangle is a needle or too small. */
 int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g);
 
 /*
- * About the pixel that holds corner 0, modulo 2^32. f0: at corner 0, Q.30. d1, d2: what corners 1 and 2 have more,
- * k: the excess on edges 01, 02, 12, all Q.16, below 2^19.
+ * A quadric about the origin pixel, modulo 2^32. f0: f at corner 0, Q.30. d1, d2: its differences from there to corners
+ * 1 and 2, k: its excess on edges 01, 02, 12, all Q.16, below 2^19.
  */
 void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                           const int32_t k[3]);
 
-#define LEAST_MEAN 8 /* steps of z16, of weights: below that their rounding is more than what is looked for */
+#define LEAST_MEAN 8 /* least mean weight, in steps of z16: below it rounding is more than what is looked for */
 
 /*
- * What perspective does to an edge's middle: 2 (wi - wj) / (wi + wj) of edges 01, 02, 12, Q0.18; f linear in space has
- * the excess lean (fi - fj). 0 where one exceeds `most`, below 2^17, or the weights' mean is below LEAST_MEAN.
+ * What perspective does to an edge's middle: lean = 2 (wi - wj) / (wi + wj) of edges 01, 02, 12, Q0.18; an f that is
+ * linear in space has the excess lean (fi - fj). Returns 0 if a lean exceeds `most`, which is below 2^17, or the
+ * weights' mean is below LEAST_MEAN.
  */
 int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most);
 
 /*
- * Of what is linear in space, f at the corners, UQ1.15: Q1.30 and half a step of UQ1.15. Range: |lean| <= 2^16, so its
- * half times 2^15.
+ * The quadric of what is linear in space, f at the corners, UQ1.15: Q1.30 plus half a step of UQ1.15. Range: |lean| <=
+ * 2^16, so half of it times 2^15 fits 32 bits.
  */
 void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
                          const int32_t f[3]);
 
-/* As sheen_corner_quadric, to all bits of k, for about twice the time: where nearly all of f is in it. */
+/* As sheen_corner_quadric, but with all bits of k and in about twice the time: for an f that is nearly all excess. */
 void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
                         const int32_t k[3]);
 
-/* From so many columns and rows off the pixel that it counts from; `to` may be q. */
+/* Moves the pixel that a quadric counts from by so many columns and rows; `to` may be q. */
 void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row);
 
-/* To the next row. */
+/* Moves that pixel to the next row. */
 SPECIALISED void quadric_down(struct quadric *q)
 {
     q->base += q->dy;
@@ -70,7 +77,7 @@ SPECIALISED void quadric_down(struct quadric *q)
     q->dx += q->dxy;
 }
 
-/* Where a run begins n columns from the pixel that it counts from. */
+/* Value, first and second difference where a run begins, n columns from the pixel that q counts from. */
 SPECIALISED void quadric_run(const struct quadric *q, int32_t n, uint32_t *value, uint32_t *step, uint32_t *bend)
 {
     *value = q->base + (uint32_t)n * q->dx + pairs(n) * q->dxx;
@@ -88,23 +95,23 @@ enum second {
 struct quadric_setup {
     struct setup s;                 /* detail: enum second */
     int16_t x, y;                   /* the pixel that quadrics count from */
-    struct quadric diffuse, second; /* diffuse: L.N or an intensity, Q1.30 and half a step of UQ1.15 */
+    struct quadric diffuse, second; /* diffuse: L.N or an intensity, Q1.30 plus half a step of UQ1.15 */
 };
 
-/* A run of pixels on its way: a pixel's value, what the next one has more, and what that has more each time. */
+/* A run of pixels as it is stepped: values at a pixel, and their first and second differences. */
 struct shaded_run {
     uint32_t z, dz;
     uint32_t f, df, ddf; /* as quadric_setup's diffuse */
-    uint32_t u, du, ddu; /* and second */
+    uint32_t u, du, ddu; /* as quadric_setup's second */
 };
 
 void sheen_quadric_rows(const struct tile *t, const struct setup *s);
 
-/* quadric_rows.c: all of a struct quadric_setup but the quadrics; rows are those or specialised ones. */
+/* quadric_rows.c: all of a struct quadric_setup except its quadrics; rows: sheen_quadric_rows or specialised ones. */
 void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second);
 void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       struct shaded_run *run, enum second second);
-/* Of a struct sheen_ramp_reader. */
+/* A struct sheen_ramp_reader's shaded_run. */
 void sheen_shaded_run_by_ramp(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                               struct shaded_run *run, unsigned second);
 

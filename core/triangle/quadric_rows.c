@@ -1,21 +1,24 @@
 /*
- * quadric_rows.c - intensities that are quadratic over a triangle (Bishop and Weimer, "Fast Phong Shading", 1986; here
- * through the corners and the middles of the edges): two adds a pixel each, no root, no quotient.
+ * quadric_rows.c - rows of intensities that are quadratic over a triangle (Bishop and Weimer, "Fast Phong Shading",
+ * 1986; here through the corners and the middles of the edges): two additions each per pixel, no root, no quotient.
  *
- * Where a highlight may fall, 1 - R.V is the second quadric and the power table follows a pixel. Gouraud's intensities
- * in perspective come the same way. With and without shades each, every loop gives the same pixels; which is taken is a
- * matter of speed.
+ * If a highlight may fall on the triangle, 1 - R.V is the second quadric, and the power table is read per pixel.
+ * Gouraud's intensities in perspective come the same way. Among draws with shades all loops give the same pixels, and
+ * so they do among those without: which one is taken only changes the speed.
  */
 #include "quadric_rows.h"
 
-/* On M0+ a pixel in a highlight is a function of its own: it has the registers that it takes. */
+/* On M0+ a highlight's pixel is a function of its own, so that it has all the registers that it needs. */
 #if defined(__ARM_ARCH_6M__)
 #define PIXEL static APART
 #else
 #define PIXEL SPECIALISED
 #endif
 
-/* As lit_of; on M0+, where a maximum takes three instructions, under a whole highlight without: L.N is far from 0. */
+/*
+ * As lit_of. On M0+, where a maximum costs three instructions, it is left out if the highlight is whole: L.N is then
+ * far from 0.
+ */
 #if defined(__ARM_ARCH_6M__)
 SPECIALISED struct lit power_lit(const struct loop_terms *q, uint32_t f, uint32_t u)
 {
@@ -46,7 +49,7 @@ PIXEL uint32_t plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, c
     return loop_pixel(t, depth, q, lit.diffuse, u < q->power_end, lit.specular, 0);
 }
 
-/* Where registers are few the threshold comes last, or before a call. */
+/* The threshold is loaded last, or on M0+ before a call, so that fewer registers are in use. */
 #if defined(__ARM_ARCH_6M__)
 static APART uint32_t pixel_by(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
                                const struct tile *t, const uint16_t *depth)
@@ -74,7 +77,7 @@ SPECIALISED uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint
     uint32_t pair = threshold_pair(thresholds, depth);
     SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), at.r, at.g, at.b, LOOP_FRACTION);
     at.r += pair << up;
-    OPAQUE(pair); /* shifted as it is added */
+    OPAQUE(pair); /* keeps the shift in the addition */
     at.g += pair << up;
     OPAQUE(pair);
     at.b += pair << up;
@@ -82,7 +85,7 @@ SPECIALISED uint32_t dithered_pixel(const struct loop_terms *q, uint32_t f, uint
 }
 #endif
 
-/* 565 with the loop's terms: from the depth after `depth` to `last`; thresholds: of the row. */
+/* 565 by the draw's loop terms: pixels from the one after `depth` up to `last`. thresholds: the row's. */
 SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
                            const threshold_t *thresholds, const struct shaded_run *run, enum second second,
                            unsigned dither, unsigned swap)
@@ -95,7 +98,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     do {
         depth++;
         if (nearer(t, depth, z)) {
-            OPAQUE(q); /* the loop's numbers have the registers */
+            OPAQUE(q); /* its fields are loaded again: the registers are for what is stepped */
             uint32_t value;
             if (second == SECOND_POWER && dither) {
                 value = dithered_pixel(q, f, u, thresholds, t, depth);
@@ -118,7 +121,7 @@ SPECIALISED void quick_run(const struct tile *t, const struct draw *d, uint16_t 
     } while (depth != last);
 }
 
-/* f: Q1.30, its steps within a segment are cut. */
+/* The colour at f, Q1.30, which is cut to whole steps within its segment. */
 SPECIALISED struct packed segment_colour(const struct shade_segment *segments, uint32_t f)
 {
     const uint32_t lit = not_negative(f) >> (30 - SEGMENT_BITS - SEGMENT_STEPS_BITS);
@@ -126,7 +129,7 @@ SPECIALISED struct packed segment_colour(const struct shade_segment *segments, u
     const struct shade_segment *at = &segments[lit >> SEGMENT_STEPS_BITS];
     struct packed colour, step;
 
-    OPAQUE_FIRST(at); /* one address for all that is loaded */
+    OPAQUE_FIRST(at); /* one address for all four loads */
     colour.red_blue = at->red_blue;
     step.red_blue = at->red_blue_step;
     OPAQUE_BOTH(colour.red_blue, step.red_blue); /* two in one load */
@@ -141,7 +144,7 @@ SPECIALISED struct packed segment_colour(const struct shade_segment *segments, u
     return (struct packed){colour.red_blue + n * step.red_blue, colour.green + n * step.green};
 }
 
-/* The pixel in the high half; its threshold likewise. */
+/* The pixel in a word's high half. As above, the threshold is loaded last, or before a call. */
 #if defined(__ARM_ARCH_6M__)
 static APART uint32_t segment_by(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
                                  const uint16_t *depth)
@@ -165,20 +168,20 @@ SPECIALISED uint32_t segment_pixel(const struct shade_segment *segments, uint32_
 }
 #endif
 
-/* Of L.N, Q1.30. */
+/* The number of the shade for L.N, Q1.30; negative ones become 0. */
 SPECIALISED uint32_t shade_at(uint32_t f)
 {
 #if defined(__ARM_ARCH_6M__)
     int32_t at = asr32((int32_t)f, 30 - SHADES_BITS), sign = asr32(at, 31);
 
-    OPAQUE(sign); /* cleared by it, an instruction less */
+    OPAQUE(sign); /* clearing by the sign saves an instruction */
     return (uint32_t)(at & ~sign);
 #else
     return not_negative(f) >> (30 - SHADES_BITS);
 #endif
 }
 
-/* The draw's shades: L.N alone. */
+/* Pixels from the draw's shades, by L.N alone. */
 SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *shades, uint16_t *depth,
                                    const uint16_t *last, const threshold_t *thresholds, const struct shaded_run *run,
                                    unsigned dither, unsigned swap)
@@ -188,7 +191,7 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
     const uint32_t dz = run->dz, ddf = run->ddf;
     uint32_t z = run->z, f = run->f, df = run->df;
 
-    OPAQUE(pixels); /* with the guard added */
+    OPAQUE(pixels); /* the guard is added once, here */
     do {
         depth++;
         if (nearer(t, depth, z))
@@ -202,7 +205,7 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
 }
 
 #if FAST_LOOPS
-/* In the machine's order: one for plain and dithered pixels. */
+/* In the machine's byte order one loop serves plain and dithered pixels. */
 static APART void unswapped_power_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
                                       const threshold_t *thresholds, const struct shaded_run *run)
 {
@@ -216,7 +219,7 @@ static COLD void general_run(const struct tile *t, const struct draw *d, uint32_
     general_loop(t, d, at, x, x1, y, run, (enum second)second, 0, 0);
 }
 
-/* 1 where there is a loop of its own: without highlight, and with one. */
+/* 1 if pixels come from the draw's shades: it has some, and there is no highlight. */
 static int shades_will_do(const struct draw *d, enum second second)
 {
     return second == SECOND_NONE && d->shades != NULL;
@@ -230,7 +233,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
     uint16_t *before = t->depth + at - 1, *last = before + (x1 - x);
 
     if (second == SECOND_NONE)
-        run->u = run->du = run->ddu = 0; /* a specular intensity of none */
+        run->u = run->du = run->ddu = 0; /* no specular intensity */
     if (shades_will_do(d, second))
         FAST_LOOPS && !t->dither
             ? cosine_shades_run(t, d->shades, before, last, thresholds, run, 0, 0)
@@ -249,7 +252,7 @@ void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int
 }
 
 #if FAST_LOOPS
-/* What is stepped a row, at column 0: the depth before it, z and the quadrics; and what runs are of. */
+/* What is stepped per row, at column 0: the depth before it, z and the quadrics; and what runs need besides. */
 struct row_walk {
     uint16_t *line;
     uint32_t z, dx, dy;
@@ -275,7 +278,7 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
     do {
         const int32_t x = span->x0, x1 = span->x1;
         struct row_walk *at = &walk;
-        OPAQUE(at); /* it stays in memory: the pixels' loop takes all registers */
+        OPAQUE(at); /* it stays in memory, because the pixel loop needs all registers */
         if (x < x1) {
             const threshold_t *thresholds = dither ? t->dither_rows[y & 7] : NULL;
             uint16_t *line = at->line;
@@ -334,7 +337,7 @@ static void dithered_specular_rows(const struct tile *t, const struct setup *s)
 }
 #endif
 
-/* Loops of their own are in the order of a panel's bus. */
+/* Specialised loops are for the byte order of a panel's bus only. */
 void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second)
 {
     struct quadric_setup *q = (struct quadric_setup *)s;

@@ -1,5 +1,5 @@
 /*
- * quadric_rows.h - private: a pixel of quadric_rows.c, and its general loop for light without a ramp and by one.
+ * quadric_rows.h - private: a pixel of quadric_rows.c, and its general loop for light with and without a ramp.
  */
 #ifndef SHEEN_QUADRIC_ROWS_H
 #define SHEEN_QUADRIC_ROWS_H
@@ -8,7 +8,7 @@
 #include "normal.h"
 #include "quadric.h"
 
-/* Intensities at a pixel. */
+/* The intensities at a pixel from its quadrics' values. */
 SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u, enum second second)
 {
     struct lit lit = {(uint32_t)max32(min32(asr32((int32_t)f, 15), 65535), 0), 0};
@@ -21,7 +21,7 @@ SPECIALISED struct lit lit_of(const struct loop_terms *q, uint32_t f, uint32_t u
     return lit;
 }
 
-/* Any format, clamp and dither. */
+/* The loop for any format, with clamp and dither. */
 SPLIT void general_loop(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                         struct shaded_run *run, enum second second, int by_ramp, int is_fogged)
 {

@@ -1,6 +1,6 @@
 /*
  * quotient.h - private: channels that are linear in space (lecture, "Fixing Distortion"): Blinn's I/m over 1/m, a
- * reciprocal a pixel.
+ * reciprocal per pixel.
  */
 #ifndef SHEEN_QUOTIENT_H
 #define SHEEN_QUOTIENT_H
@@ -10,19 +10,19 @@
 
 struct quotient_setup {
     struct setup s;
-    struct plane channel[3]; /* with the draw's fraction, times weight */
+    struct plane channel[3]; /* times weight, with the draw's fraction bits */
     struct plane weight;     /* UQ0.32 */
 };
 
-/* channel: by component and corner; the corners are weighed. Channels and 1 times weight. */
+/* Planes of weight and channels times weight. channel: by component and corner; the corners MUST be weighed. */
 void sheen_setup_quotient(struct setup *s, const struct surface_corners *c, const struct gradients *g,
                           uint32_t channel[3][3]);
-/* channels.c: the same linear on the screen, or as one colour where that is good enough; g NULL: the corners' mean. */
+/* channels.c: the same, or linear on the screen or one colour if that is accurate enough; g NULL: the corners' mean. */
 void sheen_setup_channels(struct setup *s, struct surface_corners *c, const struct gradients *g,
                           uint32_t channel[3][3]);
 void sheen_quotient_rows(const struct tile *t, const struct setup *s);
 
-/* The weight brought up to [1/2, 1) by a power of two: once at the most where the ratio over the triangle is <= 2. */
+/* Scales a weight up to [1/2, 1) and returns by how many bits: at most 1 if the ratio over the triangle is <= 2. */
 SPECIALISED unsigned weight_up(uint32_t *weight)
 {
     uint32_t w = *weight | 1u;
@@ -37,8 +37,8 @@ SPECIALISED unsigned weight_up(uint32_t *weight)
 }
 
 /*
- * A channel times weight, over the weight: 16 top bits times UQ1.15 of 1/weight.
- * Range: the quotient is below 2^31 at the corners; rounding adds less than 2^17.
+ * A channel from its product with weight: that product's top 16 bits times 1/weight, UQ1.15. Range: the quotient is
+ * below 2^31 at the corners; rounding adds less than 2^17.
  */
 SPECIALISED uint32_t quotient(uint32_t channel, unsigned up, uint32_t one_over)
 {

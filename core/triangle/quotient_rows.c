@@ -1,5 +1,5 @@
 /*
- * quotient_rows.c - channels that are linear in space, without fog.
+ * quotient_rows.c - rows of channels that are linear in space, without fog.
  */
 #include "quotient.h"
 

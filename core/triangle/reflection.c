@@ -1,11 +1,12 @@
 /*
  * reflection.c - Phong where normals nearly agree: L.N and 1 - R.V quadratic over the triangle.
  *
- * What an edge's middle lies above the mean of its ends needs no root: with h = (1 - N1.N2) / 2 = |N1 - N2|^2 / 4 and
- * d = (w1 - w2) / (w1 + w2), four times it is, of what is linear in space and of unit normals,
+ * The excess on an edge, 4 (middle - mean of the ends), needs no root. Let N be linear in space and brought to unit
+ * length; l = L.N, v = N.V and u = 1 - R.V at the ends 1 and 2, t the angle between N1 and N2, h = (1 - N1.N2) / 2 =
+ * |N1 - N2|^2 / 4 and, with weights w, d = (w1 - w2) / (w1 + w2). Then the excess is
  *   of L.N:      2 (1 / cos(t/2) - 1) (l1 + l2) + 2 d (l1 - l2),   2 / cos(t/2) - 2 = h + 3/4 h^2 + ...
  *   of 1 - R.V:  2 (l1 - l2) (v1 - v2) - 2 (h + h^2) (l1 + l2) (v1 + v2) + 2 d (u1 - u2)
- * in 32 bits, its factors 15 to 18 bits.
+ * in 32 bits, by factors of 15 to 18 bits.
  */
 #include "../math/bend.h"
 #include "excess.h"
@@ -14,9 +15,10 @@
 SETUP_FITS(struct quadric_setup);
 
 /*
- * What a quadric is off by grows with the cube of the angle, and shows by as many levels as light spans. Without a
- * highlight |Ni - Nj|^2, UQ.9: its cube >> 7 times the square of the levels, of 26 degrees and 125, the most that
- * count; at most 34 degrees, what series of h are good for. Range: 2^16 * 125^2.
+ * A quadric's error grows with the cube of the angle between normals, and shows in proportion to the levels that light
+ * spans. So without a highlight |Ni - Nj|^2, UQ.9, is limited: its cube >> 7, times the square of the levels, to what
+ * 26 degrees and 125 levels give, the most levels that count; and itself to 34 degrees, up to which the series in h are
+ * accurate enough. Range: 2^16 * 125^2.
  */
 #define MOST_DIFFUSE 135828125u
 #define WIDEST_DIFFUSE 175
@@ -48,7 +50,7 @@ void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t 
     kept[1] = (uint16_t)cosine_of(normal, d->light.view);
 }
 
-/* |a - b|^2, UQ2.30; of unit vectors, each part rounded, it stays below 2^32: 4,294,929,004 at the most. */
+/* |a - b|^2, UQ2.30; for unit vectors with rounded components it stays below 2^32: at most 4,294,929,004. */
 static uint32_t square_apart(const int16_t *a, const int16_t *b)
 {
     uint32_t x = (uint32_t)(a[0] - b[0]), y = (uint32_t)(a[1] - b[1]), z = (uint32_t)(a[2] - b[2]);
@@ -91,9 +93,10 @@ void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back
 }
 
 /*
- * Beyond its triangle a quadric is off by up to 11 times as much as within, at corner 3 of a square, and that grows
- * with the cube of the angle: so it counts as sqrt(5) times what it is (sheen_face). The diagonal from corner 0 is
- * twice as long at most, so with a highlight at one corner u stays below MOST_ARGUMENT at all.
+ * Outside its triangle a quadric is off by up to 11 times as much as inside, at corner 3 of a square. As the error
+ * grows with the cube of the angle, an angle in a quad counts as sqrt(5) times what it is (sheen_face). The diagonal
+ * from corner 0 is at most twice as long as the longest edge, so if one corner has a highlight, u stays below
+ * MOST_ARGUMENT everywhere.
  */
 COLD uint8_t sheen_most_bend(const struct draw *d, uint32_t most)
 {
@@ -110,8 +113,8 @@ COLD uint8_t sheen_most_bend(const struct draw *d, uint32_t most)
 }
 
 /*
- * REFLECTION_LEAN is 2^18 / 8, so what sheen_leans makes of three corners stays below it; their mean comes out a step
- * below the least at most.
+ * REFLECTION_LEAN is 2^18 / 8, so with weights that differ by at most 1/9 of the least one, what sheen_leans makes of
+ * three corners stays below it. Their mean, as it computes it, is at most a step below the least weight.
  */
 int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
 {
@@ -146,7 +149,7 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
     struct quadric_steps steps;
     struct excesses e;
 
-    /* over the triangle L.N is a mean of the corners' but for a positive factor */
+    /* all dark: in the triangle L.N is a mean of the corners' times a positive factor */
     if (most3(f->ln) <= 0 && (f->kept == NULL || (int16_t)f->kept[0] <= 0) && !s->draw->by_ramp) {
         const struct lit dark = {0, 0};
         sheen_setup_constant(s, &dark);

@@ -1,11 +1,12 @@
 /*
- * setup.c - three vertices to edges, gradients and depth.
+ * setup.c - set-up of a triangle: from its vertices to edges, gradients and depth.
  */
 #include "triangle.h"
 
 /*
- * Weights of Blinn's way, proportional to 1/m, brought up to [1/2, 1) by a power of two, a quad's to a quarter of that:
- * by the plane of corners 0 to 2 corner 3, S and T at most 2, may have four times as much.
+ * The corners' weights for Blinn's way, proportional to 1/m and scaled by a power of two so that the largest is in
+ * [1/2, 1). A quad's are a quarter of that, because the plane through corners 0 to 2 may give corner 3, with S and T at
+ * most 2, up to four times as much.
  */
 void sheen_weigh(struct surface_corners *c)
 {
@@ -16,16 +17,16 @@ void sheen_weigh(struct surface_corners *c)
     UNROLLED
     for (int k = 0; k < 3; k++) {
         const uint32_t weight = ((uint32_t)c->at.v[k]->z << screen->weight_shift) + (uint32_t)screen->weight_offset;
-        c->weight[k] = weight | (0u - screen->flat_weight); /* all ones where they are equal */
+        c->weight[k] = weight | (0u - screen->flat_weight); /* all ones if all weights are equal */
         all |= c->weight[k];
     }
-    for (int k = 0; k < 3; k++) /* all 0: far is too far for near, no weight is left to tell */
+    for (int k = 0; k < 3; k++) /* `all` is 0 if far / near is so large that no bits of weight are left */
         c->weight[k] = c->weight[k] << clz32(all | 1u) >> (c->at.v[3] != NULL ? 2 : 0);
     if (c->weight[0] == c->weight[1] && c->weight[0] == c->weight[2])
         c->flat_weight = 1;
 }
 
-/* The corners that follow corner 0, in the other order. */
+/* Swaps the two corners that follow corner 0. */
 static void turn_over(struct corners *c, struct gradients *g)
 {
     const struct vertex *v = c->v[1];
@@ -42,7 +43,10 @@ static void turn_over(struct corners *c, struct gradients *g)
     }
 }
 
-/* Differences to corner 0 and twice the area, 1/4096 px^2; corners come to run clockwise. */
+/*
+ * Fills in the differences to corner 0 and twice the area, 1/4096 px^2; turns back faces over so that all corners run
+ * clockwise.
+ */
 static void orient(struct surface_corners *c, struct gradients *g)
 {
     const struct vertex *const *v = c->at.v;
@@ -71,8 +75,9 @@ static void orient(struct surface_corners *c, struct gradients *g)
 }
 
 /*
- * Depths' differences, times 2^stretch, whose planes of 15 bits are off by up to a step of z16 and more. What such
- * a plane lacks at corners 1 and 2, below 2^7 steps, makes a second one; Q.22 of a step, modulo 2^32, then Q.8.
+ * If depth differences times 2^stretch exceed this, a plane with 15-bit steps may be off by a step of z16 or more. Then
+ * what that plane lacks at corners 1 and 2, less than 2^7 steps, is added as a second plane. The lack is computed as
+ * Q.22 of a step, modulo 2^32, and cut to Q.8.
  */
 #define STEEPEST_DEPTH 32768
 
@@ -114,7 +119,7 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
                               struct surface_corners *c, struct gradients *g, struct setup *s)
 {
     const struct vertex *const fourth = c->at.v[3];
-    struct screen_corner ring[4], *const at = &ring[1]; /* corner 3 of a quad, then 2, 0, 1 */
+    struct screen_corner ring[4], *const at = &ring[1]; /* corner 3 (of quads), then 2, 0, 1 */
 
     orient(c, g);
     c->screen = screen;

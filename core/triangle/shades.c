@@ -1,6 +1,7 @@
 /*
- * shades.c - what loops find ready: colours' terms in their order, and shades, which are, outside the highlight,
- * finished pixels over the diffuse intensity, or channels that are to be dithered.
+ * shades.c - what is prepared for the pixel loops: colour terms in the order in which loops load them; and shades,
+ * which are a table over the diffuse intensity, outside the highlight, of finished pixels or of channels still to be
+ * dithered.
  */
 #include <string.h>
 
@@ -15,15 +16,15 @@ static int is_of(const struct shades *shades, const struct colour_terms *t, unsi
     return same;
 }
 
-/* Levels at an intensity, UQ1.15. */
+/* A channel, in levels, at a diffuse intensity, UQ1.15. */
 static uint32_t shade_of(const struct colour_terms *t, int k, uint32_t diffuse)
 {
     return clamped(t->a[k] + t->b[k] * (diffuse < 32768 ? diffuse : 32768), t->top[k]);
 }
 
 /*
- * A channel with `bits` fraction bits where a segment begins and half a step on, as what an intensity has more than its
- * step is cut; and its step.
+ * *at: a channel with `bits` fraction bits, half a step after the segment begins, because intensities are cut to whole
+ * steps; *step: what each step adds.
  */
 static void segment_of(const struct colour_terms *t, int k, uint32_t diffuse, unsigned bits, uint32_t *at,
                        uint32_t *step)
@@ -62,7 +63,7 @@ static COLD void make_pixels(struct shades *shades, const struct colour_terms *t
     }
 }
 
-/* 1 where there can be: what is dithered is linear from end to end. */
+/* 1 if these colours can have shades: dithered ones need channels that are linear from end to end, not clamped. */
 static int fit(const struct colour_terms *t, unsigned dither)
 {
     const uint32_t little = 1u << (t->fraction - 8);
@@ -105,19 +106,19 @@ COLD void sheen_loop_begin(struct draw *d, const struct sheen_material *material
     }
     q->power_end = power->limit > 0 ? (power->limit << power->up) + POWER_GUARD : 0;
     q->power = power->table;
-    q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->by_ramp; /* its loops know no ramp */
+    q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->by_ramp; /* these loops read no ramp */
 }
 
 COLD const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken)
 {
     const struct colour_terms *terms = &d->colour;
 
-    /* where a ramp makes areas of one colour, 1024 shades are not enough */
+    /* where a ramp makes areas of one colour, 1024 shades are too coarse */
     if (!d->is_565 || d->light.ramp != NULL || !fit(terms, d->dither))
         return NULL;
     for (unsigned i = 0; i < count; i++) {
         struct shades *s = &store[i];
-        const int found = is_of(s, terms, d->dither); /* the first that is free often is, from the last frame */
+        const int found = is_of(s, terms, d->dither); /* the first free one often matches, left from the last frame */
         if (i < *taken && !found)
             continue;
         if (!found)

@@ -1,6 +1,6 @@
 /*
- * shares.c - set-up of the shares that a triangle's corners have, what its pieces carry of them, and what the corners
- * have by them.
+ * shares.c - shares of a triangle's corners: their set-up, what pieces carry of them, and the normals and colours at
+ * the corners that rows weight by them.
  */
 #include "shares.h"
 #include "morph.h"
@@ -16,11 +16,11 @@ void sheen_carry_shares(const struct draw *d, uint16_t triangle, int back, int16
     for (int k = 0; k < 3; k++) {
         out[k][0] = k == 1 ? WHOLE_SHARE : 0;
         out[k][1] = k == 2 ? WHOLE_SHARE : 0;
-        out[k][2] = (int16_t)triangle; /* so at any corner of a piece, as the shares of these sum to 1.0 within 2^-26 */
+        out[k][2] = (int16_t)triangle; /* the same at any corner of a piece, where shares sum to 1.0 within 2^-26 */
     }
 }
 
-/* |value| < 2^30 */
+/* The plane of values at the corners, |value| < 2^30; g NULL: their mean. */
 static APART struct plane share_plane(const struct gradients *g, const int32_t value[3])
 {
     if (g != NULL)
@@ -41,7 +41,7 @@ void sheen_setup_shares(struct shares_setup *s, struct surface_corners *c, const
     const int32_t weight[3] = {(int32_t)(c->weight[0] >> 2), (int32_t)(c->weight[1] >> 2),
                                (int32_t)(c->weight[2] >> 2)};
     s->shares.weight = share_plane(g, weight);
-    for (int k = 1; k < 3; k++) { /* of the mesh: back faces have their corners in its order, the others turned over */
+    for (int k = 1; k < 3; k++) { /* k: in the mesh's order, which back faces have; others are turned over */
         int32_t part[3] = {0, 0, 0};
         const int at = c->back ? k : 3 - k;
         part[at] = weight[at];
@@ -49,13 +49,16 @@ void sheen_setup_shares(struct shares_setup *s, struct surface_corners *c, const
     }
 }
 
-/* At the corners of a piece. Range: shares sum to 1.0, so |difference| * share < 2^31 in all, within rounding. */
+/*
+ * Turns numbers at the mesh triangle's corners into those at a piece's. Range: shares sum to 1.0, so the sum of
+ * |difference| * share is below 2^31, within rounding.
+ */
 static APART void of_piece(const int16_t (*piece)[3], int16_t number[3][3])
 {
     for (int i = 0; i < 3; i++) {
         const int32_t first = number[0][i], d1 = number[1][i] - first, d2 = number[2][i] - first;
         for (int k = 0; k < 3; k++) {
-            const int32_t more = d1 * piece[k][0] + d2 * piece[k][1]; /* over 32767 */
+            const int32_t more = d1 * piece[k][0] + d2 * piece[k][1]; /* in units of 1/32767 */
             number[k][i] = (int16_t)(first + asr32(asr32(more, 14) + asr32(more, 29) + 1, 1));
         }
     }

@@ -1,6 +1,7 @@
 /*
- * thumb_runs.h - private: loops of long runs for Cortex-M, four pixels a turn. Compilers keep neither the steps in the
- * upper registers nor four pixels apart. What they do in C is packed_run, and shades_pixel a pixel.
+ * thumb_runs.h - private: loops over long runs for Cortex-M, four pixels per turn, in assembly: compilers neither keep
+ * the steps in the upper registers nor finish one of four pixels before the next. They do the same as packed_run and,
+ * per pixel, shades_pixel do in C.
  */
 #ifndef SHEEN_THUMB_RUNS_H
 #define SHEEN_THUMB_RUNS_H
@@ -10,7 +11,7 @@
 
 #if THUMB_LOOPS
 
-/* What a run is of, in the order in which it is loaded; count: at least 1. */
+/* A run's values in the order in which the assembly loads them; count: at least 1. */
 struct thumb_packed {
     struct packed_at step;
     uint16_t *depth;
@@ -28,7 +29,10 @@ struct thumb_shades {
     const uint16_t *shades;
 };
 
-/* Of n pixels it starts with the one of four that is -n & 3; n: the register of -n, whose low bits become N and C. */
+/*
+ * Loops over n pixels and enters the first turn at pixel -n & 3 of its four. n: the register that holds -n; its two
+ * lowest bits are shifted into the flags C and N, by which the entry is chosen.
+ */
 #define THUMB_FOURS(PIXEL, n, next)                                                                                    \
     "lsls " n ", " n ", #31\n bcs 5f\n bmi 2f\n"                                                                       \
     "1:\n" PIXEL("0") "2:\n" PIXEL("2") "3:\n" PIXEL("4") "4:\n" PIXEL("6") next "bne 1b\n b 6f\n"                     \
@@ -37,7 +41,7 @@ struct thumb_shades {
 
 #ifdef __thumb2__
 
-/* Free: r0, r12. r4: depth, r6: from behind it to the pixel, r8: z. */
+/* Scratch: r0, r12. r4: address of the depth; r6: offset to the pixel from r4, once that has moved on; r8: z. */
 #define THUMB_DEPTH "ldrh r0, [r4], #2\n cmp r0, r8, lsr #16\n bhs 9f\n lsr r0, r8, #16\n strh r0, [r4, #-2]\n"
 #define THUMB_RUN(PIXEL) "negs r0, r5\n add r5, r4, r5, lsl #1\n subs r6, #2\n" THUMB_FOURS(PIXEL, "r0", "cmp r4, r5\n")
 
@@ -53,7 +57,7 @@ struct thumb_shades {
 
 #else
 
-/* Free: r0, r2. r1: depth, r3: pixel, both of the first of four, r4: z. */
+/* Scratch: r0, r2. r1, r3: addresses of the depth and the pixel of the first of four; r4: z. */
 #define THUMB_DEPTH(k) "ldrh r0, [r1, #" k "]\n lsrs r2, r4, #16\n cmp r2, r0\n bls 9f\n strh r2, [r1, #" k "]\n"
 #define THUMB_RUN(PIXEL)                                                                                               \
     "lsls r0, r2, #1\n add r0, r1\n mov r12, r0\n negs r2, r2\n lsls r0, r2, #30\n lsrs r0, r0, #29\n subs r1, r0\n"   \
@@ -75,7 +79,7 @@ struct thumb_shades {
 
 #endif
 
-/* r7 and r9 may be the compiler's own. */
+/* r7 and r9 are left alone: the compiler may need them for its own purposes. */
 #define THUMB_LOOP(run, LOAD, PIXEL)                                                                                   \
     register const void *at __asm__("r0") = (run);                                                                     \
     __asm__ volatile(".syntax unified\n" LOAD THUMB_RUN(PIXEL)                                                         \

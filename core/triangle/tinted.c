@@ -11,7 +11,7 @@ void put_tinted(const struct tile *t, const struct draw *d, struct rounding roun
 }
 #endif
 
-/* Of a channel's step what a light of that weight, UQ1.15, and colour has. */
+/* The part of a channel's step that a light of that weight, UQ1.15, and colour has. */
 static uint16_t step_of(uint32_t step, uint32_t weight, uint8_t colour)
 {
     return (uint16_t)((step * by_colour(weight, colour) + HALF) >> 15);

@@ -1,5 +1,5 @@
 /*
- * tinted.h - private: pixels from their normals and colours, lit by lights that may have colours.
+ * tinted.h - private: pixels with normals and colours of their own, lit by lights that may have colours.
  */
 #ifndef SHEEN_TINTED_H
 #define SHEEN_TINTED_H
@@ -8,19 +8,19 @@
 #include "normal.h"
 #include "shares.h"
 
-/* What one of a draw's lights adds to channels, with the draw's fraction, a step of UQ1.15. */
+/* What a step of UQ1.15 of one of a draw's lights adds to the channels, with the draw's fraction bits. */
 struct tinted_beam {
     uint16_t base[3], gloss[3];
 };
 
 void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light);
 
-/* Channels with the draw's fraction. */
+/* Channels with the draw's fraction bits. */
 struct channels {
     uint32_t r, g, b;
 };
 
-/* Without diffuse light; sheen_tinted_quadrics_begin has added what a ramp's low gives. */
+/* Channels in ambient light alone, to which sheen_tinted_quadrics_begin has added what a ramp's low gives. */
 SPECIALISED struct channels ambient_channels(const struct draw *d)
 {
     return (struct channels){d->colour.a[0], d->colour.a[1], d->colour.a[2]};
@@ -39,7 +39,7 @@ SPECIALISED uint32_t times_colour(uint32_t channel, uint32_t colour)
     return ((channel + HALF) >> 15) * colour;
 }
 
-/* Of any target, in fog too; builds for size have it once. */
+/* Stores a pixel on any target, in fog too; in builds for size it is not inlined. */
 #if FAST_LOOPS
 SPECIALISED void put_tinted(const struct tile *t, const struct draw *d, struct rounding rounding, uint32_t at,
                             int32_t x, uint32_t z, struct channels c)
@@ -64,8 +64,8 @@ static inline void put_tinted_here(const struct tile *t, const struct draw *d, s
 }
 
 /*
- * Pixels along which normals, times any factor, and colours times weight are linear: at the first, and what the next
- * one has more, modulo 2^32.
+ * Pixels along which normals, times any factor, and colours, times weight, are linear: values at the first one and
+ * steps per pixel, modulo 2^32.
  */
 struct tinted_run {
     struct tinted_beam beam[SHEEN_MAX_LIGHTS];
@@ -77,23 +77,23 @@ struct tinted_run {
     uint32_t weight, dweight; /* UQ2.30 */
 };
 
-/* What does not change over a triangle: beams, corners' colours, steps of depth, weight and colours. */
+/* Fills in what does not change over a triangle: beams, corners' colours, steps of depth, weight and colours. */
 void sheen_tinted_begin(struct tinted_run *run, const struct setup *s, union shared_triangle of,
                         const struct shares *planes);
-/* From a pixel of the triangle on, but for normals; share: out, of its corners. */
+/* Fills in the values at a pixel of the triangle, except normals; share: set to the corners' shares there. */
 void sheen_tinted_row(struct tinted_run *run, const struct setup *s, int32_t x, int32_t y, int32_t share[3]);
-/* Columns x to before x1. */
+/* Draws columns x to x1 - 1. */
 void sheen_tinted_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                       const struct tinted_run *run);
 
-/* Of a struct shares_setup, and how one becomes so: normals are linear in space. */
+/* The rows of a struct shares_setup, and the set-up that takes them: normals are linear in space. */
 void sheen_tinted_rows(const struct tile *t, const struct setup *s);
 void sheen_setup_tinted(struct setup *s, struct surface_corners *c, const struct gradients *g);
 
 /*
- * tinted_quadrics.c: a `begin` for it, and where normals are no farther apart than `widest` (UQ2.30, |Ni - Nj|^2), by
- * quadrics; 0 where it can't be, *s is as it was. Not for pieces: vertices keep cosines (sheen_keep_cosines), and
- * c->at.normal are the mesh's.
+ * tinted_quadrics.c: the same by quadrics for normals no farther apart than `widest` (UQ2.30, |Ni - Nj|^2), and a
+ * shader's `begin` for both. The set-up returns 0 and leaves *s as it was if quadrics are not accurate enough. It is
+ * not for pieces: vertices MUST keep cosines (sheen_keep_cosines), and c->at.normal MUST be the mesh's.
  */
 void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_material *material,
                                  const struct pixel_format *format, const struct sheen_object *object,

@@ -1,16 +1,16 @@
 /*
- * tinted_quadrics.c - pixels that have a colour, lit by lights that may have colours, where a triangle's corner normals
- * nearly agree: of each light L.N and 1 - R.V are quadratic, and so are the channels of vertices' colours; no root, no
- * reciprocal a pixel.
+ * tinted_quadrics.c - pixels that have a colour each, lit by lights that may have colours, on triangles whose corner
+ * normals nearly agree: L.N and 1 - R.V of each light are quadratic, and so are the channels of the vertices' colours.
+ * There is no root and no reciprocal per pixel.
  *
- * A set-up has no room for as many quadrics. It keeps what they are made from, and rows make them, once a band.
+ * A set-up has no room for that many quadrics. It keeps what they are made from, and rows make them, once per band.
  */
 #include "excess.h"
 #include "tinted.h"
 
 #define MOST_QUADRICS 7 /* two lights that both have a highlight, over coloured vertices */
 
-/* Of struct gradients, what quadrics are made from. */
+/* What quadrics are made from, of struct gradients. */
 struct kept_gradients {
     int16_t b1[2], b2[2], centre[2], origin[2];
     uint8_t exponent; /* LOWEST_SCALE..24 */
@@ -21,9 +21,9 @@ struct tinted_quadrics_setup {
     struct setup s; /* detail: SHARES_BACK */
     union shared_triangle of;
     struct edge_terms edges;
-    int16_t ln[3], nv[3]; /* as in struct facing, of the first light */
+    int16_t ln[3], nv[3]; /* the first light's, as in struct facing */
     struct kept_gradients g;
-    uint8_t lit, shines; /* a bit a light: some of the triangle is lit; and may have a highlight */
+    uint8_t lit, shines; /* one bit per light: it lights some of the triangle; it may have a highlight there */
 };
 SETUP_FITS(struct tinted_quadrics_setup);
 
@@ -62,7 +62,7 @@ static inline unsigned bits_of(unsigned lights)
 
 /* ---- set-up ---- */
 
-/* What a ramp's low makes of lights of these colours is the same all over a draw: it goes into ambient light. */
+/* Adds to ambient light what a ramp's low gives by lights of these colours, because it is the same all over a draw. */
 static COLD void add_low(struct draw *d)
 {
     for (int k = 0; k < 3; k++) {
@@ -82,7 +82,7 @@ COLD void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_materia
     d->widest = sheen_widest_diffuse(&d->colour);
 }
 
-/* Which lights count; 0 where a highlight is too much for quadrics, or there are too many of them. */
+/* Finds the lights that need quadrics; returns 0 if a highlight is too much for quadrics, or too many are needed. */
 static int choose_lights(struct tinted_quadrics_setup *q, const struct surface_corners *c, const struct gradients *g,
                          struct facing *f, struct excesses *e)
 {
@@ -136,21 +136,21 @@ int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c
 
 /* ---- rows ---- */
 
-/* A pixel's value of a quadric, what the next one has more, and what that has more each time. */
+/* A quadric stepped along a row: its value at a pixel, and its first and second difference. */
 struct walk {
     uint32_t at, step, bend;
 };
 
-/* A triangle's, in the order in which a pixel reads them: L.N of lit lights, colours, 1 - R.V of those that shine. */
+/* A triangle's, in the order in which a pixel reads them: L.N of the lights, colours, 1 - R.V of those that shine. */
 struct tinted_quadrics {
-    struct tinted_beam beam[SHEEN_MAX_LIGHTS]; /* of those that are lit; */
-    uint8_t shine[SHEEN_MAX_LIGHTS];           /* of them */
+    struct tinted_beam beam[SHEEN_MAX_LIGHTS]; /* of the lights that reach the triangle */
+    uint8_t shine[SHEEN_MAX_LIGHTS];           /* which entries of beam shine: have a highlight */
     uint8_t lights, shines, colored, count;
     uint32_t power_end; /* as in struct loop_terms */
     struct quadric of[MOST_QUADRICS];
 };
 
-/* What lights there are, and so how many quadrics. */
+/* Fills in which lights there are, and so how many quadrics. */
 static void begin_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q)
 {
     const struct draw *d = q->s.draw;
@@ -168,7 +168,7 @@ static void begin_quadrics(struct tinted_quadrics *to, const struct tinted_quadr
     to->power_end = d->power.limit > 0 ? (d->power.limit << d->power.up) + POWER_GUARD : 0;
 }
 
-/* normal: as seen, in the order of the gradients' corners. */
+/* normal: for the side that is seen, in the gradients' order of corners. */
 static void make_lights(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q,
                         const struct quadric_steps *steps, const int16_t *const normal[3])
 {
@@ -209,17 +209,17 @@ static void make_colors(struct tinted_quadrics *to, const struct tinted_quadrics
     }
 }
 
-/* At column 0 of row y; normal: of the mesh's order. */
+/* Makes the quadrics, at column 0 of row y. normal: in the mesh's order of corners. */
 static APART void make_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q, int16_t normal[3][3],
                                 int32_t y)
 {
     const int back = (q->s.detail & SHARES_BACK) != 0;
-    const unsigned order[3] = {0, back ? 1 : 2, back ? 2 : 1}; /* the mesh's corners as gradients have them */
+    const unsigned order[3] = {0, back ? 1 : 2, back ? 2 : 1}; /* the mesh's corners in the gradients' order */
     struct gradients g;
     struct quadric_steps steps;
 
     gradients_of(&g, &q->g);
-    (void)sheen_quadric_steps(&steps, &g); /* they do, or else there were no such set-up */
+    (void)sheen_quadric_steps(&steps, &g); /* returns 1, because the set-up has made sure of that */
     make_lights(to, q, &steps, (const int16_t *const[3]){normal[order[0]], normal[order[1]], normal[order[2]]});
     if (to->colored)
         make_colors(to, q, &steps, order);
@@ -236,13 +236,13 @@ SPECIALISED uint32_t walk_on(struct walk *w)
     return at;
 }
 
-/* Q1.30 and half a step to UQ1.15: rounding may take it off 0. */
+/* From Q1.30 plus half a step to UQ1.15; clamped at 0, because rounding may go below it. */
 SPECIALISED uint32_t walk_colour(struct walk *w)
 {
     return not_negative(walk_on(w)) >> 15;
 }
 
-/* All of them go on to the next pixel. */
+/* The channels at a pixel; all quadrics are stepped to the next one. */
 SPECIALISED struct channels pixel_channels(const struct draw *d, const struct tinted_quadrics *q, struct walk *w)
 {
     struct channels c = ambient_channels(d);
@@ -289,7 +289,7 @@ static void quadric_pixels(const struct tile *t, const struct setup *s, const st
     }
 }
 
-/* Apart from where they are made, so that the stack holds what either takes. */
+/* APART from make_quadrics, so that the stack never holds the locals of both. */
 static APART void draw_quadrics(const struct tile *t, const struct setup *s, struct tinted_quadrics *q)
 {
     for (unsigned row = 0; row < t->rows; row++) {
@@ -307,7 +307,7 @@ void sheen_tinted_quadric_rows(const struct tile *t, const struct setup *s)
     struct tinted_quadrics q;
     int16_t normal[3][3];
 
-    if (own->lit > 1) /* of others than the first light */
+    if (own->lit > 1) /* lights other than the first need normals */
         sheen_shared_normals(s, own->of, normal);
     begin_quadrics(&q, own);
     make_quadrics(&q, own, normal, t->first_row);

@@ -1,6 +1,6 @@
 /*
- * tinted_rows.c - pixels that have a normal and a colour each: a root and a reciprocal, and each light is a dot product
- * and, in its highlight, six products.
+ * tinted_rows.c - pixels that have a normal and a colour each: a root and a reciprocal per pixel, and per light a dot
+ * product and, in its highlight, six products.
  */
 #include "normal_rows.h"
 #include "quotient.h"

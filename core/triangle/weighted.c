@@ -1,9 +1,10 @@
 /*
- * weighted.c - numbers at the corners times weight, linear on the screen: what is linear in space, times 1/m.
+ * weighted.c - planes of attributes times weight: what is linear in space is linear on the screen when multiplied by
+ * 1/m.
  */
 #include "normal.h"
 
-/* A corner with less than what planes are off by would show no normal at all. */
+/* The least weight of a corner: with less than the planes' error it would have no normal at all. */
 #define LEAST_WEIGHT 16
 
 void sheen_corner_weights(struct surface_corners *c, int32_t w[3])
