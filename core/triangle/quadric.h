@@ -69,7 +69,7 @@ void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, uint32
 /* Moves the pixel that a quadric counts from by so many columns and rows; `to` may be q. */
 void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row);
 
-/* Moves that pixel to the next row. */
+/* Moves the pixel that a quadric counts from to the next row. */
 SPECIALISED void quadric_down(struct quadric *q)
 {
     q->base += q->dy;

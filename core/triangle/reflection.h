@@ -39,7 +39,9 @@ uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3]);
  */
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean);
 
-/* For vertices that keep cosines, so not for pieces: facing the first light; ln of another one, which is at `to`. */
+/*
+ * For vertices that keep cosines, so not for pieces: fills in *f for the first light; f->ln for another one, at `to`.
+ */
 void sheen_face(struct facing *f, const struct surface_corners *c);
 void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back, const int32_t to[3]);
 

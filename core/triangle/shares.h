@@ -58,7 +58,7 @@ static inline void shares_at(const struct shares *p, int32_t x, int32_t y, int32
     share[0] = (int32_t)((plane_at(&p->weight, x, y) - (uint32_t)share[1]) - (uint32_t)share[2]);
 }
 
-/* Their steps per pixel of a row: right between two pixels of the triangle, as shares are 0 to 1.0 at both. */
+/* The shares' steps per pixel of a row: right within the triangle, because shares are 0 to 1.0 at both pixels. */
 static inline void shares_step(const struct shares *p, int32_t step[3])
 {
     step[1] = (int32_t)p->part[0].dx;
@@ -66,7 +66,7 @@ static inline void shares_step(const struct shares *p, int32_t step[3])
     step[0] = (int32_t)((p->weight.dx - (uint32_t)step[1]) - (uint32_t)step[2]);
 }
 
-/* The corners' numbers by their shares: numbers / 2^15 times weight, Q1.30; by the shares' steps, its steps. */
+/* Corners' numbers weighted by shares: numbers / 2^15 times weight, Q1.30; from shares' steps, its step per pixel. */
 static inline void sheen_shared(const int32_t share[3], int16_t number[3][3], uint32_t out[3])
 {
     for (int i = 0; i < 3; i++)

@@ -141,7 +141,7 @@ struct walk {
     uint32_t at, step, bend;
 };
 
-/* A triangle's, in the order in which a pixel reads them: L.N of the lights, colours, 1 - R.V of those that shine. */
+/* A triangle's quadrics as a pixel reads them: L.N of the lights, colours, 1 - R.V of the lights that shine. */
 struct tinted_quadrics {
     struct tinted_beam beam[SHEEN_MAX_LIGHTS]; /* of the lights that reach the triangle */
     uint8_t shine[SHEEN_MAX_LIGHTS];           /* which entries of beam shine: have a highlight */
