@@ -186,7 +186,7 @@ int sheen_lit_linearly(const struct draw *d, const struct quad *q);
 /* An entry's corners, clockwise as gradients need them, and what shading needs to know about them. */
 struct surface_corners {
     struct corners at;
-    uint32_t weight[3]; /* from sheen_weigh: UQ0.32, proportional to 1/m, largest in [1/2, 1); all equal if affine */
+    uint32_t weight[3]; /* from sheen_weigh: UQ0.32, proportional to 1/m; largest in [1/2, 1), a quad's in [1/8, 1/4) */
     const struct screen *screen;
     struct lit_facet *facet; /* the one that was lit last in the tile */
     uint8_t back;            /* a back face: normals are negated */
