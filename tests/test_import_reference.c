@@ -125,12 +125,13 @@ static void far_from_the_origin(void **state)
 /* The built-in meshes, whatever the compiler makes of a conversion there and back. */
 static void points_are_floats(void **state)
 {
-    static const char *const names[] = {"builtin:teapot", "builtin:sphere", "builtin:torus", "builtin:cube"};
+    static const char *const names[] = {"builtin:teapot", "builtin:teapot-fine", "builtin:sphere", "builtin:torus",
+                                        "builtin:cube"};
     struct sheen_polygons polygons;
     struct sheen_problem problem;
 
     (void)state;
-    for (size_t i = 0; i < 4; i++) {
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         assert_int_equal(sheen_polygons_load(&polygons, names[i], NULL, &problem), 0);
         for (size_t p = 0; p < polygons.point_count; p++) {
             for (int k = 0; k < 3; k++) {

@@ -11,7 +11,7 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
     *polygons = (struct sheen_polygons){0};
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED,
                          "%s: this sheen-panel was built without the libraries that read files; builtin:teapot, "
-                         "builtin:sphere, builtin:torus and builtin:cube it has",
+                         "teapot-fine, sphere, torus and cube it has",
                          path);
 }
 

@@ -161,7 +161,7 @@ unsigned options_orientation(const struct options *options)
 
 const char options_what[] = "Shows a turning mesh on a small panel that is wired to this board.";
 const char options_mesh[] =
-    "MESH is a file or builtin:teapot (the default), builtin:sphere, builtin:torus, builtin:cube.";
+    "MESH is a file or builtin:teapot (the default), builtin:teapot-fine, builtin:sphere, builtin:torus, builtin:cube.";
 const char options_look[] = "What the mesh looks like, as for `sheen render`.";
 
 static void help_line(const char *name, const char *value, const char *text, const char *standard)

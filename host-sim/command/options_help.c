@@ -16,7 +16,7 @@ const char sheen_version[] = SHEEN_VERSION;
 const char sheen_text_what[] = "Shaded 3D with integers only, as a small display would show it.";
 const char sheen_text_help[] = "sheen help COMMAND shows a command's options, sheen --version the version.";
 const char sheen_text_mesh[] =
-    "MESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:sphere, "
+    "MESH is a file (OBJ, STL, PLY, glTF, ...) or builtin:teapot, builtin:teapot-fine, builtin:sphere, "
     "builtin:torus, builtin:cube. Angles are in degrees, counter-clockwise; defaults are in brackets.";
 const char sheen_text_exit[] = "The exit status is 0, 1 after bad input or a failed write, 2 for a wrong command line; "
                                "one line on standard error says what is wrong.";

@@ -118,7 +118,11 @@ static int make_cube(struct sheen_polygons *polygons)
 static const struct {
     const char *name;
     int (*make)(struct sheen_polygons *polygons);
-} builtins[] = {{"teapot", sheen_builtin_teapot}, {"sphere", make_sphere}, {"torus", make_torus}, {"cube", make_cube}};
+} builtins[] = {{"teapot", sheen_builtin_teapot},
+                {"teapot-fine", sheen_builtin_fine_teapot},
+                {"sphere", make_sphere},
+                {"torus", make_torus},
+                {"cube", make_cube}};
 
 enum {
     BUILTINS = sizeof builtins / sizeof builtins[0]
@@ -138,9 +142,11 @@ int sheen_builtin_check(const char *name, struct sheen_problem *problem)
 {
     if (strncmp(name, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) != 0 || find(name) < BUILTINS)
         return SHEEN_OK;
-    return sheen_problem(problem, SHEEN_ERR_ARGUMENT,
-                         "%s: no such mesh; there are builtin:teapot, builtin:sphere, builtin:torus, builtin:cube",
-                         name);
+    return sheen_problem(
+        problem, SHEEN_ERR_ARGUMENT,
+        "%s: no such mesh; there are builtin:teapot, builtin:teapot-fine, builtin:sphere, builtin:torus, "
+        "builtin:cube",
+        name);
 }
 
 int sheen_builtin(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)

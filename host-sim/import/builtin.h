@@ -1,5 +1,5 @@
 /*
- * builtin.h - meshes that need no file: builtin:teapot, builtin:sphere, builtin:torus, builtin:cube.
+ * builtin.h - meshes that need no file: builtin:teapot, teapot-fine, sphere, torus, cube.
  */
 #ifndef SHEEN_BUILTIN_H
 #define SHEEN_BUILTIN_H
@@ -19,6 +19,9 @@ int sheen_builtin_check(const char *name, struct sheen_problem *problem);
 
 /* Newell's teapot: 32 bicubic patches of 4 x 4 quads, y up, the spout towards +x. */
 int sheen_builtin_teapot(struct sheen_polygons *polygons);
+
+/* The same with 10 x 10 quads per patch, for pictures whose outlines are to be smooth. */
+int sheen_builtin_fine_teapot(struct sheen_polygons *polygons);
 
 /*
  * A grid of (rows + 1) x (columns + 1) points, already in polygons->points from

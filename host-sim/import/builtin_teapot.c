@@ -13,9 +13,9 @@
 #include "host_vector.h"
 
 enum {
-    STEPS = 4,
-    POINTS = (STEPS + 1) * (STEPS + 1),
-    PATCHES = 32
+    PATCHES = 32,
+    STEPS = 4, /* quads along a patch's side */
+    FINE_STEPS = 10
 };
 
 /* Control point of a patch: row along the profile or tube, column across. */
@@ -96,12 +96,13 @@ static void bernstein(double t, double weights[4])
     weights[3] = t * t * t;
 }
 
-static void evaluate(const patch_t patch, unsigned row, unsigned column, double point[3])
+/* The point at (u, v) of a patch, both 0..1. */
+static void evaluate(const patch_t patch, double along, double across, double point[3])
 {
     double u[4], v[4];
 
-    bernstein((double)row / STEPS, u);
-    bernstein((double)column / STEPS, v);
+    bernstein(along, u);
+    bernstein(across, v);
     for (int k = 0; k < 3; k++) {
         double sum = 0;
         for (int i = 0; i < 4; i++) {
@@ -112,20 +113,21 @@ static void evaluate(const patch_t patch, unsigned row, unsigned column, double 
     }
 }
 
-static void add_patch(struct sheen_polygons *polygons, const patch_t patch, int reverse)
+static void add_patch(struct sheen_polygons *polygons, const patch_t patch, unsigned steps, int reverse)
 {
     size_t base = polygons->point_count;
 
-    for (unsigned i = 0; i < POINTS; i++)
-        evaluate(patch, i / (STEPS + 1), i % (STEPS + 1), polygons->points[base + i]);
-    polygons->point_count += POINTS;
-    sheen_builtin_grid(polygons, base, STEPS, STEPS, reverse);
+    for (unsigned row = 0; row <= steps; row++)
+        for (unsigned column = 0; column <= steps; column++)
+            evaluate(patch, (double)row / steps, (double)column / steps, polygons->points[polygons->point_count++]);
+    sheen_builtin_grid(polygons, base, steps, steps, reverse);
 }
 
-int sheen_builtin_teapot(struct sheen_polygons *polygons)
+/* Each patch as steps x steps quads. */
+static int make_teapot(struct sheen_polygons *polygons, unsigned steps)
 {
-    int error =
-        sheen_polygons_alloc(polygons, PATCHES * POINTS, PATCHES * STEPS * STEPS, PATCHES * STEPS * STEPS * 4, 1, 0);
+    const size_t points = (size_t)PATCHES * (steps + 1) * (steps + 1), quads = (size_t)PATCHES * steps * steps;
+    int error = sheen_polygons_alloc(polygons, points, quads, 4 * quads, 1, 0);
     if (error)
         return error;
     polygons->point_count = polygons->polygon_count = polygons->corner_count = 0;
@@ -134,14 +136,24 @@ int sheen_builtin_teapot(struct sheen_polygons *polygons)
     for (int p = 0; p < 6; p++) {
         for (unsigned quarter = 0; quarter < 4; quarter++) {
             turn_profile(profiles[p], quarter, patch);
-            add_patch(polygons, (const double(*)[4][3])patch, 0);
+            add_patch(polygons, (const double(*)[4][3])patch, steps, 0);
         }
     }
     for (int t = 0; t < 4; t++) {
         for (int side = -1; side <= 1; side += 2) {
             half_tube(tubes[t], side, patch);
-            add_patch(polygons, (const double(*)[4][3])patch, side > 0);
+            add_patch(polygons, (const double(*)[4][3])patch, steps, side > 0);
         }
     }
     return SHEEN_OK;
+}
+
+int sheen_builtin_teapot(struct sheen_polygons *polygons)
+{
+    return make_teapot(polygons, STEPS);
+}
+
+int sheen_builtin_fine_teapot(struct sheen_polygons *polygons)
+{
+    return make_teapot(polygons, FINE_STEPS);
 }
