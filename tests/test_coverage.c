@@ -1,8 +1,9 @@
 /*
- * test_coverage.c - the core's rows of pixels against exact edge functions.
+ * test_coverage.c - the rows of pixels that the core covers, against exact edge functions.
  *
- * Snapped corners go through the core's set-up and edge stepping; what comes out
- * must be the covered pixels, not one more or less.
+ * Corners snapped to 1/64 px go through the core's triangle set-up and edge stepping. The spans that result must hold
+ * exactly the pixels whose centres the fill rule covers, for random triangles, for all triangles on a lattice, and for
+ * fans and grids, in which every pixel must be drawn once.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -32,7 +33,7 @@ static void check_pixel(const struct cover_triangle *t, struct sheen_rect r, int
         fail_at(t, r, x, y, !drawn);
 }
 
-/* First and last columns that the triangle's edges reach on the scan line, with a pixel to spare on both sides. */
+/* The first and last columns that the triangle's edges reach on the scanline, with a pixel to spare on both sides. */
 static void reach_of_row(const struct cover_triangle *t, int y, int *low, int *high)
 {
     double centre = 64 * y + 32, least = 1e9, most = -1e9;
@@ -54,8 +55,8 @@ static void reach_of_row(const struct cover_triangle *t, int y, int *low, int *h
 }
 
 /*
- * A row of a triangle is one run of pixels, so both ends of a span and their neighbours decide it; an empty one
- * is looked at pixel by pixel.
+ * A row of a triangle is one run of pixels, so checking the two ends of a span and the pixels next to them decides the
+ * whole row. An empty row is checked pixel by pixel.
  */
 static void check_row(const struct cover_triangle *t, struct sheen_rect r, int y, struct span span)
 {
@@ -72,7 +73,7 @@ static void check_row(const struct cover_triangle *t, struct sheen_rect r, int y
         check_pixel(t, r, x, y, false);
 }
 
-/* Every row of the rectangle: those that the core gives, and those before and after. */
+/* Checks every row of the rectangle, also those above and below the rows that the core returns. */
 static long check_triangle(const struct cover_triangle *t, struct sheen_rect r)
 {
     struct span spans[480];
@@ -92,7 +93,7 @@ static long check_triangle(const struct cover_triangle *t, struct sheen_rect r)
     return pixels;
 }
 
-/* The same by every pixel, for small rectangles. */
+/* The same, checking every pixel; for small rectangles. */
 static void check_every_pixel(const struct cover_triangle *t, struct sheen_rect r)
 {
     struct span spans[480];
@@ -129,7 +130,7 @@ static struct cover_triangle random_triangle(uint32_t *seed, enum kind kind)
     int32_t size = kind == SMALL ? 64 * uniform(seed, 1, 40) : 64 * uniform(seed, 40, 500);
 
     for (int k = 0; k < 3; k++) {
-        if (kind == HUGE_OUT) { /* anywhere in the guard band, +-511 px of the centre, and on its limits (see below) */
+        if (kind == HUGE_OUT) {
             t.x[k] = 320 * 64 + uniform(seed, -36000, 36001);
             t.y[k] = 240 * 64 + uniform(seed, -36000, 36001);
         } else {
@@ -137,7 +138,7 @@ static struct cover_triangle random_triangle(uint32_t *seed, enum kind kind)
             t.y[k] = y + uniform(seed, -size, size + 1);
         }
     }
-    if (kind == SLIVER) { /* the third corner within 2 px of the side between the others, or of its extension */
+    if (kind == SLIVER) { /* the third corner is within 2 px of the line through the other two */
         double at = uniform(seed, -100, 200) / 100.0;
         t.x[2] = t.x[0] + (int32_t)(at * (t.x[1] - t.x[0])) + uniform(seed, -128, 129);
         t.y[2] = t.y[0] + (int32_t)(at * (t.y[1] - t.y[0])) + uniform(seed, -128, 129);
@@ -157,7 +158,7 @@ static struct cover_triangle random_triangle(uint32_t *seed, enum kind kind)
     return t;
 }
 
-/* The whole picture, or a band of it: then the edges start in mid-air. */
+/* Random triangles clipped to the whole picture or to a band of it; in a band, edges start between their ends. */
 static void random_triangles(void **state)
 {
     static const int share[KINDS] = {600000, 250000, 100000, 50000}; /* 10^6 */
@@ -240,7 +241,7 @@ static void assert_once(int width, int height, const char *what)
     }
 }
 
-/* Fans around a random point, their rim outside the picture: each pixel once. */
+/* Fans around a random point, with their rim outside the picture: each pixel must be drawn once. */
 static void fans(void **state)
 {
     static const int32_t rim[12][2] = {{-100, -100}, {20, -130}, {77, -90}, {170, -100}, {200, 13},  {180, 64},
@@ -251,7 +252,7 @@ static void fans(void **state)
     core_raster_begin(&raster, 64, 64);
     for (int i = 0; i < 20000; i++) {
         int32_t x = uniform(&seed, 0, 64 * 64), y = uniform(&seed, 0, 64 * 64);
-        if (i % 4 == 0) { /* on a pixel centre: the edges meet in it */
+        if (i % 4 == 0) { /* on a pixel centre, where the edges then meet */
             x = (x & ~63) + 32;
             y = (y & ~63) + 32;
         }

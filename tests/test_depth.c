@@ -1,10 +1,11 @@
 /*
- * test_depth.c - depths of pixels against exact planes, in steps of z16.
+ * test_depth.c - the depths of pixels against exact planes, in steps of z16 (16-bit depth).
  *
- * Every depth has to lie within its bound of the plane through the corners: z16 is cut off (1 step), and gradients of
- * 15 bits may add another, though the depths' difference over the triangle is up to all of z16 here; the thinnest
- * needles are level. Where two surfaces intersect at a shallow angle, pixels show the wrong one only where the planes
- * are less than both bounds apart.
+ * Each depth must lie within a bound of the plane through the triangle's corners. Truncation of z16 accounts for 1
+ * step, gradients of 15 bits for up to one more, although the depths of a triangle here differ by up to the whole range
+ * of z16. The thinnest needles have a much larger bound because the core gives them one constant depth. Where two
+ * surfaces intersect at a shallow angle, a pixel may show the wrong surface only if the planes are less than both
+ * bounds apart.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -23,12 +24,12 @@
 #define HEIGHT 240
 #define TRIANGLES 4000
 #define PAIRS 400
-#define BEHIND 3 /* steps of z16: of two surfaces, 1 1/2 each */
+#define BEHIND 3 /* steps of z16 for two surfaces, 1 1/2 each */
 
 static struct core_raster raster;
 static uint16_t depth[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
 
-/* Corners in 1/64 px from the picture's centre, z16 at each. */
+/* A triangle: its corners in 1/64 px from the picture's centre, and z16 at each corner. */
 struct slab {
     int32_t x[3], y[3], z[3];
 };
@@ -62,7 +63,7 @@ static void draw(const struct slab *s, uint16_t *to)
     core_raster_depths(&raster, to);
 }
 
-/* The largest distance of a drawn depth from the plane; steps. */
+/* The largest distance of a drawn depth from the plane, in steps. */
 static double worst_of(const struct slab *s)
 {
     double worst = 0;
@@ -78,7 +79,10 @@ static double worst_of(const struct slab *s)
     return worst;
 }
 
-/* Corners within `size` of a place within `reach` of the centre, 1/64 px; depths within `steep` of one. */
+/*
+ * The corners are within `size` of a place that is within `reach` of the centre (1/64 px), and their depths are within
+ * `steep` of one depth.
+ */
 static void random_slab(struct slab *s, uint32_t *state, double size, double reach, double steep)
 {
     double cx = stage_uniform(state, -reach, reach), cy = stage_uniform(state, -reach, reach);
@@ -91,7 +95,7 @@ static void random_slab(struct slab *s, uint32_t *state, double size, double rea
     }
 }
 
-/* Corner 2 comes to lie within `across` of the line between the others, 1/64 px. */
+/* Moves corner 2 to within `across` (1/64 px) of the line between the other two. */
 static void make_needle(struct slab *s, uint32_t *state, double across)
 {
     double t = stage_uniform(state, 0, 1);
@@ -112,7 +116,7 @@ static double fatness(const struct slab *s)
     return fabs(area_of(s)) / longest;
 }
 
-/* Worst of many triangles; across 0: none that is thinner than an eighth of its length. */
+/* The worst of many triangles. With `across` 0, triangles thinner than an eighth of their length are skipped. */
 static void check_slabs(const char *what, double size, double reach, double across, double bound)
 {
     uint32_t state = 1;
@@ -148,7 +152,10 @@ static void needles(void **unused)
     check_slabs("needles beyond the picture", 500 * 64, 200 * 64, 16, 2);
 }
 
-/* Another triangle whose corners lie within `angle` steps of the first one's plane; 0 where they are no depths. */
+/*
+ * Another triangle whose corners lie within `angle` steps of the first one's plane. False if a depth is out of range or
+ * the triangle is too thin.
+ */
 static bool tilted(const struct slab *a, struct slab *b, uint32_t *state, double angle)
 {
     random_slab(b, state, 110 * 64, 10 * 64, 1);
@@ -161,7 +168,10 @@ static bool tilted(const struct slab *a, struct slab *b, uint32_t *state, double
     return fatness(b) > 0.125;
 }
 
-/* Pixels of both where the one that lies behind is shown: how many of how many, and how far it lies behind at most. */
+/*
+ * Counts the pixels that both triangles cover and those of them that show the surface behind. Returns how far behind
+ * that surface lies at most.
+ */
 static double wrong_side(uint32_t *state, double angle, long *wrong, long *pixels)
 {
     struct slab a, b;

@@ -1,6 +1,6 @@
 /*
- * test_dither.c - the one rounding: every pixel is exactly what the formula (core/pixel/pixel.h)
- * makes of the core's own unrounded colour, with dither and without.
+ * test_dither.c - the one rounding: with dither and without it, every pixel is exactly what the formula in
+ * core/pixel/pixel.h makes of the core's own unrounded colour.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -21,7 +21,7 @@
 struct format {
     enum sheen_pixel pixel;
     int levels;    /* 0: 565 */
-    double top[3]; /* levels that 1.0 of red, green, blue makes */
+    double top[3]; /* the level that 1.0 of red, green or blue stands for */
 };
 static const struct format formats[] = {
     {SHEEN_GREY2, 2, {0.2126, 0.7152, 0.0722}},
@@ -34,7 +34,7 @@ enum {
     FORMATS = sizeof formats / sizeof *formats
 };
 
-/* floor(level + threshold), at most top; without dither the threshold is 1/2. */
+/* floor(level + threshold), limited to `top`; without dither the threshold is 1/2. */
 static unsigned round_level(double level, double top, bool dither, int x, int y)
 {
     double threshold = dither ? (ref_bayer8(x, y) + 0.5) / 64 : 0.5;
@@ -42,7 +42,7 @@ static unsigned round_level(double level, double top, bool dither, int x, int y)
     return (unsigned)fmin(floor(level + threshold), top);
 }
 
-/* The value that the formula gives for a tapped colour, `off` levels added to grey. */
+/* The value that the formula gives for a tapped colour, with `off` levels added to a grey. */
 static unsigned formula(const struct format *f, const double level[3], double off, bool dither, int x, int y)
 {
     double kept[3];
@@ -56,8 +56,8 @@ static unsigned formula(const struct format *f, const double level[3], double of
 }
 
 /*
- * Exactly the formula's, but for grey with a channel that was clamped: the core clamps to weights of 16 bits, each
- * within 2^-17 of the real one.
+ * The value must be exactly the formula's, except for a grey with a clamped channel: the core clamps to weights of 16
+ * bits, each within 2^-17 of the real weight.
  */
 static bool is_right(const struct format *f, const double level[3], bool dither, int x, int y, unsigned value)
 {
@@ -70,10 +70,11 @@ static bool is_right(const struct format *f, const double level[3], bool dither,
 }
 
 struct tally {
-    long drawn, background, over, otherwise; /* px; over: brighter than 1; otherwise: what another rule would give */
+    /* px; over: brighter than 1; otherwise: px that the transposed dither matrix would change */
+    long drawn, background, over, otherwise;
 };
 
-/* A pixel nothing was drawn on holds the background, any other the formula. */
+/* A pixel that nothing was drawn on must hold the background, any other pixel what the formula gives. */
 static void compare_pixel(struct tally *tally, const struct ref_scene *scene, const struct format *f, int x, int y,
                           unsigned value)
 {
@@ -108,7 +109,7 @@ static void compare(struct tally *tally, struct ref_scene *scene, const struct s
     memory_target_free(&target);
 }
 
-/* With one light and with four, linear on the screen and in space: number 0..3 of a view. */
+/* Scene 0..3 of a view: with one light or four, linear on the screen or in space. */
 static void set_scene(struct ref_scene *scene, const struct accuracy_mesh *mesh, int view, int number)
 {
     accuracy_view(scene, &mesh->reference, view);
@@ -140,7 +141,7 @@ static void shaded_pictures(void **state)
             mesh.name, k % 4, tally.drawn, tally.over, tally.otherwise);
         accuracy_mesh_free(&mesh);
         assert_true(tally.drawn > 100000 && tally.background > 100000);
-        assert_true(tally.otherwise > tally.drawn / 20); /* or the comparison tells nothing */
+        assert_true(tally.otherwise > tally.drawn / 20); /* otherwise the comparison would prove nothing */
     }
 }
 
@@ -154,8 +155,8 @@ static int steps_apart(unsigned a, unsigned b)
 }
 
 /*
- * Pixels of a plain picture that differ from the dithered one's colours rounded at 1/2, by one step each; *fast: px
- * without a tap.
+ * The number of pixels of a plain picture that differ from the dithered picture's colours rounded at 1/2; they may
+ * differ by one step. *fast: px that the plain picture drew without a tap.
  */
 static long compare_plain(struct ref_scene *scene, const struct sheen_mesh *mesh, const struct format *f, long *fast)
 {
@@ -184,8 +185,8 @@ static long compare_plain(struct ref_scene *scene, const struct sheen_mesh *mesh
 }
 
 /*
- * Without dither 565 has loops of its own, which hand nothing over: finished pixels over 1,024 intensities, which
- * puts a step of green 1/10 of a level aside at the most.
+ * Without dither, 565 has loops of its own that do not call the tap: they look up finished pixels for 1,024
+ * intensities, which moves a step of green by at most 1/10 of a level.
  */
 static void plain_pictures(void **state)
 {
@@ -203,7 +204,7 @@ static void plain_pictures(void **state)
         }
         print_message("  565 without dither, shading %d: %ld px by loops of their own, %ld differ\n", shading, fast,
                       other);
-        assert_true((shading == REF_SLERP || fast > 100000) && other <= fast / 50); /* slerp has the one loop */
+        assert_true((shading == REF_SLERP || fast > 100000) && other <= fast / 50); /* slerp has no loop of its own */
     }
 }
 

@@ -1,5 +1,7 @@
 /*
- * test_dither_means.c - dithered patches of one colour have the mean that they stand for.
+ * test_dither_means.c - a dithered patch of one colour has that colour as its mean.
+ *
+ * 256 colours per format and shading are compared block by block (8x8 px) with the wanted colour.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -18,7 +20,7 @@ struct format {
     const char *name;
     enum sheen_pixel pixel;
     int levels;   /* 0: 565 */
-    double limit; /* of a mean, 1/255 */
+    double limit; /* of a mean's deviation, in 1/255 */
 };
 static const struct format formats[] = {
     {"2 levels", SHEEN_GREY2, 2, 2},
@@ -30,14 +32,14 @@ enum {
     FORMATS = sizeof formats / sizeof *formats
 };
 
-/* A colour of the 256: red, green and blue run at different paces. */
+/* One of 256 colours; red, green and blue change at different rates. */
 static void patch_colour(double base[3], int number)
 {
     for (int k = 0; k < 3; k++)
         base[k] = number * (2 * k + 1) % 256 / 255.0;
 }
 
-/* Mean of every 8x8 block against what it stands for, in 1/255; the largest is returned. */
+/* The largest deviation of an 8x8 block's mean from the wanted colour, in 1/255. */
 static double worst_mean(const struct memory_target *target, const struct ref_scene *scene, const struct format *f)
 {
     double wanted[3], worst = 0;
@@ -78,7 +80,7 @@ static double worst_patch(const struct sheen_mesh *mesh, const struct ref_mesh *
         scene.levels = f->levels;
         scene.dither = true;
         scene.shading = shading;
-        scene.ambient = 1; /* whatever the normals */
+        scene.ambient = 1; /* the colour does not depend on normals */
         scene.light_count = 0;
         patch_colour(scene.base, number);
         assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, f->pixel), 0);

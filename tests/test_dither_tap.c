@@ -1,5 +1,5 @@
 /*
- * test_dither_tap.c - keeps what the core is about to round.
+ * test_dither_tap.c - stores the colours that the core is about to round.
  */
 #include <math.h>
 #include <string.h>
@@ -21,7 +21,7 @@ void tap_colour(const struct tile *tile, uint32_t at, uint32_t r, uint32_t g, ui
     if (x >= TAP_WIDTH || y >= TAP_HEIGHT)
         return;
     struct tapped *pixel = &tapped[y][x];
-    pixel->level[0] = ldexp(r, -(int)fraction); /* exact: 32 bits */
+    pixel->level[0] = ldexp(r, -(int)fraction); /* exact, because the values have 32 bits */
     pixel->level[1] = ldexp(g, -(int)fraction);
     pixel->level[2] = ldexp(b, -(int)fraction);
     pixel->seen++;

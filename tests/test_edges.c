@@ -1,11 +1,12 @@
 /*
- * test_edges.c - columns where edges cross rows, against exact integers.
+ * test_edges.c - the columns where edges cross rows, against exact integers.
  *
  *   test_edges        a sample
- *   test_edges all    every short edge: widths to 2048/64 px, heights below, every start between two rows
+ *   test_edges all    every short edge: widths up to 2048/64 px, heights below that, every start between two rows
  *
- * Built once for each form of edge.c (SHEEN_NO_DIVIDER). Where an edge starts between two columns is drawn by lot:
- * both forms add it exactly. Besides, long edges and such as begin above the tile or go on in the next, by lot.
+ * It is built once for each form of edge.c (with and without SHEEN_NO_DIVIDER). The fraction of the column at which an
+ * edge starts is random, because both forms add it exactly. Long random edges are tested too, and edges that begin
+ * above the tile or continue in the next tile.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -14,8 +15,8 @@
 #include "triangle/triangle.h"
 
 #define SHORT 2048     /* 1/64 px, as in edge.c */
-#define FARTHEST 32704 /* a vertex from the viewport's centre: the guard band's 511 px */
-#define WIDEST 40960   /* a target, 640 px: its viewport's centre lies within */
+#define FARTHEST 32704 /* 1/64 px from the viewport's centre to a vertex: the guard band's 511 px */
+#define WIDEST 40960   /* 1/64 px, a target 640 px wide, which contains its viewport's centre */
 #define MOST_ROWS 1024
 #define LONG_EDGES 300000
 
@@ -36,7 +37,7 @@ static int32_t first_row(int32_t y)
     return asr32(y + 31, 6);
 }
 
-/* Row `row` of the edge: `column` is the least integer at or above (x - 32 + width (64 row + 32 - y) / height) / 64. */
+/* Checks that `column` is the least integer >= (x - 32 + width (64 row + 32 - y) / height) / 64. */
 static void check(const struct screen_corner *upper, int32_t width, int32_t height, int32_t row, int32_t column)
 {
     int64_t above = (int64_t)(upper->x - 32) * height + (int64_t)width * (64 * row + 32 - upper->y);
@@ -50,7 +51,7 @@ static void check(const struct screen_corner *upper, int32_t width, int32_t heig
                upper->x, upper->y, width, height);
 }
 
-/* Below row `next` an edge that may be asked for again goes back to where it began in its tile. */
+/* From row `next`, steps an edge that may be needed again back to the row where it began in its tile. */
 static void walk_back(const struct screen_corner *upper, int32_t width, int32_t height, const struct edge *e,
                       int32_t first, int32_t next)
 {
@@ -63,8 +64,8 @@ static void walk_back(const struct screen_corner *upper, int32_t width, int32_t 
 }
 
 /*
- * An edge there and back, as the sides of a triangle without area, in tiles of `rows` rows, the first of which begins
- * at row `from`. rows 0: one tile, and the triangle has no other.
+ * Steps an edge down and back, as the sides of a triangle without area, in tiles of `rows` rows. The first tile begins
+ * at row `from`. rows 0: the whole triangle lies in one tile.
  */
 static void walk(int32_t x, int32_t y, int32_t width, int32_t height, int32_t from, int32_t rows)
 {
@@ -103,7 +104,7 @@ static void short_edges(int all)
     }
 }
 
-/* Any edge whose ends lie within the guard band; half of them near-level or near-upright; tiles by lot. */
+/* Random edges with both ends in the guard band, half of them nearly horizontal or nearly vertical, in random tiles. */
 static void any_edges(void)
 {
     for (int i = 0; i < LONG_EDGES; i++) {

@@ -1,10 +1,10 @@
 /*
- * test_flythrough.c - an eye that flies through the teapot, 500 frames, both with back faces and without.
+ * test_flythrough.c - an eye flies through the teapot for 500 frames, with back faces and without.
  *
- * Which pixels are covered is held against the same triangles in double precision, cut by the same planes and not
- * snapped. A pixel may be left out only where something within 1/8 px of its centre is not covered either: a gap
- * between two triangles that share an edge is no such place. A pixel may be drawn only within 1/8 px of a triangle.
- * A gap with another surface behind it shows in the colours.
+ * Coverage is compared with the same triangles in double precision, cut by the same planes but not snapped. A pixel may
+ * be missing only if some point within 1/8 px of its centre is uncovered in the reference too; a crack between two
+ * triangles that share an edge does not meet that condition. A pixel may be drawn only if a triangle is within 1/8 px.
+ * A crack with another surface behind it shows in the colours, which are compared as well.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -27,15 +27,16 @@
 #define TURN 6.28318530717958647692
 
 static struct loaded_mesh teapot;
-static struct ref_mesh exact; /* the core's own corners, so that the mesh's quantisation is no part of the error */
+static struct ref_mesh exact; /* the core's own corners, so that quantisation of the mesh adds no error */
 
-/* Pixels of all frames. */
+/* Sums over the pixels of all frames. */
 struct tally {
     long covered, differing, cracks, strays;
-    int full;           /* frames that the mesh fills: the eye is inside */
-    double farthest;    /* px, of a pixel that is drawn from a triangle that does not cover it */
-    long clipped;       /* triangles cut */
-    long compared, far; /* pixels whose colour is compared, and those of them more than a step off */
+    int full;        /* frames in which every pixel is covered, because the eye is inside */
+    double farthest; /* px, the largest distance of a drawn pixel from a triangle that does not cover it */
+    long clipped;    /* triangles cut */
+    /* compared: pixels whose colour is compared; far: those that are more than one step off */
+    long compared, far;
 };
 
 static double position(const struct sheen_mesh *mesh, uint32_t vertex, int k)
@@ -88,8 +89,8 @@ static int free_teapot(void **state)
 /* ---- the flight ---- */
 
 /*
- * The first 300 frames wind through body, spout and handle and look about. Then the eye flies along the axis of spout
- * and handle and down through the lid, straight: edges then lie in planes through the eye.
+ * In the first 300 frames the eye winds through body, spout and handle and looks around. After that it flies straight
+ * along the axis of spout and handle and down through the lid, so that edges lie in planes through the eye.
  */
 static void place(struct ref_scene *scene, int frame)
 {
@@ -122,7 +123,7 @@ static void scene_of(struct ref_scene *scene, int frame, bool two_sided)
     scene->fov = 70;
     scene->shading = (enum ref_shading)(frame % 4);
     scene->shininess = shininess[frame % 3];
-    scene->ambient = 0.3; /* no covered pixel is as black as the background */
+    scene->ambient = 0.3; /* so that no covered pixel is as black as the background */
     scene->two_sided = two_sided;
     memset(scene->background, 0, sizeof scene->background);
     place(scene, frame);
@@ -152,7 +153,7 @@ static bool covered(const struct ref_picture *picture, double x, double y)
     return false;
 }
 
-/* Nothing within REACH of the point is left open: looked at on 8 circles of 32 points. */
+/* True if nothing within REACH of the point is uncovered, sampled on 8 circles of 32 points. */
 static bool well_inside(const struct ref_picture *picture, double x, double y)
 {
     for (int i = 0; i < 8 * 32; i++) {
@@ -213,7 +214,7 @@ static void fly(struct tally *tally, const struct sheen_mesh *mesh, int frame, b
     assert_int_equal(ref_render(&picture, &scene), 0);
     draw(tally, values, mesh, &scene);
     compare_coverage(tally, values, &picture);
-    if (scene.shading != REF_FLAT) { /* its normals are those of polygons, the reference has the triangles' */
+    if (scene.shading != REF_FLAT) { /* not flat: the core uses the polygons' normals, the reference the triangles' */
         assert_int_equal(ref_compare(&score, &scene, &picture, values), 0);
         tally->compared += score.compared;
         tally->far += score.compared - score.within_one;
@@ -242,7 +243,7 @@ static void fly_all(bool two_sided)
     assert_true(tally.covered > FRAMES * WIDTH * HEIGHT / 10);
     assert_true(!two_sided || tally.full > FRAMES / 10);
     assert_true(tally.compared > tally.covered / 5);
-    assert_true(tally.far <= tally.compared / 50000); /* where surfaces cross, by less than depth's 16 bits tell */
+    assert_true(tally.far <= tally.compared / 50000); /* where surfaces cross, closer than 16 bits of depth can tell */
 }
 
 static void seen_from_both_sides(void **state)
@@ -257,7 +258,10 @@ static void seen_from_the_front(void **state)
     fly_all(false);
 }
 
-/* The test of the test: every 50th triangle missing leaves holes, a mesh moved by 1/256 unit reaches too far. */
+/*
+ * Proves that the comparison detects faults: leaving out every 50th triangle must leave holes, and a mesh moved by
+ * 1/256 unit must reach too far.
+ */
 static void faults_are_seen(void **state)
 {
     struct sheen_mesh mesh = teapot.quantised.mesh;

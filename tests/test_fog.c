@@ -1,8 +1,8 @@
 /*
- * test_fog.c - fog, and pixels that are left out, against their definition (core/sheen.h) in double precision, by
- * accuracy.h's limits.
+ * test_fog.c - fog, and pixels that stipple leaves out, against their definition (core/sheen.h) in double precision,
+ * within the limits of accuracy.h. At the end faults are put in, and each must be refused.
  *
- *   test_fog [PREFIX]     a line a shading and kind; PREFIX: pictures of what failed
+ *   test_fog [PREFIX]     one line per shading and kind; PREFIX: where to save pictures of what failed
  */
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 #include "accuracy_line.h"
 #include "textured_scene.h"
 
-/* The first four are enum ref_shading's. */
+/* The first four have the values of enum ref_shading. */
 enum shown {
     TEXTURED = REF_SLERP + 1,
     TEXTURED_FLAT,
@@ -22,7 +22,7 @@ enum shown {
     MATCAP_BILINEAR,
     FLAT_COLORED,
     GOURAUD_COLORED,
-    FLAT_POINTS, /* lights, coloured ones */
+    FLAT_POINTS, /* with coloured point lights */
     GOURAUD_POINTS,
     SHOWN
 };
@@ -53,7 +53,7 @@ static bool is_matcap(int shown)
     return shown >= MATCAP && shown <= MATCAP_BILINEAR;
 }
 
-/* One whose bias and pattern are another's. */
+/* Shadings that share the code for bias and pattern with another shading; they are tested with fewer kinds. */
 static bool is_variant(int shown)
 {
     return (shown > TEXTURED && shown < MATCAP) || shown > MATCAP_VERTEX;
@@ -64,9 +64,9 @@ static bool is_flat(int shown)
     return shown == REF_FLAT || shown == TEXTURED_FLAT || shown == FLAT_COLORED || shown == FLAT_POINTS;
 }
 
-/* Of a scene without perspective that fog might be measured by: what lies between its planes. */
+/* A fog, given relative to the scene's near and far planes. */
 struct range {
-    double from, to; /* of near to far, 0..1; below 0 and above 1: beyond the planes */
+    double from, to; /* as fractions of the way from near to far; below 0 or above 1: beyond the planes */
     double color[3];
 };
 
@@ -83,7 +83,10 @@ static void set_fog(struct ref_scene *scene, const struct range *range)
     memcpy(scene->fog_color, range->color, sizeof scene->fog_color);
 }
 
-/* Equal 95 %; within one step what the shading has to be, worst a step more; bilinear within what its texels allow. */
+/*
+ * 95 % of the pixels must be equal; the share within one step and the worst pixel are limited per shading, in fog the
+ * worst by one step more. Bilinear shadings are judged by what their texels allow.
+ */
 static bool kept(const struct ref_score *s, int shading, bool fog)
 {
     const struct accuracy_limit *limit = &accuracy_limits[shading >= TEXTURED ? REF_GOURAUD : shading];
@@ -144,7 +147,7 @@ static enum ref_shading shading_of(int shown)
                                 : REF_GOURAUD;
 }
 
-/* Vertices' colours, and point lights with colours. */
+/* Colours of vertices, and coloured point lights. */
 static void set_colors(struct ref_scene *scene, int shown, int i)
 {
     scene->colored = shown == FLAT_COLORED || shown == GOURAUD_COLORED || i % 2;
@@ -183,16 +186,16 @@ static int view_of(struct ref_scene *scene, struct accuracy_mesh *mesh, int show
 
 enum kind {
     FOG,
-    BIASED, /* in depth, which moves it in the fog */
+    BIASED, /* by depth bias, which moves pixels in the fog too */
     LEFT_OUT,
     BOTH,
-    HELD, /* biased beyond the planes, where corners are held */
+    HELD, /* with a bias that would move corners beyond a plane, where they are clamped */
     KINDS
 };
 
 static const char *const kind_name[KINDS] = {"fog", "biased", "left out", "both", "held"};
 
-/* Texels with a key, or one of the core's spheres. */
+/* A picture with transparent texels, or one of the core's matcap spheres. */
 static struct ref_texture texture_of(int shading, int i)
 {
     static const struct sheen_texture *const sphere[] = {&sheen_matcap_chrome, &sheen_matcap_glaze, &sheen_matcap_clay,
@@ -211,7 +214,10 @@ static struct ref_texture texture_of(int shading, int i)
     return texture;
 }
 
-/* Planes that are as near to a mesh of radius 1 as cuts nothing of what faces the eye, and the largest bias to one. */
+/*
+ * Moves one plane as near to a mesh of radius 1 as possible without cutting what faces the eye, and sets the largest
+ * bias towards that plane.
+ */
 static void hold(struct ref_scene *scene, bool to_near)
 {
     scene->bias = to_near ? 4095 : -4096;
@@ -230,7 +236,7 @@ static int judge(int shading, enum kind kind)
         struct ref_texture texture = texture_of(shading, i);
         struct accuracy_mesh mesh;
         struct ref_scene scene;
-        if (kind == HELD && i > 8 && i < 15) /* reach beyond the far plane: balls do not */
+        if (kind == HELD && i > 8 && i < 15) /* only balls do not reach beyond the far plane */
             continue;
         if (view_of(&scene, &mesh, shading, i) != 0)
             return 1;
@@ -238,7 +244,8 @@ static int judge(int shading, enum kind kind)
         if (i % 5 == 3)
             accuracy_ortho(&scene);
         scene.affine = i % 5 == 4;
-        scene.dither = i % 2 || shading == MATCAP_BILINEAR; /* a lid is of one colour: on a rounding edge by luck */
+        /* Dithered matcaps: a lid has a single colour, which may happen to lie on a rounding boundary. */
+        scene.dither = i % 2 || shading == MATCAP_BILINEAR;
         if (kind == HELD)
             hold(&scene, i < 8);
         if (kind != LEFT_OUT)
@@ -262,7 +269,10 @@ static int judge(int shading, enum kind kind)
     return failed;
 }
 
-/* What lies beyond the fog has the colour of a background that is the fog's: in every format, dithered too. */
+/*
+ * At full fog everything has the fog's colour and vanishes in a background of that colour, in every format, dithered
+ * too.
+ */
 static int judge_full(int shown)
 {
     static struct accuracy_shot shot;
@@ -311,7 +321,7 @@ enum fault {
 static const char *const fault_name[FAULTS] = {"fog linear in m", "another phase", "fog without the bias",
                                                "a bias held at the pixel"};
 
-/* The picture as it would be if not the corners were held to the planes. */
+/* Recomputes the picture as if the biased depth were clamped at each pixel instead of at the corners. */
 static void hold_pixels(struct ref_picture *picture, const struct ref_scene *scene)
 {
     for (int i = 0; i < picture->width * picture->height; i++) {
@@ -323,7 +333,7 @@ static void hold_pixels(struct ref_picture *picture, const struct ref_scene *sce
     }
 }
 
-/* The test of the test: a picture that the reference has otherwise has to be refused. */
+/* Proves that the comparison detects faults: a picture that differs from the reference's must be refused. */
 static int judge_fault(enum fault fault)
 {
     static struct accuracy_shot shot;
@@ -336,7 +346,7 @@ static int judge_fault(enum fault fault)
         return 1;
     if (fault == HELD_LATE)
         hold(&scene, true);
-    set_fog(&scene, &ranges[fault == HELD_LATE]); /* that one begins before the near plane */
+    set_fog(&scene, &ranges[fault == HELD_LATE]); /* the fog for HELD_LATE begins in front of the near plane */
     scene.left_out = fault == PHASE ? 32 : 0;
     scene.fog_in_m = fault == IN_M;
     if (ref_render(&picture, &scene) == 0) {

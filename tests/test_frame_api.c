@@ -1,6 +1,7 @@
 /*
- * test_frame_api.c - what the public page offers besides the main path: a whole frame in one call, what an error was
- * about, the arena at compile time, poses of the view, lights of the world, pixels in memory, a band's depth.
+ * test_frame_api.c - the public functions beside the main path: a whole frame in one call, what an error was about, the
+ * arena's size at compile time, poses of the view, lights in the world, targets in memory, the depth that an overlay
+ * gets.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 static const struct actor ball = {STAGE_BALL, 0, SHEEN_PHONG, 0.2, 0.1, 4, 1, 20, 30};
 static const struct actor torus = {STAGE_TORUS, 1, SHEEN_GOURAUD, -0.6, 0, 5, 1.2, 60, 50};
 
-/* A frame of objects into a target of its own; the pixels are released by the caller. 0 or a negative code. */
+/* Draws a frame of these objects into `pixels`. 0 or a negative code. */
 static int shoot(const struct sheen_view *view, const struct sheen_object *objects, unsigned count, uint16_t *pixels)
 {
     struct sheen_memory memory = {.pixels = pixels, .stride = 2 * WIDTH};
@@ -66,7 +67,10 @@ static void one_call(void **state)
     memory_target_free(&target);
 }
 
-/* A torus and a ball that is cut, in a frame with one capacity `room`: 0, or how much would have done. */
+/*
+ * Draws a torus and a ball that is cut, in a frame whose capacity `subject` is `room`. 0 if it suffices, else how much
+ * was reported as needed.
+ */
 static uint32_t short_of(enum sheen_subject subject, uint32_t room)
 {
     static const struct actor cut = {STAGE_BALL, 2, SHEEN_PHONG, 0.2, 0.1, 1.3, 0.6, 0, 40};
@@ -102,7 +106,7 @@ static uint32_t short_of(enum sheen_subject subject, uint32_t room)
     return needed;
 }
 
-/* What a capacity says would have done does, and one less does not: for the first draw, then for both. */
+/* The capacity reported as needed must suffice and one less must not: for the first draw, then for both. */
 static void capacities_name_what_would_do(void **state)
 {
     static const enum sheen_subject subjects[] = {SHEEN_ABOUT_MAX_VERTICES, SHEEN_ABOUT_MAX_USED,
@@ -133,7 +137,7 @@ static void configurations_name_the_field(void **state)
     assert_string_equal(sheen_subject_name((enum sheen_subject)99), "nothing");
 }
 
-/* The macro and the function, over configurations; a constant expression it is here. */
+/* The macro gives the same size as the function over many configurations, and it is a constant expression. */
 static void arena_at_compile_time(void **state)
 {
     static uint64_t constant[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
@@ -193,7 +197,10 @@ static void arena_at_compile_time(void **state)
     memory_target_free(&target);
 }
 
-/* Moved by the view or by the object: the same picture. Lights of the world turn with the view, others do not. */
+/*
+ * Moving the view and moving the object give the same picture. Lights in the world turn with the view, lights fixed to
+ * the eye do not.
+ */
 static void views_and_lights(void **state)
 {
     static uint16_t by_object[WIDTH * HEIGHT], by_view[WIDTH * HEIGHT], other[WIDTH * HEIGHT];
@@ -216,7 +223,7 @@ static void views_and_lights(void **state)
     object.lights = &world_light;
     assert_int_equal(shoot(&view, &object, 1, other), SHEEN_OK);
     assert_memory_not_equal(by_view, other, sizeof other);
-    /* A light that the view turns to where it stood before the eye. */
+    /* A light in the world that the view turns to the direction it had in eye space. */
     for (int k = 0; k < 3; k++) {
         const sheen_q30_t *r = view.pose.rotation;
         double to = 0;
@@ -228,10 +235,10 @@ static void views_and_lights(void **state)
     int differ = 0;
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         differ += other[i] != by_view[i];
-    assert_true(differ < WIDTH * HEIGHT / 500); /* the light was rounded once more */
+    assert_true(differ < WIDTH * HEIGHT / 500); /* because the light is rounded once more */
 }
 
-/* Nothing but zeros around what there has to be: a default everywhere. */
+/* With only the required fields set, the zeros elsewhere mean defaults. */
 static void zeros(void **state)
 {
     static uint16_t pixels[WIDTH * HEIGHT];
@@ -282,7 +289,7 @@ static void steps_of_poses(void **state)
     assert_memory_equal(&a, &b, sizeof a);
 }
 
-/* Rows with a stride, in every format: the same pixels, and nothing between the rows is touched. */
+/* Rows with a stride, in every format: the pixels are the same, and nothing between the rows is touched. */
 static void strides(void **state)
 {
     (void)state;
@@ -359,7 +366,7 @@ static void depth_in_overlays(void **state)
     assert_int_equal(shoot(&view, &object, 1, pixels), SHEEN_OK);
     assert_int_equal(d.drawn + d.empty, WIDTH * HEIGHT);
     assert_true(d.drawn > 1500);
-    /* The nearest point of the ball is at m = 3, a little farther where its triangles cut the corner off. */
+    /* The nearest point of the ball is at m = 3, and slightly farther away where its triangles cut the curve short. */
     double nearest = 257 + 65020 * (1 / 3. - 1 / 8.) / (1 / 2. - 1 / 8.);
     assert_true(d.most <= nearest + 1 && d.most > nearest - 1000);
 }

@@ -1,6 +1,6 @@
 /*
- * test_frame_bias.c - depth bias: a draw leaves its depths and so many steps, its colours stay, and of two draws in one
- * place the one with more shows.
+ * test_frame_bias.c - depth bias: a draw stores its depths plus the bias and keeps its colours. Of two draws at the
+ * same place the one with the larger bias shows. Depths are compared exactly with those of the unbiased picture.
  */
 #include <string.h>
 
@@ -21,7 +21,7 @@ struct shot {
 
 static struct shot shots[4];
 
-/* Keeps what the triangles left. */
+/* Saves the depths that the triangles left. */
 static void keep_depth(void *ctx, const struct sheen_canvas *canvas)
 {
     struct shot *shot = ctx;
@@ -32,7 +32,7 @@ static void keep_depth(void *ctx, const struct sheen_canvas *canvas)
                 canvas->depth[(unsigned)(y - canvas->rect.y0) * canvas->pitch + (unsigned)(x - canvas->rect.x0)];
 }
 
-/* The first `count` of the cast with these biases. */
+/* Draws the first `count` actors of the cast with these biases. */
 static void take(struct shot *shot, enum sheen_shading shading, double z_near, const int *bias, unsigned count)
 {
     struct memory_target target;
@@ -73,7 +73,7 @@ static void same_colours(const struct shot *a, const struct shot *b)
     assert_memory_equal(a->colour, b->colour, sizeof a->colour);
 }
 
-/* Every pixel's depth is the unbiased one and the bias, exactly; light and its perspective do not change. */
+/* Every pixel's depth is exactly the unbiased one plus the bias; light and its perspective do not change. */
 static void test_left(void **unused)
 {
     static const int biases[] = {1, -1, 100, -257, 4095, -4096};
@@ -97,16 +97,16 @@ static void test_left(void **unused)
     }
 }
 
-/* Where the sums leave the depths from far to near, they are held there and nothing wraps. */
+/* Sums beyond the depths of the far and near planes are clamped there; nothing wraps. */
 static void test_held(void **unused)
 {
     const int none = 0, most = 4095, least = -4096;
     int held = 0;
 
     (void)unused;
-    take(&shots[0], SHEEN_GOURAUD, 2.5, &none, 1); /* through the nearer side */
+    take(&shots[0], SHEEN_GOURAUD, 2.5, &none, 1); /* the near plane cuts the near side */
     take(&shots[1], SHEEN_GOURAUD, 2.5, &most, 1);
-    take(&shots[2], SHEEN_GOURAUD, 0.03, &none, 1); /* of little depth everywhere */
+    take(&shots[2], SHEEN_GOURAUD, 0.03, &none, 1); /* small depths everywhere */
     take(&shots[3], SHEEN_GOURAUD, 0.03, &least, 1);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
@@ -118,7 +118,7 @@ static void test_held(void **unused)
     assert_true(memcmp(shots[2].colour, shots[3].colour, sizeof shots[2].colour) != 0);
 }
 
-/* In one place: the first drawn stays on a tie, a step decides. */
+/* Two draws at the same place: on a tie the first one drawn stays; one step of bias decides. */
 static void test_decides(void **unused)
 {
     static const int biases[][2] = {{0, 0}, {0, 1}, {0, -1}, {5, 4}, {-7, -6}};

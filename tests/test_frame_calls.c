@@ -1,10 +1,10 @@
 /*
- * test_frame_calls.c - random sequences of calls against call_model.h: any order, workers in each other's bands,
- * failing pushes and waits, views and backgrounds that change, capacities too small.
+ * test_frame_calls.c - random sequences of calls against the model in call_model.h: calls in any order, workers in each
+ * other's bands, failing pushes and waits, views and backgrounds that change, capacities that are too small.
  *
  *   test_frame_calls          30,000 sequences
  *   test_frame_calls all      10^6
- *   test_frame_calls from N   from sequence N on: what a failure names
+ *   test_frame_calls from N   starting with sequence N, which a failure names
  */
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +12,10 @@
 #include "call_player.h"
 #include "frame_test.h"
 
-#define CALLS 40 /* a sequence; some of them are all bands of a frame */
+#define CALLS 40 /* per sequence; one of them may stand for all bands of a frame */
 
 static unsigned first_sequence, sequences = 30000;
-static struct player *failing; /* the sequence that is played */
+static struct player *failing; /* the sequence being played */
 
 static struct call_counts met;
 

@@ -1,8 +1,8 @@
 /*
- * test_frame_changed.c - what is sent is what changed, and the glass shows it all.
+ * test_frame_changed.c - only what changed is sent, and the panel still shows the whole picture.
  *
- * Every frame is drawn twice: by a frame that sends what changed to a target it
- * has drawn on before, and by one that sends everything. Both must look alike.
+ * Every picture is drawn twice: by a frame that sends only what changed to the target that it drew on before, and by
+ * one that sends everything. Both targets must then be equal, also after pushes or waits that failed.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "frame_show.h"
 #include "frame_test.h"
 
-/* Outside the viewport the panel belongs to others: both targets keep what they had there. */
+/* Outside the viewport the panel belongs to others, so both targets must keep what they had there. */
 static void assert_same_glass(const struct memory_target *a, const struct memory_target *b, struct sheen_rect r,
                               int frame)
 {
@@ -30,7 +30,9 @@ static long viewport_area(struct sheen_rect r)
     return r.x0 >= r.x1 || r.y0 >= r.y1 ? SHOW_WIDTH * SHOW_HEIGHT : (long)(r.x1 - r.x0) * (r.y1 - r.y0);
 }
 
-/* Counters agree with what arrived, no pixel was sent twice, and all were after what demands it. */
+/*
+ * The counters agree with what arrived, and no pixel was sent twice. If `all`, the whole viewport must have been sent.
+ */
 static void check_counts(const struct memory_target *t, struct sheen_frame *frame, const struct show *s, bool all,
                          int number)
 {
@@ -81,8 +83,8 @@ static void close_pair(struct pair *p)
 }
 
 /*
- * Play on the target that gets what changed, with a failure ordered for some push or wait. Returns true where
- * the failure came: then it reached the caller unchanged, here or from the wait.
+ * Plays a frame on the target that gets only what changed, with a failure injected at some push or wait. Returns true
+ * if that failure occurred; its code must then reach the caller unchanged, from the frame's calls or from sheen_wait().
  */
 static bool play_with_failure(struct pair *p, struct show *s, uint32_t *seed)
 {
@@ -200,7 +202,7 @@ static void after_failures(void **state)
     }
 }
 
-/* A still picture is sent once; what left is cleared once; a mark is sent as it is. */
+/* A still picture is sent once, a place that an object left is cleared once, a mark is sent as it is. */
 static void nothing_more_than_changed(void **state)
 {
     struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = SHOW_HEIGHT, .buffers = 1};
@@ -220,7 +222,7 @@ static void nothing_more_than_changed(void **state)
     assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
     assert_in_range(p.changed.area, 48 * 48, 54 * 54);
     assert_int_equal(p.changed.pushes, 1);
-    for (int frame = 0; frame < 2; frame++) { /* leaves: cleared, then nothing */
+    for (int frame = 0; frame < 2; frame++) { /* the ball leaves: its place is cleared once, then nothing is sent */
         s.on[0] = false;
         memory_target_begin(&p.changed);
         assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
@@ -240,7 +242,10 @@ static void nothing_more_than_changed(void **state)
     close_pair(&p);
 }
 
-/* The last push of a frame fails in flight: the next begin says so, and the one after it sends everything. */
+/*
+ * The last push of a frame fails in flight: the next begin returns the error, and the frame after that sends
+ * everything.
+ */
 static void error_in_flight(void **state)
 {
     struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};
@@ -255,7 +260,7 @@ static void error_in_flight(void **state)
     assert_int_equal(sheen_wait(p.changed_frame.frame), SHEEN_OK);
     memory_target_begin(&p.changed);
     assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
-    assert_true(p.changed.in_flight); /* of the second frame's rectangles the last one has not been waited for */
+    assert_true(p.changed.in_flight); /* the last of the second frame's rectangles has not been waited for */
     p.changed.fail_wait = 1;
     p.changed.fail_code = -1234;
     assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), -1234);

@@ -1,5 +1,5 @@
 /*
- * test_frame_draws.c - several draws in a frame, and calls out of order.
+ * test_frame_draws.c - several draws in a frame, values at the ends of their ranges, and calls out of order.
  */
 #include <string.h>
 
@@ -17,14 +17,17 @@ static void draw_actors(struct memory_target *target, const struct actor *actors
     struct sheen_view view;
 
     stage_config(&config, target, 3);
-    config.max_shades = 2; /* else the second draw's colours are rounded without */
+    config.max_shades = 2; /* otherwise the second draw's colours would be rounded without a table */
     stage_view(&view);
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     assert_int_equal(stage_frame(f.frame, &view, &stage, actors, count), SHEEN_OK);
     core_frame_free(&f);
 }
 
-/* One mesh twice, apart: the picture is both pictures; and one behind the other, in either order. */
+/*
+ * One mesh drawn twice: side by side the picture must be both pictures together; one behind the other, either order of
+ * drawing must give the same picture.
+ */
 static void two_draws_of_one_mesh(void **state)
 {
     struct actor a = {STAGE_TORUS, 0, SHEEN_PHONG, -0.9, 0, 4, 0.8, 30, 40};
@@ -43,7 +46,7 @@ static void two_draws_of_one_mesh(void **state)
     for (int y = 0; y < HEIGHT; y++) {
         for (int x = 0; x < WIDTH; x++) {
             unsigned p = memory_target_pixel(&only_a, x, y), q = memory_target_pixel(&only_b, x, y);
-            assert_true(p == 4 || q == 4); /* background 000020: they stand apart */
+            assert_true(p == 4 || q == 4); /* the background is 000020, so at least one of the two is not here */
             assert_int_equal(memory_target_pixel(&both, x, y), p == 4 ? q : p);
             of_a += p != 4;
             of_b += q != 4;
@@ -102,7 +105,7 @@ static const struct sheen_mesh triangle = {.positions = corners,
                                            .scale = SHEEN_Q24(1),
                                            .edges = &borders};
 
-/* A frame of one object on a target of 64 x 64; the view is given from where it is shown on. */
+/* Draws a frame of one object on a target of 64 x 64; `view` gives the fields that differ from the stage's view. */
 static void show(const struct sheen_view *view, const struct sheen_object *object, uint32_t by_way[SHEEN_WAYS])
 {
     struct memory_target target;
@@ -119,7 +122,7 @@ static void show(const struct sheen_view *view, const struct sheen_object *objec
     memory_target_free(&target);
 }
 
-/* Light of 36 times 1.0: a triangle in steep perspective is as little linear as under less. */
+/* Light 36 times as bright as 1.0: a triangle in steep perspective must not count as linear. */
 static void brightest(void **state)
 {
     const struct sheen_light lights[4] = {{.to = {0, 0, 1}}, {.to = {0, 0, 1}}, {.to = {0, 0, 1}}, {.to = {0, 0, 1}}};
@@ -146,7 +149,7 @@ static void brightest(void **state)
     }
 }
 
-/* A light that its view moves out of range reaches nothing, and nothing overflows. */
+/* A point light that the view moves out of range lights nothing, and nothing overflows. */
 static void farthest_light(void **state)
 {
     const struct sheen_light light = {.at = {0, 0, SHEEN_Q24(-127.9)}, .radius = SHEEN_Q16(1), .points = &sheen_points};
@@ -162,7 +165,7 @@ static void farthest_light(void **state)
     show(&view, &object, by_way);
 }
 
-/* Viewports of one row, with edges, one of which ends above it: there is no row to go back to. */
+/* Viewports of one row, with edges drawn, one of which ends above the row, so that it has no row to step back to. */
 static void single_rows(void **state)
 {
     const struct sheen_material material = {.base = {200, 0, 0}, .ambient = SHEEN_Q16(0.5)};
@@ -172,7 +175,9 @@ static void single_rows(void **state)
     for (int i = 0; i < 3 * 200; i++) {
         const struct sheen_object object = {
             .mesh = &triangle, .material = &material, .shader = &sheen_flat, .edges = kinds[i % 3]};
-        /* a pixel is .21 units wide where the middle corner is, which goes from one above the row to one below */
+        /*
+         * a pixel is .21 units wide at the middle corner, which moves from one row above the viewport to one below it
+         */
         const struct sheen_view view = {.viewport = {0, (int16_t)(i % 64), 64, (int16_t)(i % 64 + 1)},
                                         .fov = SHEEN_DEGREES(4),
                                         .pose.translation = {0, SHEEN_Q24(0.75) + i * 14000, SHEEN_Q24(-4)}};

@@ -1,5 +1,6 @@
 /*
- * test_frame_equal.c - the same pixels whatever the bands, buffers, workers and their order.
+ * test_frame_equal.c - the pixels are the same whatever the bands, buffers, workers and order, compared with each frame
+ * drawn whole in one band.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +11,7 @@
 #define HEIGHT 120
 #define FRAMES 3
 
-/* Objects through each other, off the edges, and one cut by the near plane; every shading. */
+/* Objects that intersect each other or leave the picture, and one that the near plane cuts; every shading. */
 static int cast(struct actor actors[5], int frame)
 {
     double t = frame;
@@ -23,7 +24,7 @@ static int cast(struct actor actors[5], int frame)
     return 5;
 }
 
-/* How the bands of a frame are run. */
+/* How the bands of a frame are drawn. */
 enum order {
     BY_END,
     FORWARD,
@@ -69,7 +70,7 @@ struct way {
     bool delayed;
 };
 
-/* FRAMES pictures, one after the other. */
+/* Draws FRAMES pictures, one after the other. */
 static void run(uint8_t *pictures, const struct way *way, enum sheen_pixel pixel, bool affine)
 {
     struct memory_target target;
@@ -135,7 +136,7 @@ static void bands_and_buffers(void **state)
     }
 }
 
-/* A cache of one set-up, and one that never fills. */
+/* Room for one carried set-up, for a few, and for more than are ever needed. */
 static void carried(void **state)
 {
     static const int room[] = {1, 2, 5, 254};
@@ -150,7 +151,7 @@ static void carried(void **state)
     }
 }
 
-/* With room for all a triangle is set up once, however many bands it crosses. */
+/* If all set-ups can be carried, each triangle is set up once, however many bands it crosses. */
 static void set_up_once(void **state)
 {
     static const int rows[] = {HEIGHT, 16, 7, 1};
@@ -211,7 +212,7 @@ static void byte_orders(void **state)
     }
 }
 
-/* A picture that shows nothing would equal itself. */
+/* Guards against empty pictures, which would be equal too. */
 static void something_is_drawn(void **state)
 {
     (void)state;

@@ -1,6 +1,7 @@
 /*
- * test_frame_far.c - a floor of two triangles from the near plane to a far one thousands of times as far away: lit from
- * above it is one colour, in its last corners too.
+ * test_frame_far.c - a floor of two triangles reaches from the near plane to a far plane that is up to 200,000 times as
+ * far away. Lit from above it must have one colour, computed in double precision, within one step in its farthest
+ * corners too.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -14,13 +15,13 @@
 
 #define SIZE 240
 #define BACKGROUND 0x001f
-#define ROLL 3 /* degrees a turn */
+#define ROLL 3 /* degrees per turn */
 
 static const int16_t positions[] = {-32767, 0, 32767, 32767, 0, 32767, 32767, 0, -32767, -32767, 0, -32767},
                      normals[] = {0, 32767, 0, 0, 32767, 0, 0, 32767, 0, 0, 32767, 0};
 static const uint8_t indices[] = {0, 1, 2, 0, 2, 3};
 
-/* Pixels of the floor that are of another colour; -1 where there is no floor. */
+/* Counts the floor's pixels that have another colour; -1 if no floor is seen. */
 static int count_others(const struct sheen_shader *shader, double ratio, int turn)
 {
     const struct sheen_mesh mesh = {.positions = positions,

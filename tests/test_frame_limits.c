@@ -1,5 +1,5 @@
 /*
- * test_frame_limits.c - memory and capacities: enough works, one less is a clean error.
+ * test_frame_limits.c - memory and capacities: the size needed suffices, and one less is an error that changes nothing.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@
 
 /* ---- the arena ---- */
 
-/* Every size below the one needed is the same error, names that size and writes nothing. */
+/* Every size below the one needed gives the same error, reports the size needed and writes nothing. */
 static void every_arena_too_small(void **state)
 {
     struct memory_target target;
@@ -44,7 +44,7 @@ static void every_arena_too_small(void **state)
     memory_target_free(&target);
 }
 
-/* The size needed is enough: nothing behind it is written, whatever is drawn. */
+/* The size needed suffices: nothing is written behind the arena, whatever is drawn. */
 static void arena_is_kept_to(void **state)
 {
     (void)state;
@@ -64,7 +64,7 @@ static void arena_is_kept_to(void **state)
         config.max_carried = (uint16_t)(1 + k);
         config.max_clipped = 300;
         size_t need = sheen_arena_size(&config), size = need;
-        uint8_t *arena = malloc(need); /* the address sanitizer watches its ends */
+        uint8_t *arena = malloc(need); /* of exactly the size needed, so that the address sanitizer watches its ends */
         assert_int_equal(sheen_init(&frame, arena, &size, &config), SHEEN_OK);
         stage_view(&view);
         for (int i = 0; i < 3; i++)
@@ -120,8 +120,8 @@ static const struct actor second = {STAGE_TORUS, 1, SHEEN_PHONG, 0.9, 0.1, 4, 1,
 static const struct actor cut = {STAGE_BALL, 2, SHEEN_PHONG, 0.2, 0.1, 1.3, 0.6, 0, 40};
 
 /*
- * Draw the first actor, then the other, whose result is returned; end the frame. What arrived is in `target`,
- * counters in *stats.
+ * Draws the first actor and then the other, whose result is returned, and ends the frame. `target` holds what was sent,
+ * *stats the counters.
  */
 static int draw_two(struct memory_target *target, const struct sheen_config *config, const struct actor *other,
                     struct sheen_stats *stats)
@@ -133,7 +133,8 @@ static int draw_two(struct memory_target *target, const struct sheen_config *con
     memory_target_begin(target);
     assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
     stage_view(&view);
-    for (int frame = 0; frame < 2; frame++) { /* the second sends what the draws cover */
+    for (int frame = 0; frame < 2;
+         frame++) { /* the first frame sends everything, the second only what the draws cover */
         memory_target_begin(target);
         assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
         stage_draw(&stage, &first, &draw);
@@ -153,7 +154,7 @@ static int draw_two(struct memory_target *target, const struct sheen_config *con
     return SHEEN_ERR_STATE; /* not reached */
 }
 
-/* With `room` as the capacity under test. */
+/* Sets the capacity under test to `room`. */
 static void set_room(struct sheen_config *config, int which, uint32_t room)
 {
     uint16_t *field[] = {&config->max_vertices, &config->max_triangles, &config->max_draws, &config->max_clipped};
@@ -161,7 +162,9 @@ static void set_room(struct sheen_config *config, int which, uint32_t room)
     *field[which] = (uint16_t)room;
 }
 
-/* The smallest room of this kind that both draws fit in; what is smaller is refused for its capacity. */
+/*
+ * The smallest capacity of this kind that suffices for both draws; with less, a draw must fail with SHEEN_ERR_CAPACITY.
+ */
 static uint32_t smallest_room(const struct sheen_config *config, int which, const struct actor *other)
 {
     uint32_t low = 0, high = 2000;
@@ -189,7 +192,7 @@ static uint32_t smallest_room(const struct sheen_config *config, int which, cons
     return high;
 }
 
-/* n is enough, n - 1 an error that leaves the frame as the first draw left it. */
+/* A capacity of n suffices; n - 1 gives an error that leaves the frame as the first draw left it. */
 static void check_capacity(int which, const struct actor *other, const char *what)
 {
     struct memory_target target, one;
@@ -211,7 +214,7 @@ static void check_capacity(int which, const struct actor *other, const char *wha
         assert_int_equal(high, stats.drawn);
     if (which == 2)
         assert_int_equal(high, 2);
-    if (which == 3) /* every cut triangle leaves nothing or some pieces */
+    if (which == 3) /* a cut triangle leaves nothing or some pieces */
         assert_true(high > 1 && stats.clipped > 1);
 
     set_room(&config, which, high);
@@ -221,7 +224,7 @@ static void check_capacity(int which, const struct actor *other, const char *wha
     memset(target.memory, 0, HEIGHT * target.row_bytes);
     assert_int_equal(draw_two(&target, &config, other, &stats), SHEEN_ERR_CAPACITY);
     assert_memory_equal(target.memory, one.memory, HEIGHT * one.row_bytes);
-    assert_int_equal(target.area, one.area); /* not even the rectangles know of it */
+    assert_int_equal(target.area, one.area); /* the failed draw does not even enlarge the rectangles */
     assert_int_equal(stats.drawn, stats_one.drawn);
     print_message("  %s: %u are enough, %u are an error\n", what, high, high - 1);
     memory_target_free(&target);
@@ -237,7 +240,10 @@ static void capacities(void **state)
     check_capacity(3, &cut, "pieces");
 }
 
-/* A triangle across the guard band, without room for pieces: refused where it is seen, or without a clipper always. */
+/*
+ * A triangle across the guard band, without room for pieces, is refused only if it is seen; without a clipper it is
+ * always refused.
+ */
 static void across_the_guard_band(const struct sheen_clipper *clipper)
 {
     static const int16_t position[9] = {-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 0};
@@ -262,7 +268,7 @@ static void across_the_guard_band(const struct sheen_clipper *clipper)
     assert_int_equal(sheen_draw(f.frame, &draw), unseen);
     mesh.indices = front;
     assert_int_equal(sheen_draw(f.frame, &draw), SHEEN_ERR_CAPACITY);
-    draw.pose.translation[0] = SHEEN_Q24(23); /* still across the guard band, and beside the picture */
+    draw.pose.translation[0] = SHEEN_Q24(23); /* still across the guard band, but outside the picture */
     draw.pose.translation[1] = SHEEN_Q24(23);
     assert_int_equal(sheen_draw(f.frame, &draw), unseen);
     assert_int_equal(sheen_end(f.frame), SHEEN_OK);
@@ -277,7 +283,7 @@ static void what_is_not_listed_needs_no_piece(void **state)
     across_the_guard_band(NULL);
 }
 
-/* Pieces that a frame's only draw is said to need, 0 where it passes. */
+/* The number of pieces that the frame's only draw reports as needed; 0 if it succeeds. */
 static uint32_t pieces_said(const struct sheen_config *config, const struct actor *actor)
 {
     struct core_frame f;
@@ -301,7 +307,10 @@ static uint32_t pieces_said(const struct sheen_config *config, const struct acto
     return needed;
 }
 
-/* Without a clipper what nothing crosses is drawn, what the near plane crosses is refused, with room that suffices. */
+/*
+ * Without a clipper, an object that no plane crosses is drawn, one that the near plane crosses is refused, and the
+ * number of pieces reported then suffices with a clipper.
+ */
 static void only_what_is_cut_needs_a_clipper(void **state)
 {
     struct memory_target target;

@@ -1,5 +1,6 @@
 /*
- * test_frame_locate.c - where points come to be on the target: against double precision, and against what is drawn.
+ * test_frame_locate.c - where points appear on the target, against double precision and against vertices that are
+ * drawn.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -55,7 +56,7 @@ static void place(const struct sheen_pose *pose, double v[3])
     }
 }
 
-/* The definition: 1 where the point is plainly within, 0 where it is plainly not, -1 between. */
+/* The definition. Returns 1 if the point is clearly inside, 0 if clearly outside, -1 if it is too close to tell. */
 static int expect(const struct sheen_view *view, const double v[3], double out[3])
 {
     const struct sheen_rect port = view->viewport;
@@ -72,7 +73,7 @@ static int expect(const struct sheen_view *view, const double v[3], double out[3
     return inside > 2 ? 1 : inside < -2 ? 0 : -1;
 }
 
-/* Points of a model in the view's pose; with a viewport that is not in the middle. */
+/* Points of a model and of the world, in random poses, with a viewport that is not centred. */
 static void test_definition(void **unused)
 {
     uint32_t state = 1;
@@ -115,7 +116,7 @@ static void test_definition(void **unused)
     assert_true(count[0] > 1000 && count[1] > 1000);
 }
 
-/* The vertices that a draw transformed, and the spots that they are at. */
+/* The vertices that a draw transformed lie where sheen_locate() puts them. */
 static void test_vertices(void **unused)
 {
     static const struct actor ball = {STAGE_BALL, 0, SHEEN_FLAT, 0.4, -0.3, 4, 1.2, 40, 25};
@@ -148,7 +149,7 @@ static void test_vertices(void **unused)
     assert_true(compared > 50);
 }
 
-/* What is before near or beyond far has no place; what is far to the side has its side. */
+/* A point in front of z_near or beyond z_far has no place on the screen; a point far to the side lies on that side. */
 static void test_outside(void **unused)
 {
     static const sheen_q24_t before[3] = {0, 0, SHEEN_Q24(-0.5)}, beyond[3] = {0, 0, SHEEN_Q24(-12.5)},
@@ -192,7 +193,7 @@ static void test_refused(void **unused)
     assert_memory_equal(&spot, &before, sizeof spot);
     assert_int_equal(sheen_begin(core.frame, &view), SHEEN_OK);
     assert_int_equal(sheen_band(core.frame, 0, 0), SHEEN_OK);
-    assert_int_equal(sheen_locate(core.frame, NULL, point, &spot), SHEEN_OK); /* at its bands, too */
+    assert_int_equal(sheen_locate(core.frame, NULL, point, &spot), SHEEN_OK); /* also while the bands are drawn */
     assert_int_equal(spot.inside, 1);
     close_frame();
 }

@@ -1,11 +1,11 @@
 /*
- * test_frame_mixes.c - random mixes of shadings and all there is besides, over a few frames of one struct sheen_frame
- * in random bands, buffers, workers, orders and carried set-ups, with objects between that are refused, against each
- * frame drawn alone, whole, in one band.
+ * test_frame_mixes.c - random mixes of all shadings and features over a few frames of one struct sheen_frame, with
+ * random bands, buffers, workers, orders and carried set-ups, and with refused objects in between. Each frame must
+ * equal the same frame drawn alone, whole, in one band.
  *
  *   test_frame_mixes          400 mixes
  *   test_frame_mixes all      40,000
- *   test_frame_mixes from N   from mix N on: what a failure names
+ *   test_frame_mixes from N   starting with mix N, which a failure names
  */
 #include <pthread.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@
 #include "frame_test.h"
 
 static unsigned first_mix, mixes = 400;
-static const struct mix *failing; /* the mix that is played */
+static const struct mix *failing; /* the mix being played */
 static unsigned failing_number;
 
 static struct mix_mesh meshes[STAGE_MESHES];
@@ -71,7 +71,7 @@ struct job {
     int status;
 };
 
-/* The next band to who comes first. */
+/* Each worker takes the next band that nobody has begun. */
 static void *work(void *argument)
 {
     struct job *job = argument;
@@ -128,7 +128,7 @@ static int run_bands(struct sheen_frame *frame, const struct way *way, uint32_t 
 
 /* ---- frames ---- */
 
-/* The object with something wrong, which is found before anything is done, on the way, or when its lines are listed. */
+/* Draws the object with a fault, which is found before anything is done, on the way, or when its lines are listed. */
 static void draw_refused(struct sheen_frame *frame, const struct sheen_object *from, uint32_t *seed)
 {
     struct sheen_object o = *from;
@@ -149,12 +149,13 @@ static void draw_refused(struct sheen_frame *frame, const struct sheen_object *f
         mesh.edges = NULL;
         o.mesh = &mesh;
         o.morph = NULL;
-        o.edges = stage_random(seed) % 2 ? &sheen_edges_outline : &sheen_edges_wire; /* smooth: none on two levels */
+        o.edges = stage_random(seed) % 2 ? &sheen_edges_outline
+                                         : &sheen_edges_wire; /* not smooth, which does nothing on 2 levels */
     }
     assert_true(sheen_draw(frame, &o) < 0);
 }
 
-/* seed: NULL, or where objects that are refused come between. */
+/* seed: if not NULL, refused objects are drawn in between. */
 static int draw_objects(struct sheen_frame *frame, const struct mix_frame *f, uint32_t *seed)
 {
     int status = sheen_begin(frame, &f->view);
@@ -182,7 +183,7 @@ static void open_frame(struct core_frame *f, struct memory_target *t, const stru
     t->target.align_y = (uint8_t)way->align_y;
     t->delayed = way->delayed;
     stage_config(&config, t, MIX_OBJECTS);
-    config.max_vertices += 3000; /* where the view volume cuts edges */
+    config.max_vertices += 3000; /* for ends of edges that the view volume cuts */
     config.max_clipped = 1000;
     config.max_edges = 5000;
     config.smooth = 1;
@@ -206,7 +207,7 @@ static void close_frame(struct core_frame *f, struct memory_target *t)
     memory_target_free(t);
 }
 
-/* Outside the viewport the target keeps what it had. */
+/* Outside the viewport the target must keep what it had. */
 static void compare(const struct memory_target *got, const struct mix_frame *f, const struct way *way, unsigned number)
 {
     struct way whole = {.pixel = way->pixel,

@@ -1,5 +1,6 @@
 /*
- * test_frame_morph.c - what is drawn between two frames of a mesh is what the mesh between them would be.
+ * test_frame_morph.c - a morph between two frames of a mesh must look like the mesh between them, which is computed
+ * here.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -9,9 +10,9 @@
 
 #define WIDTH 152
 #define HEIGHT 120
-#define MOST 400 /* vertices and polygons of any mesh of the stage */
+#define MOST 400 /* the most vertices and polygons of any mesh of the stage */
 
-/* Of the stage's mesh another frame, and one between. */
+/* A second frame of the stage's mesh, and the mesh between the two. */
 static struct {
     struct sheen_mesh second, between;
     int16_t positions[2][3 * MOST], normals[2][3 * MOST], polygon_normals[2][3 * MOST], uvs[2 * MOST];
@@ -42,7 +43,10 @@ static const struct sheen_shader *shader_of(enum shown shown)
     return shader[shown];
 }
 
-/* Turned by 50 degrees about z and flattened; normals: turned only, which is as good a second frame. */
+/*
+ * The vector turned by 50 degrees about z and, if it is a position, flattened. Normals are only turned; the result need
+ * not fit the positions.
+ */
 static void bend(const int16_t *from, int16_t *to, int is_position)
 {
     const double c = 0.643, s = 0.766, flat = is_position ? 0.6 : 1;
@@ -83,14 +87,14 @@ static void make_frames(struct sheen_mesh *first, unsigned weight)
         bend(from->polygon_normals + 3 * i, made.polygon_normals[0] + 3 * i, 0);
         mix(from->polygon_normals + 3 * i, made.polygon_normals[0] + 3 * i, weight, 0, made.polygon_normals[1] + 3 * i);
     }
-    first->warp = NULL; /* of one frame */
+    first->warp = NULL; /* it would hold for one frame only */
     first->uvs = made.uvs;
     first->uv_bits = 15;
     made.second = made.between = *first;
     made.second.positions = made.positions[0];
     made.second.normals = made.normals[0];
     made.second.polygon_normals = made.polygon_normals[0];
-    made.second.indices = NULL; /* nor is this read: */
+    made.second.indices = NULL; /* a morph reads none of these three */
     made.second.polygons = NULL;
     made.second.uvs = NULL;
     made.between.positions = made.positions[1];
@@ -106,7 +110,7 @@ struct case_of {
     int two_sided, ortho, affine, dither, transparency, facets; /* facets: without polygon normals */
 };
 
-/* By morph from `mesh`, or `mesh` itself. */
+/* Draws a morph from `mesh`, or `mesh` itself if morph is NULL. */
 static void draw(const struct case_of *c, const struct sheen_mesh *mesh, const struct sheen_morph *morph,
                  unsigned to[HEIGHT][WIDTH])
 {
@@ -152,7 +156,7 @@ static void draw(const struct case_of *c, const struct sheen_mesh *mesh, const s
     memory_target_free(&target);
 }
 
-/* How far two 565 values are apart, in steps of a channel. */
+/* How far apart two 565 values are, in steps of a channel. */
 static int apart(unsigned a, unsigned b)
 {
     const int r = abs((int)(a >> 11) - (int)(b >> 11)), g = abs((int)(a >> 5 & 63) - (int)(b >> 5 & 63)),
@@ -161,7 +165,7 @@ static int apart(unsigned a, unsigned b)
     return r > g ? (r > blue ? r : blue) : (g > blue ? g : blue);
 }
 
-/* Positions are the same bits; a normal may be a step of 2^-15 off, which few pixels show, and by one step. */
+/* Positions are the same bits. A normal may be off by a step of 2^-15, which shows in few pixels, by one step each. */
 static void check(const struct case_of *c)
 {
     struct sheen_mesh first = stage.mesh[c->mesh].mesh;
@@ -208,7 +212,7 @@ static void test_between(void **unused)
     }
 }
 
-/* Bands and workers do not matter, to the bit. */
+/* Bands and workers must not change a bit. */
 static void test_bands(void **unused)
 {
     (void)unused;
@@ -225,7 +229,7 @@ static void test_bands(void **unused)
     }
 }
 
-/* Weight 0 is the mesh itself, with its warp or without. */
+/* At weight 0 the picture is the mesh's own. */
 static void test_none(void **unused)
 {
     (void)unused;
@@ -240,7 +244,7 @@ static void test_none(void **unused)
     }
 }
 
-/* Half way between opposite normals lies nothing: the first frame's count. */
+/* Halfway between opposite normals the mix is zero; the first frame's normals are then used. */
 static void test_opposite(void **unused)
 {
     const struct case_of c = {STAGE_CUBE, GOURAUD, 16384, 16, 1, 1, 0, 0, 0, 0, 0, 0};
@@ -262,7 +266,10 @@ static void test_opposite(void **unused)
     }
 }
 
-/* A triangle's opposite normals stay as long as a mesh's: 2.0 apart, the square of which wraps, they would be alike. */
+/*
+ * Opposite normals within a triangle: the mix must not make them longer than a mesh's. If they were more than 2.0
+ * apart, the square of their distance would wrap and they would count as alike.
+ */
 static void test_opposite_corners(void **unused)
 {
     static const int16_t exact[3] = {16517, 18870, 21090}; /* 32767 long */
@@ -285,7 +292,7 @@ static void test_opposite_corners(void **unused)
     }
 }
 
-/* Without polygon normals both frames' own are those of their triangles; the box's faces keep theirs when turned. */
+/* Without polygon normals, the normals of each triangle of the morphed mesh are used; here it is the second frame. */
 static void test_facets(void **unused)
 {
     const struct case_of c = {STAGE_TORUS, FLAT, 32768, 16, 1, 1, 0, 0, 0, 0, 0, 1};

@@ -1,5 +1,5 @@
 /*
- * test_frame_order.c - calls in another order than begin, draw, bands, finish: what each answers, and what is sent.
+ * test_frame_order.c - calls in another order than begin, draw, bands, finish: what each returns, and what is sent.
  */
 #include <string.h>
 
@@ -39,7 +39,7 @@ static void order_close(struct order *o)
     memory_target_free(&o->target);
 }
 
-/* A ball in the middle. */
+/* Draws a ball in the middle. */
 static int draw_ball(struct order *o)
 {
     const struct actor ball = {STAGE_BALL, 0, SHEEN_FLAT, 0, 0, 5, 1, 0, 0};
@@ -55,7 +55,7 @@ static void begin(struct order *o)
     assert_int_equal(sheen_begin(o->f.frame, &o->view), SHEEN_OK);
 }
 
-/* A whole frame that arrives; returns the pixels that were sent. */
+/* Draws a whole frame without errors; returns the number of pixels sent. */
 static long frame_area(struct order *o)
 {
     begin(o);
@@ -72,7 +72,7 @@ static void settle(struct order *o)
     assert_true(frame_area(o) < PIXELS / 2);
 }
 
-/* A wait between bands that fails is the frame's error. */
+/* A wait that fails between bands sets the frame's error. */
 static void wait_between_bands(void **state)
 {
     struct order o = {0};
@@ -98,7 +98,7 @@ static void wait_between_bands(void **state)
     order_close(&o);
 }
 
-/* Workers in turn on one thread: one push at a time, and none after another's error. */
+/* Workers take turns on one thread: one push at a time, and none after an error of another worker. */
 static void workers_in_turn(void **state)
 {
     (void)state;
@@ -127,7 +127,7 @@ static void fill(void *ctx, const struct sheen_canvas *canvas)
     memset(canvas->pixels, *(const uint8_t *)ctx, 2u * canvas->pitch * rows);
 }
 
-/* What is under the triangles is the background, whoever paints it. */
+/* An underlay counts as background: if it or its ctx changes, everything is sent again. */
 static void another_underlay(void **state)
 {
     uint8_t one = 1, two = 2;
@@ -136,7 +136,7 @@ static void another_underlay(void **state)
     (void)state;
     order_open(&o, 1, 1);
     settle(&o);
-    o.view.ctx = &one; /* nobody gets it */
+    o.view.ctx = &one; /* not passed to anybody, as there is no callback */
     assert_true(frame_area(&o) < PIXELS / 2);
     o.view.underlay = fill;
     assert_int_equal(frame_area(&o), PIXELS);
@@ -152,7 +152,7 @@ static void another_underlay(void **state)
     order_close(&o);
 }
 
-/* A band done twice is refused; it does not stand for one left out. */
+/* A band that is drawn twice is refused; it does not make up for one that is left out. */
 static void band_twice(void **state)
 {
     struct order o = {0};
@@ -169,9 +169,9 @@ static void band_twice(void **state)
     assert_int_equal(frame_area(&o), PIXELS);
     assert_true(frame_area(&o) < PIXELS / 2);
 
-    begin(&o); /* sheen_end does what is left */
+    begin(&o); /* sheen_end() draws the bands that are left */
     assert_int_equal(draw_ball(&o), SHEEN_OK);
-    sheen_invalidate(o.f.frame); /* of the frame after this one */
+    sheen_invalidate(o.f.frame); /* affects the frame after this one */
     assert_int_equal(sheen_band(o.f.frame, 0, 4), SHEEN_OK);
     assert_int_equal(sheen_end(o.f.frame), SHEEN_OK);
     assert_int_equal(sheen_wait(o.f.frame), SHEEN_OK);
@@ -181,7 +181,9 @@ static void band_twice(void **state)
     order_close(&o);
 }
 
-/* A worker's share are all bands that are left: whoever comes first, each is done once and none is left. */
+/*
+ * sheen_bands() draws all bands that are left, whichever worker comes first: each is drawn once and none is left out.
+ */
 static void shares_of_bands(void **state)
 {
     (void)state;
@@ -189,7 +191,7 @@ static void shares_of_bands(void **state)
         for (unsigned first = 0; first < workers; first++) {
             struct order o = {0};
             order_open(&o, (int)workers, 1);
-            assert_int_equal(sheen_bands(o.f.frame, 0), SHEEN_ERR_STATE); /* no frame is begun */
+            assert_int_equal(sheen_bands(o.f.frame, 0), SHEEN_ERR_STATE); /* no frame has begun */
             begin(&o);
             assert_int_equal(draw_ball(&o), SHEEN_OK);
             assert_int_equal(sheen_bands(o.f.frame, workers), SHEEN_ERR_ARGUMENT);
@@ -215,7 +217,7 @@ static void shares_of_bands(void **state)
     }
 }
 
-/* A target's error that is the number of a band done already ends its frame as any other does. */
+/* An error code of the target that equals the code for a band already done ends the frame as any other does. */
 static void error_like_a_done_band(void **state)
 {
     struct order o = {0};
@@ -233,7 +235,7 @@ static void error_like_a_done_band(void **state)
     order_close(&o);
 }
 
-/* After the first band nothing is added; what a failed frame left pending is not drawn. */
+/* Nothing can be added after the first band, and what a failed frame left pending is not drawn. */
 static void nothing_after_a_band(void **state)
 {
     struct order o = {0};
@@ -247,7 +249,7 @@ static void nothing_after_a_band(void **state)
     assert_int_equal(sheen_end(o.f.frame), BROKEN);
     begin(&o);
     assert_int_equal(sheen_mark(o.f.frame, (struct sheen_rect){0, 0, 8, 8}), SHEEN_OK);
-    assert_int_equal(sheen_band(o.f.frame, 0, BANDS), SHEEN_ERR_ARGUMENT); /* not a band: the frame stays open */
+    assert_int_equal(sheen_band(o.f.frame, 0, BANDS), SHEEN_ERR_ARGUMENT); /* no such band: the frame stays open */
     assert_int_equal(draw_ball(&o), SHEEN_OK);
     for (unsigned b = 0; b < 3; b++)
         assert_int_equal(sheen_band(o.f.frame, 0, b), SHEEN_OK);
@@ -259,7 +261,7 @@ static void nothing_after_a_band(void **state)
     order_close(&o);
 }
 
-/* Positive results of callbacks are successes, also where begin collects them. */
+/* Callbacks may return positive results, which are successes, also when sheen_begin() waits for them. */
 static int generous(void *ctx)
 {
     (void)ctx;

@@ -1,8 +1,9 @@
 /*
- * test_frame_quads.c - plane polygons of four corners that are drawn whole: the same pixels as their triangles', the
- * same colours within a step (flat: the very same), depths within a part of a pixel's slope; and which ones these are.
+ * test_frame_quads.c - plane polygons of four corners that are drawn as quads, against the same polygons drawn as
+ * triangles: they cover the same pixels, with the same colours within one step (flat: exactly), and with depths that
+ * differ by less than depth changes to the next pixel. The tests also prove which polygons become quads.
  *
- * Bodies are convex, so that each pixel has one polygon that faces the eye.
+ * Bodies are convex, so that each pixel shows a single polygon that faces the eye.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -23,9 +24,9 @@
 #define MOST_TRIANGLES 4200
 #define WIDTH 160
 #define HEIGHT 120
-#define ROUNDED 8 /* z16: by so much a quad's plane may differ from its triangles' wherever it lies */
+#define ROUNDED 8 /* z16: how far a quad's plane may be from its triangles' planes, whatever the slope */
 
-/* A body of revolution. */
+/* A solid of revolution. */
 struct body {
     int16_t positions[3 * MOST_VERTICES], normals[3 * MOST_VERTICES], facing[3 * MOST_TRIANGLES];
     uint16_t polygons[MOST_TRIANGLES], indices[3 * MOST_TRIANGLES];
@@ -45,7 +46,7 @@ static void add_vertex(struct body *b, const double p[3], const double n[3])
     b->mesh.vertices++;
 }
 
-/* A fan; its normal is that of its diagonals, or sides. */
+/* Adds a polygon as a fan. Its normal is the cross product of its diagonals (of two sides for a triangle). */
 static void add_polygon(struct body *b, const uint32_t *corner, uint32_t count)
 {
     const int16_t *p[4];
@@ -75,7 +76,7 @@ static void add_polygon(struct body *b, const uint32_t *corner, uint32_t count)
     b->polygon_count++;
 }
 
-/* Once it has its vertices and polygons. */
+/* Completes the mesh when all vertices and polygons are there. */
 static void finish_mesh(struct body *b)
 {
     b->mesh.polygon_normals = b->facing;
@@ -88,9 +89,9 @@ static void finish_mesh(struct body *b)
 }
 
 enum profile {
-    GLOBE, /* its normals are linear over its quads */
-    EGG,   /* they are not */
-    DRUM   /* on its sides they are, and its ends are polygons of as many corners as it has sides */
+    GLOBE, /* normals are linear over its quads */
+    EGG,   /* normals are not linear over its quads */
+    DRUM   /* normals are linear on its sides; each end is one polygon */
 };
 
 static void make_body(struct body *b, enum profile profile, uint32_t around, uint32_t along)
@@ -151,7 +152,7 @@ static void keep_depth(void *ctx, const struct sheen_canvas *canvas)
             to->depth[y * WIDTH + x] = canvas->depth[(y - canvas->rect.y0) * (int)canvas->pitch + x - canvas->rect.x0];
 }
 
-/* How a body is looked at. */
+/* How a body is viewed and lit. */
 struct look {
     struct sheen_view view;
     struct sheen_object object;
@@ -234,13 +235,14 @@ static int apart(uint16_t a, uint16_t b, int is_565)
     return red > green ? (red > blue ? red : blue) : green > blue ? green : blue;
 }
 
-/* What quads and triangles differ in. */
+/* How quads and triangles differ. */
 struct difference {
-    long pixels, colours, quads, beyond; /* beyond: what 1/8 px makes of depth, at the limb */
+    /* beyond: depths farther apart than depth changes over 1/8 px, which occurs at the limb */
+    long pixels, colours, quads, beyond;
     int step;
 };
 
-/* By how much depth changes to a neighbour of pixel i, at the most. */
+/* The largest change of depth from pixel i to a neighbour. */
 static int slope_at(const struct drawn *d, int i)
 {
     const int beside[4] = {-1, 1, -WIDTH, WIDTH};
@@ -306,7 +308,7 @@ static void as_their_triangles(void **unused)
     }
 }
 
-/* Far away, with near planes so near that 1/m is a few steps there: quadrics, which take three corners, do without. */
+/* Far away, with near planes so close to the eye that 1/m has only a few steps there: the colours must still agree. */
 static void where_depth_is_coarse(void **unused)
 {
     static const struct sheen_shader *const shaders[] = {&sheen_phong, &sheen_slerp};
@@ -374,7 +376,7 @@ static void linear_normals_are_told(void **unused)
     assert_int_equal(of_warp(&body, 1, 1), body.polygon_count);
 }
 
-/* The largest angle between normals at corners of the two triangles from `first` on, radians. */
+/* The largest angle, in radians, between normals at the corners of the two triangles that start at `first`. */
 static double widest(const struct body *b, uint32_t first)
 {
     const uint16_t *index = b->indices + 3 * first, corner[4] = {index[0], index[1], index[2], index[5]};
@@ -392,13 +394,13 @@ static double widest(const struct body *b, uint32_t first)
     return most;
 }
 
-/* What chords of so many degrees are over sqrt(5), as an angle. */
+/* The angle whose chord is that of `degrees`, divided by sqrt(5). */
 static double over_root_5(double degrees)
 {
     return 2 * asin(sin(degrees * PI / 360) / sqrt(5));
 }
 
-/* Of bodies of all finenesses each warp is that of the angle between normals. */
+/* For bodies of any fineness, warp gives the range of the angle between the normals. */
 static void warp_tells_the_angle(void **unused)
 {
     static const double degrees[SHEEN_WARP_PLANE - 1] = {0, 13, 14, 18, 20, 25.92, 30, 34};
@@ -424,7 +426,7 @@ static void warp_tells_the_angle(void **unused)
         assert_true(seen[warp] > 100);
 }
 
-/* Morphed, two-sided, without polygons or warp: by triangles. */
+/* Objects that are two-sided or morphed, and meshes without polygons or warp, are drawn as triangles. */
 static void others_are_not(void **unused)
 {
     static struct body body;
@@ -452,7 +454,10 @@ static void others_are_not(void **unused)
 
 /* ---- single ones ---- */
 
-/* A polygon before an eye that is not turned: raw positions and normals, its facing, depths of the view, Q7.24. */
+/*
+ * A polygon in front of an eye that is not turned: raw positions and normals, its polygon normal, and the view's depths
+ * in Q7.24.
+ */
 struct single {
     int16_t position[18], normal[18], facing[3];
     uint32_t corners;
@@ -480,7 +485,7 @@ static void make_single(struct body *b, struct look *look, const struct single *
     look->carried = 80;
 }
 
-/* On its level diagonal one triangle ends and the other begins, and there a band may. */
+/* Its diagonal is horizontal: one triangle ends there and the other begins, and a band may end there too. */
 static const struct single level = {.position = {-5900, 0, 0, 0, -4400, 14700, 5900, 0, 0, 0, 4400, -14700},
                                     .normal = {0, 31393, 9397, 0, 31393, 9397, 0, 31393, 9397, 0, 31393, 9397},
                                     .facing = {0, 31393, 9397},
@@ -507,7 +512,7 @@ static void bands_along_a_diagonal(void **unused)
     }
 }
 
-/* Seen nearly edge-on: the plane of three snapped corners leaves the depths there are. */
+/* Seen nearly edge-on: the plane through three snapped corners leaves the range of depths. */
 static const struct single edge_on = {.position = {-5140, 4522, 15246, -14236, 17676, -13288, -8922, 2130, -19360, 551,
                                                    -13744, 4068, 658, -11972, 9974, -2400, -2062, 16254},
                                       .normal = {-30231, -11945, 4134, -30232, -11943, 4128, -30231, -11946, 4127,
@@ -518,7 +523,7 @@ static const struct single edge_on = {.position = {-5140, 4522, 15246, -14236, 1
                                       .far = 52298187,
                                       .distance = 20400249};
 
-/* With a bias that holds some of its corners at far. */
+/* With a depth bias that clamps some corners to the far plane's depth. */
 static const struct single held = {
     .position = {16671, -2555, 16203, 7141, 16842, 2772, 2454, -8781, 2743, 4859, -10337, 5507},
     .normal = {-19500, 1669, 26280, -23642, 9672, 20523, -25495, -768, 20569, -24468, -1422, 21748},
@@ -547,7 +552,7 @@ static void depths_do_not_wrap(void **unused)
     assert_true(d.pixels > 200 && d.colours == 0);
 }
 
-/* Corner 3 is nearer than the others, by more than their weights have room for. */
+/* Corner 3 is nearer than the others, by more than the weights computed from them can represent. */
 static const struct single nearest = {
     .position = {-4013, 4427, -7955, 507, -501, -1272, 16, 866, 743, -4698, 6007, -6228},
     .normal = {-27295, -17444, 4935, -26847, -17932, 5598, -26895, -17797, 5797, -27363, -17287, 5107},
@@ -557,7 +562,7 @@ static const struct single nearest = {
     .far = 676493285,
     .distance = 6547959};
 
-/* Three unit vectors, each upright on the others. */
+/* Three unit vectors at right angles to each other. */
 static void random_axes(double axis[3][3], uint32_t *state)
 {
     const double turn = stage_uniform(state, 0, 2 * PI), up = stage_uniform(state, -1, 1), roll = sqrt(1 - up * up),
@@ -610,7 +615,9 @@ static void random_single(struct single *s, uint32_t *state)
     s->far = s->distance + (int32_t)(stage_uniform(state, .3, 100) * (1 << 24));
 }
 
-/* Gouraud from black to white in all of perspective: neither light nor weight leaves its range at corner 3 either. */
+/*
+ * Gouraud from black to white in perspectives of all strengths: neither light nor weight leaves its range at corner 3.
+ */
 static void single_ones(void **unused)
 {
     static struct body body;
@@ -636,7 +643,7 @@ static void single_ones(void **unused)
         make_single(&body, &look, &s, &sheen_gouraud);
         look.material.ambient = (sheen_q16_t)(stage_random(&state) % 4 * 6000);
         look.material.diffuse = (sheen_q16_t)exp(stage_uniform(&state, log(1000), log(60000)));
-        random_axes(light, &state); /* from before it, or past it */
+        random_axes(light, &state); /* the light falls on the front or grazes it */
         for (int k = 0; k < 3; k++)
             along += light[0][k] * s.facing[k] / 32767;
         for (int k = 0; k < 3; k++)
@@ -653,7 +660,10 @@ static void single_ones(void **unused)
     assert_true(d.quads > 1000 && d.step <= 1 && d.colours < d.pixels / 50);
 }
 
-/* What is taken as linear stays within [low, high] at corner 3 as at the others, whatever the light there is off by. */
+/*
+ * If light is taken as linear, the value extrapolated to corner 3 stays within [low, high], however far the light
+ * computed there differs from it.
+ */
 static void light_stays(void **unused)
 {
     static struct draw draw;
@@ -683,13 +693,14 @@ static void light_stays(void **unused)
         const double made = v[0].kept[0] + ((double)(v[1].kept[0] - v[0].kept[0]) * q.area[1] +
                                             (double)(v[2].kept[0] - v[0].kept[0]) * q.area[2]) /
                                                q.area[0];
-        assert_true(made >= draw.colour.low - 24 && made <= draw.colour.high + 24); /* 24: areas are cut to 13 bits */
+        assert_true(made >= draw.colour.low - 24 &&
+                    made <= draw.colour.high + 24); /* 24, because areas are cut to 13 bits */
         taken++;
     }
     assert_true(taken > 25000);
 }
 
-/* Corner 1 lies between 0 and 2: what the normals of 0, 1 and 3 are says nothing of corner 2's. */
+/* Corner 1 lies on the line from 0 to 2, so the normals at 0, 1 and 3 say nothing about the one at corner 2. */
 static void corners_in_line(void **unused)
 {
     static struct body body;

@@ -1,5 +1,6 @@
 /*
- * test_frame_ram.c - the memory of a sphere of 3,968 triangles at 320x240: less than half of its framebuffer.
+ * test_frame_ram.c - the memory for a sphere of 3,968 triangles at 320x240 is less than half of that size's
+ * framebuffer.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +13,7 @@
 #include "../host-sim/command/shadings.h"
 #include "scenes.h"
 
-#define LIMIT (60 * 1024) /* B: arena and material tables; bands of 16 rows, one buffer */
+#define LIMIT (60 * 1024) /* B, for arena and material tables, with bands of 16 rows and one buffer */
 
 static void sphere_fits(void **state)
 {
@@ -31,7 +32,7 @@ static void sphere_fits(void **state)
         sheen_frame_stats(bench.frame, &stats);
         assert_int_equal(stats.triangles, 3968);
         assert_in_range(stats.front, 1230, 1260);
-        assert_in_range(stats.drawn, 680, 900); /* most of its polygons as quads */
+        assert_in_range(stats.drawn, 680, 900); /* most of its polygons are drawn as quads */
         print_message("  %u triangles, %u listed, in %zu B: arena %zu, tables %zu\n", stats.front, stats.drawn, bytes,
                       arena_bytes, sizeof bench.material);
         free(arena);

@@ -1,6 +1,6 @@
 /*
- * test_frame_stipple.c - fog, and draws that leave pixels out: the pixels that are left are those of the whole draw,
- * the others stay as they were, depth and all, whatever the bands and workers.
+ * test_frame_stipple.c - stippled draws, and fog. Pixels that a stippled draw leaves in are those of the opaque draw;
+ * the others keep their colour and depth. That holds whatever the bands and workers.
  */
 #include <stdio.h>
 #include <string.h>
@@ -23,7 +23,7 @@ static int bayer(int x, int y)
     return b;
 }
 
-/* Large and small, off the edges, behind and before the other. */
+/* Large and small objects, reaching out of the picture, behind and in front of each other. */
 static const struct actor cast[] = {{STAGE_TORUS, 0, SHEEN_FLAT, 0.2, 0.1, 3, 1.1, 40, 50},
                                     {STAGE_CUBE, 1, SHEEN_FLAT, -0.4, -0.3, 2.6, 1, 25, 35},
                                     {STAGE_BALL, 2, SHEEN_FLAT, 0.5, 0.4, 1.9, 0.9, 10, 20}};
@@ -32,7 +32,7 @@ static const struct sheen_fog fog = {SHEEN_Q24(2), SHEEN_Q24(4), {180, 190, 200}
 
 static const struct sheen_fog line_fog = {SHEEN_Q24(2), SHEEN_Q24(4), {180, 190, 200}, &sheen_line_fog_mixer};
 
-#define LINES 2 /* fog on these alone */
+#define LINES 2 /* fog on lines only */
 
 struct case_of {
     enum sheen_pixel pixel;
@@ -41,7 +41,7 @@ struct case_of {
     int dither, affine, fog;
 };
 
-/* What is drawn: a bit an actor, the first one with the case's transparency. */
+/* Draws the actors whose bits are set, the first one with the case's transparency. */
 static void draw(const struct case_of *c, unsigned actors, unsigned to[HEIGHT][WIDTH])
 {
     struct memory_target target;
@@ -53,7 +53,7 @@ static void draw(const struct case_of *c, unsigned actors, unsigned to[HEIGHT][W
     stage_config(&config, &target, 3);
     config.band_rows = (uint16_t)c->rows;
     config.workers = (uint8_t)c->workers;
-    config.max_shades = 3; /* which draws have them does not hang on how many there are */
+    config.max_shades = 3; /* so that having a table does not depend on the number of draws */
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     stage_view(&view);
     view.dither = (uint8_t)c->dither;
@@ -90,7 +90,7 @@ static int is_drawn(const struct case_of *c, int x, int y)
     return bayer((x + (int)c->phase) & 7, y & 7) < 64 - (int)c->transparency;
 }
 
-/* [0]: the draw alone, whole; [1]: stippled; [2]: with the others, whole; [3]: the others alone. */
+/* Pixels of [1], with the first actor stippled, must be those of [0], with it opaque, or of [3], without it. */
 static void check(const struct case_of *c)
 {
     struct case_of whole = *c;
@@ -149,7 +149,10 @@ static void test_greys(void **unused)
     }
 }
 
-/* Dithered by other thresholds than the whole draw: the same whatever the bands, and nothing where it is left out. */
+/*
+ * A stippled draw is dithered with other thresholds than an opaque one, so its colours are only compared between
+ * different bands; pixels that are left out must be those of the picture without the draw.
+ */
 static void test_dithered(void **unused)
 {
     (void)unused;
@@ -227,7 +230,7 @@ static void test_refused(void **unused)
         object.stipple = &sheen_stipple;
         object.transparency = 32;
         assert_int_equal(sheen_draw(f.frame, &object), SHEEN_OK);
-        stage_draw(&stage, &others[0], &object); /* it would take the shades */
+        stage_draw(&stage, &others[0], &object); /* if it succeeded it would occupy the one table of shades */
         object.transparency = refused == 1 ? 32 : 65;
         object.stipple = refused == 1 ? NULL : &sheen_stipple;
         if (refused)
@@ -245,7 +248,7 @@ static void test_refused(void **unused)
     assert_memory_equal(picture[2], picture[0], sizeof picture[0]);
 }
 
-/* What lies at full fog is of its colour. */
+/* Whatever lies at full fog has the fog's colour. */
 static void test_full_fog(void **unused)
 {
     (void)unused;
@@ -275,7 +278,7 @@ static void test_full_fog(void **unused)
     }
 }
 
-/* Where fog is for lines, faces are as without. */
+/* Fog for lines only leaves faces as they are without fog. */
 static void test_line_fog(void **unused)
 {
     (void)unused;
@@ -323,7 +326,7 @@ static void test_fog_arguments(void **unused)
     view.fog = &fog;
     assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
     assert_int_equal(sheen_finish(f.frame), SHEEN_OK);
-    /* Thin slabs in fog that reaches far beyond both sides. */
+    /* Thin view volumes in fog that reaches far beyond both planes. */
     static const struct {
         sheen_q24_t near, far;
         struct sheen_fog fog;

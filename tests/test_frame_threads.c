@@ -1,7 +1,7 @@
 /*
- * test_frame_threads.c - the bands of a frame on two threads, each a worker of its own.
+ * test_frame_threads.c - the bands of a frame on two threads, each of which is a worker.
  *
- * Meant for the thread sanitizer, which sees any store that both touch.
+ * It is meant for the thread sanitizer, which detects unprotected accesses by both threads to the same memory.
  */
 #include <pthread.h>
 #include <string.h>
@@ -13,7 +13,10 @@
 #define WORKERS 2
 #define FRAMES 8
 
-/* One bus for all, which takes the pixels when it is waited for: it would notice a second push, or a touched buffer. */
+/*
+ * One bus for all workers. It reads the pixels only in wait(), so it notices a second push or a buffer that is written
+ * to meanwhile.
+ */
 struct bus {
     struct memory_target memory;
     pthread_mutex_t lock;
@@ -31,7 +34,7 @@ static void give_lock(void *ctx)
 
 static void bus_open(struct bus *bus)
 {
-    pthread_mutexattr_t checked; /* locking twice, or unlocking what another locked, is an error */
+    pthread_mutexattr_t checked; /* reports an error if a thread locks twice or unlocks another thread's lock */
 
     assert_int_equal(memory_target_init(&bus->memory, WIDTH, HEIGHT, SHEEN_RGB565_BE), 0);
     bus->memory.delayed = true;
@@ -48,12 +51,12 @@ static void bus_close(struct bus *bus)
     memory_target_free(&bus->memory);
 }
 
-/* How the bands are dealt out: every other one, by halves, each to who comes first. */
+/* How bands are assigned to the workers: every other one, one half each, or the next one to whoever is free. */
 enum deal {
     EVERY_OTHER,
     HALVES,
     FIRST_COME,
-    SHARES, /* as sheen_bands deals them */
+    SHARES, /* as sheen_bands() assigns them */
     DEALS
 };
 
@@ -165,7 +168,9 @@ static void play(int band_rows, int buffers, enum deal deal)
     bus_close(&two);
 }
 
-/* One of the pushes or waits fails, whosesoever: the frame has that error, and the next one sends everything. */
+/*
+ * One of the pushes or waits fails, on either thread: the frame gets that error, and the next frame sends everything.
+ */
 static void one_fails(void **state)
 {
     struct core_frame f;
