@@ -133,8 +133,7 @@ static int draw_two(struct memory_target *target, const struct sheen_config *con
     memory_target_begin(target);
     assert_int_equal(core_frame_make(&f, config), SHEEN_OK);
     stage_view(&view);
-    for (int frame = 0; frame < 2;
-         frame++) { /* the first frame sends everything, the second only what the draws cover */
+    for (int frame = 0; frame < 2; frame++) { /* the second frame sends only what the draws cover */
         memory_target_begin(target);
         assert_int_equal(sheen_begin(f.frame, &view), SHEEN_OK);
         stage_draw(&stage, &first, &draw);

@@ -149,8 +149,7 @@ static void draw_refused(struct sheen_frame *frame, const struct sheen_object *f
         mesh.edges = NULL;
         o.mesh = &mesh;
         o.morph = NULL;
-        o.edges = stage_random(seed) % 2 ? &sheen_edges_outline
-                                         : &sheen_edges_wire; /* not smooth, which does nothing on 2 levels */
+        o.edges = stage_random(seed) % 2 ? &sheen_edges_outline : &sheen_edges_wire; /* smooth needs > 2 levels */
     }
     assert_true(sheen_draw(frame, &o) < 0);
 }

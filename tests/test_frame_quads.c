@@ -693,8 +693,7 @@ static void light_stays(void **unused)
         const double made = v[0].kept[0] + ((double)(v[1].kept[0] - v[0].kept[0]) * q.area[1] +
                                             (double)(v[2].kept[0] - v[0].kept[0]) * q.area[2]) /
                                                q.area[0];
-        assert_true(made >= draw.colour.low - 24 &&
-                    made <= draw.colour.high + 24); /* 24, because areas are cut to 13 bits */
+        assert_true(made >= draw.colour.low - 24 && made <= draw.colour.high + 24); /* 24: areas are cut to 13 bits */
         taken++;
     }
     assert_true(taken > 25000);

@@ -1,5 +1,5 @@
 /*
- * test_gif.c - animations, read back by giflib.
+ * test_gif.c - animated GIFs that sheen writes, read back by giflib and compared with the frames that were written.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +39,7 @@ static void decoded(const GifFileType *file, int f, uint8_t *rgb)
     }
 }
 
-/* Writes the frames and reads them back; the file is gone afterwards. */
+/* Writes the frames and reads them back; the file is removed. */
 static GifFileType *there_and_back(void)
 {
     char path[] = "/tmp/sheen_gif_XXXXXX";
@@ -117,7 +117,7 @@ static void many_colors_are_near(void **state)
     assert_int_equal(DGifCloseFile(file, NULL), GIF_OK);
 }
 
-/* Frames of a lit object before a background that takes most of the picture, in more colours than a palette holds. */
+/* Frames of a lit object on a background that fills most of the picture, in more colours than a palette holds. */
 static void the_background_stays(void **state)
 {
     static const uint8_t background[3] = {66, 97, 132};
@@ -155,7 +155,7 @@ static void what_cannot_be_written(void **state)
     assert_true(sheen_gif_write(gif, "/nowhere/a.gif", &problem) < 0);
     assert_string_equal(problem.text, "/nowhere/a.gif: No such file or directory");
     sheen_gif_close(gif);
-    assert_int_equal(sheen_gif_open(&gif, WIDTH, HEIGHT, DELAY), 0); /* and one that is never written */
+    assert_int_equal(sheen_gif_open(&gif, WIDTH, HEIGHT, DELAY), 0); /* and one that is closed without being written */
     assert_int_equal(sheen_gif_add(gif, frames[0]), 0);
     sheen_gif_close(gif);
     sheen_gif_close(NULL);

@@ -1,11 +1,12 @@
 /*
- * test_gltf_picture.c - glTF files as they are read and drawn, against the reference's own reading of the same numbers.
+ * test_gltf_picture.c - glTF files as they are imported and drawn, against the reference's own reading of the same
+ * numbers.
  *
- * A wavy sheet with uv and colours is written as files in three ways: binary with its picture inside, floats, a texture
- * transform; as JSON with buffer and picture beside, 16-bit numbers, a node that turns it, a base colour; binary
- * without a texture. What these say follows from the specification in double precision (read_* below): it has to be
- * what the importer made of it, corner by corner, and the picture that the core draws of the import has to keep the
- * limits of its shading against the reference's of that reading. Readings with a mistake have to be refused.
+ * A wavy sheet with uvs and colours is written as files in three ways: binary with the picture inside, floats and a
+ * texture transform; as JSON with buffer and picture in files of their own, 16-bit numbers, a node that turns it, and a
+ * base colour; binary without a texture. The functions read_* below derive from the specification, in double precision,
+ * what these files mean. The import must agree with that corner by corner, and the picture that the core draws of it
+ * must stay within its shading's limits of the reference's picture. Readings with a mistake in them must be refused.
  */
 #include <math.h>
 #include <stdio.h>
@@ -25,24 +26,24 @@
 #define SIDE 16 /* texels */
 
 enum way {
-    INSIDE, /* a GLB, all in it, floats; nearest texels */
-    BESIDE, /* a node's transform, unsigned shorts, clamped; bilinear texels */
+    INSIDE, /* a GLB that contains everything, floats; nearest texels */
+    BESIDE, /* separate files, a node's transform, unsigned shorts, clamped; bilinear texels */
     PLAIN,  /* a GLB without texture */
     WAYS
 };
 static const char *const way_name[WAYS] = {"inside.glb", "beside.gltf", "plain.glb"};
 
-/* What a reading may get wrong. */
+/* Mistakes put into the reference's reading. */
 enum mistake {
     NONE,
-    LINEAR,    /* colours taken as they stand */
-    CLOCKWISE, /* turned the other way */
-    WHITE,     /* without the base colour's factor */
+    LINEAR,    /* colours taken as if they were encoded already */
+    CLOCKWISE, /* uv rotated in the wrong direction */
+    WHITE,     /* without the base colour factor */
     MISTAKES
 };
 static const char *const mistake_name[MISTAKES] = {"", "linear colours", "uv turned clockwise", "no base colour"};
 
-/* Of baseColorTexture's transform, by way. */
+/* The transform of baseColorTexture, for each way of writing. */
 static const double offset[WAYS][2] = {{0.1, 0.25}, {-0.15, -0.1}, {0, 0}};
 static const double scale[WAYS][2] = {{2, 1.5}, {1.3, 1.2}, {1, 1}}, rotation[WAYS] = {0.4, 0, 0};
 static const double factor[WAYS][3] = {{1, 1, 1}, {0.5, 0.8, 0.35}, {0.9, 0.3, 0.6}};
@@ -82,7 +83,9 @@ static void make_points(struct numbers *n)
     }
 }
 
-/* The picture's bytes, by way of a file: squares of four texels, bytes that 565 has to round. */
+/*
+ * The picture's bytes, written to a file and read from it: squares of 2 by 2 texels, with bytes that 565 has to round.
+ */
 static int make_picture(struct numbers *n)
 {
     struct sheen_problem problem;
@@ -100,7 +103,7 @@ static int make_picture(struct numbers *n)
     return file && fclose(file) == 0 && n->png_bytes > 0 ? 0 : -1;
 }
 
-/* Views of a buffer, one after another, each from a multiple of 4 on. */
+/* A buffer of views, one after another, each starting at a multiple of 4. */
 struct buffer {
     unsigned char bytes[65536];
     size_t count, at[5], length[5];
@@ -214,14 +217,14 @@ static double byte_of(double x)
 static void read_position(const struct numbers *n, enum way way, int i, double to[3])
 {
     const double x = (double)n->position[i][0], y = (double)n->position[i][1], z = (double)n->position[i][2];
-    const double c = 0.5, s = sqrt(0.75); /* of 60 degrees around x, the quaternion's (1/2, 0, 0, cos 30) */
+    const double c = 0.5, s = sqrt(0.75); /* 60 degrees around x; the node's quaternion is (1/2, 0, 0, cos 30) */
 
     to[0] = way == BESIDE ? 3 + 2 * x : x;
     to[1] = way == BESIDE ? -2 + 2 * (c * y - s * z) : y;
     to[2] = way == BESIDE ? 5 + 2 * (s * y + c * z) : z;
 }
 
-/* Scaled, turned counter-clockwise as it is seen with v downwards, moved. */
+/* Scaled, rotated counter-clockwise as seen with v pointing down, then moved. */
 static void read_uv(const struct numbers *n, enum way way, enum mistake mistake, int i, double to[2])
 {
     const double u = way == BESIDE ? n->short_uv[i][0] / 65535.0 : (double)n->uv[i][0];
@@ -301,7 +304,7 @@ static int import(struct sheen_host_mesh *host, enum way way)
     return -1;
 }
 
-/* Corners that have another uv or colour than the reference's. */
+/* The number of corners whose uv or colour differs from the reference's. */
 static long differing_corners(const struct sheen_host_mesh *host, const struct ref_mesh *mesh)
 {
     long differ = host->triangle_count != mesh->triangle_count;
@@ -321,7 +324,7 @@ static long differing_corners(const struct sheen_host_mesh *host, const struct r
     return differ;
 }
 
-/* The picture that the core draws of the import against the reference's: true where it keeps the limits. */
+/* Compares the picture that the core draws of the import with the reference's; true if it is within the limits. */
 static bool is_kept(struct accuracy_shot *shot, struct ref_scene *scene, const struct ref_picture *picture,
                     const struct sheen_host_mesh *host)
 {

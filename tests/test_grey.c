@@ -1,9 +1,8 @@
 /*
- * test_grey.c - grey levels and ordered dithering against their definition.
+ * test_grey.c - grey levels and ordered dithering against their definition in double precision.
  *
- * The level of a pixel follows from its unrounded colour; the core's colour is off
- * by a fraction of a 565 step, so a level may differ only where the reference's
- * lies that close to a threshold.
+ * A pixel's level follows from its unrounded colour. The core's colour is off by a fraction of a 565 step, so a level
+ * may differ only if the reference's unrounded level is that close to a threshold.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -16,7 +15,7 @@
 
 #include "accuracy.h"
 
-#define COLOUR_ERROR (2.0 / 255) /* of the core's unrounded colour, in highlights; elsewhere far below */
+#define COLOUR_ERROR (2.0 / 255) /* of the core's unrounded colour in highlights; elsewhere far smaller */
 
 struct format {
     enum sheen_pixel pixel;
@@ -25,7 +24,7 @@ struct format {
 static const struct format formats[4] = {
     {SHEEN_GREY2, 2}, {SHEEN_GREY16, 16}, {SHEEN_GREY256, 256}, {SHEEN_RGB565_BE, 0}};
 
-/* The reference's value with its colour moved by `by`. */
+/* The reference's value with `by` added to its colour. */
 static uint16_t moved(const struct ref_scene *scene, const struct ref_pixel *p, int x, int y, double by)
 {
     double color[3] = {p->color[0] + by, p->color[1] + by, p->color[2] + by};
@@ -33,7 +32,7 @@ static uint16_t moved(const struct ref_scene *scene, const struct ref_pixel *p, 
     return ref_value(scene, color, x, y, !p->covered);
 }
 
-/* Every channel of value between those of low and high. */
+/* True if every channel of `value` lies between those of `low` and `high`. */
 static bool between(int levels, unsigned value, unsigned low, unsigned high)
 {
     if (levels)
@@ -42,7 +41,10 @@ static bool between(int levels, unsigned value, unsigned low, unsigned high)
            (value >> 5 & 63) <= (high >> 5 & 63) && (value & 31) >= (low & 31) && (value & 31) <= (high & 31);
 }
 
-/* Share of equal values; every other within what the colour's error allows, edges of the mesh left out. */
+/*
+ * The share of equal values. Any other value must be within what the colour's error allows. Edges of the mesh are left
+ * out.
+ */
 static double equal_share(const struct ref_scene *scene, const struct sheen_mesh *mesh, enum sheen_pixel pixel)
 {
     struct memory_target target;
@@ -98,7 +100,10 @@ static void shaded_pictures(void **state)
     }
 }
 
-/* A constant patch: its levels as defined pixel by pixel, and its mean over 8x8 blocks the colour. */
+/*
+ * A patch of one colour: its levels must be as defined pixel by pixel, and their mean over 8x8 blocks must be the
+ * colour.
+ */
 static void constant_patches(void **state)
 {
     struct shape shape;

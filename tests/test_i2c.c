@@ -1,5 +1,6 @@
 /*
- * test_i2c.c - panels on I2C: messages as literals, then every panel that has I2C through the simulated bus.
+ * test_i2c.c - panels on I2C: the messages that the sender makes of a bus's calls, against literals; the simulated bus
+ * that receives them; then every panel that has I2C through both.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,9 +13,9 @@
 
 #include "test_panel_canvas.h"
 
-/* ---- the sender's half: what becomes of a bus's calls ---- */
+/* ---- the sending half: a bus's calls become messages ---- */
 
-/* Writes messages down: "00 21 0a | 40 01 | ", a w where it was waited for. */
+/* Writes down the messages, "00 21 0a | 40 01 | ", and a "w" for each wait. */
 struct scribe {
     char text[512];
     int flying;
@@ -60,7 +61,7 @@ static void calls_become_messages(void **state)
     (void)state;
     assert_int_equal(sheen_i2c_open(&i2c, &wire, 16), SHEEN_ERR_ARGUMENT);
     assert_int_equal(sheen_i2c_open(&i2c, NULL, 0), SHEEN_ERR_ARGUMENT);
-    struct sheen_bus timeless = wire; /* what a bus has not, a layer around it has not */
+    struct sheen_bus timeless = wire; /* a layer offers only what the bus below it has */
     struct sheen_bus_layer layer;
     timeless.delay = NULL;
     assert_int_equal(sheen_i2c_open(&i2c, &timeless, 0), SHEEN_ERR_ARGUMENT);
@@ -71,9 +72,9 @@ static void calls_become_messages(void **state)
     assert_int_equal(bus->wait(bus->ctx), 0);
     assert_string_equal(scribe.text, "00 01 02 03 | w ");
     scribe.text[0] = '\0';
-    assert_int_equal(bus->send(bus->ctx, NULL, 0, bytes, 18), 0); /* 16 and 2 */
+    assert_int_equal(bus->send(bus->ctx, NULL, 0, bytes, 18), 0); /* two messages, of 16 and 2 bytes */
     assert_string_equal(scribe.text, "40 01 02 03 04 05 06 07 08 09 0a 0b 0c 0d 0e 0f 10 | w 40 11 12 | ");
-    assert_int_equal(scribe.flying, 1); /* the last may */
+    assert_int_equal(scribe.flying, 1); /* the last message may still be under way */
     bus->wait(bus->ctx);
     scribe.text[0] = '\0';
     assert_int_equal(bus->send(bus->ctx, bytes, 1, bytes + 5, 1), 0);
@@ -85,7 +86,7 @@ static void calls_become_messages(void **state)
     assert_null(bus->tearing);
 }
 
-/* ---- the receiver's half: the simulated bus, fed by hand ---- */
+/* ---- the receiving half: the simulated bus, fed by hand ---- */
 
 static struct sheen_sim_controller chip;
 static struct sheen_sim_bus sim;
@@ -121,7 +122,7 @@ static void control_bytes(void **state)
     assert_int_equal(MESSAGE("\x40\x01\x80"), 0);
     assert_int_equal(chip.ram[16 * 128 + 5], 1);
     assert_int_equal(chip.ram[23 * 128 + 6], 1);
-    /* One byte each, then the rest: 80 command, C0 a byte of data, 40 data. */
+    /* A control byte before each byte, then one for the rest: 80 command, C0 a byte of data, 40 data. */
     assert_int_equal(MESSAGE("\x80\x21\x80\x09\x80\x0B\xC0\x01\x40\x00\x80"), 0);
     assert_int_equal(chip.x0, 9);
     assert_int_equal(chip.ram[16 * 128 + 9], 1);
@@ -154,7 +155,7 @@ static void nobody_at_the_address(void **state)
     assert_int_equal(chip.on, 0);
     assert_int_equal(sim.flying, 0);
     sheen_sim_controller_close(&chip);
-    /* A module without I2C is at no address. */
+    /* A module without I2C answers at no address. */
     assert_int_equal(sheen_sim_controller_open(&chip, sheen_sim_module_find("ili9341-240x320")), 0);
     sheen_sim_bus_open(&sim, &chip, 1);
     sheen_sim_bus_i2c(&sim, 0x3C);
@@ -162,7 +163,7 @@ static void nobody_at_the_address(void **state)
     sheen_sim_controller_close(&chip);
 }
 
-/* ---- the shipped drivers, every panel that has I2C ---- */
+/* ---- the shipped drivers, on every panel that has I2C ---- */
 
 static int open_i2c(struct canvas *canvas, const struct sheen_panel_record *record, unsigned orientation)
 {
@@ -200,7 +201,7 @@ static void every_panel_and_orientation(void **state)
     assert_true(panels >= 7 * 8);
 }
 
-/* Each operation of a whole picture fails in each way; the next picture is right. */
+/* Each operation of a whole picture fails in each way; the next picture must be right. */
 static void every_operation_and_fault(void **state)
 {
     static const char *const names[] = {"ssd1327-96x96", "ssd1306-72x40", "sh1106"};

@@ -1,5 +1,6 @@
 /*
- * The I2C watcher is tested before it is trusted: edges as literals, and the messages they are.
+ * test_i2c_watcher.c - the watcher that decodes I2C levels in other tests, itself tested with edges as literals,
+ * against the messages that they form and the violations that it has to report.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +14,7 @@
 #include "i2c_watcher.h"
 #include "sheen_target.h"
 
-/* Writes messages down: "00ae | ". */
+/* Writes down the messages: "00ae | ". */
 struct scribe {
     struct sheen_bus bus;
     char text[256];
@@ -42,8 +43,8 @@ static void begin(void)
 }
 
 /*
- * c, C: SCL low, high; d, D: SDA low, high; s: a start (d c), p: a stop (d C D);
- * 0, 1: a bit (its level, C, c); n: the ninth, released (D C c). The first code.
+ * Plays edges. c, C: SCL low, high; d, D: SDA low, high; s: a start (d c), p: a stop (d C D); 0, 1: a bit (its level,
+ * C, c); n: the ninth bit, released (D C c). Returns the first code that is not 0.
  */
 static int play(const char *edges)
 {
@@ -81,7 +82,7 @@ static void messages(void **state)
     assert_int_equal(watcher.messages, 2);
     assert_int_equal(watcher.bytes, 5);
     assert_int_equal(sheen_i2c_watcher_finish(&watcher), 0);
-    assert_int_equal(play(TO_3C "p"), 0); /* a mere question whether somebody is there */
+    assert_int_equal(play(TO_3C "p"), 0); /* only asks whether a device is there */
     assert_int_equal(watcher.messages, 3);
 }
 
@@ -94,7 +95,7 @@ static void broken_rules(void **state)
         {"s 01111001 n p", "a read"},
         {"s p", "a message to another address"},
         {TO_3C "000 p", "a stop inside a byte"},
-        {TO_3C "00000000 p", "a stop inside a byte"}, /* not acknowledged: no ninth bit */
+        {TO_3C "00000000 p", "a stop inside a byte"}, /* the acknowledge bit is missing */
         {TO_3C "000 D C d", "a start inside a byte"},
         {TO_3C "D C d c", "a second start without a stop"},
         {"c d C D", "a stop without a start"},

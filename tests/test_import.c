@@ -1,5 +1,6 @@
 /*
- * test_import.c - mesh files: what counts as one vertex, a face, a normal, a material.
+ * test_import.c - mesh files: what becomes one vertex, a face, a normal or a material, against numbers worked out by
+ * hand.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -19,7 +20,7 @@ static void equal3(const double a[3], double x, double y, double z)
         fail_msg("%g %g %g, not %g %g %g", a[0], a[1], a[2], x, y, z);
 }
 
-/* A cube of quads, each listing points of its own, with 0 and -0. */
+/* A cube of quads, some with points of their own and signed zeros. */
 static const char cube[] = "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nv 1 -1 -1\nv -1 -1 -1\nv -1 1 -1\nv 1 1 -1\n"
                            "f 1 2 3 4\nf 5 6 7 8\nf 2 5 8 3\nf 6 1 4 7\nf 4 3 8 7\nf 6 5 2 1\n";
 
@@ -32,7 +33,7 @@ static void a_cube(void **state)
     assert_int_equal(mesh.vertex_count, 8);
     assert_int_equal(mesh.polygon_count, 6);
     assert_int_equal(mesh.triangle_count, 12);
-    for (size_t i = 0; i < 8; i++) { /* the average points along the diagonal, and so does the position */
+    for (size_t i = 0; i < 8; i++) { /* the average normal points along the diagonal, and so does the position */
         const struct sheen_host_vertex *v = &mesh.vertices[i];
         equal3(v->position, v->normal[0], v->normal[1], v->normal[2]);
     }
@@ -44,13 +45,13 @@ static void bit_equal_positions_are_one_vertex(void **state)
     struct sheen_host_mesh mesh;
 
     (void)state;
-    /* Two triangles over the edge (0,0,0) (0,1,0), each with its own points; 1 + 1e-9 is 1 as a 32-bit float. */
+    /* Two triangles at the edge (0,0,0) (0,1,0), each with its own points; 1 + 1e-9 is 1 as a 32-bit float. */
     import_mesh(&mesh, "weld.obj",
                 "v 0 0 -0\nv 1 0 0\nv 0 1 0\no other\nv -0 -0 0\nv 0 1.000000001 0\nv -1 0 0\nf 1 2 3\nf 4 5 6\n",
                 &import_plain);
     assert_int_equal(mesh.vertex_count, 4);
     sheen_host_mesh_free(&mesh);
-    /* One step of a float apart: two vertices. */
+    /* Points that are one step of a float apart stay two vertices. */
     import_mesh(&mesh, "apart.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 1.0000002 0\nv -1 0 0\nf 1 2 3\nf 1 4 5\n",
                 &import_plain);
     assert_int_equal(mesh.vertex_count, 5);
@@ -72,7 +73,7 @@ static void points_and_lines_and_flat_faces_are_left_out(void **state)
     sheen_host_mesh_free(&mesh);
 }
 
-/* A triangle of no size beside one: it has its area and normal all the same, down to the least double above 0. */
+/* A tiny triangle beside a normal one keeps its area and normal, down to the smallest double above 0. */
 static void faces_of_hardly_any_extent(void **state)
 {
     static const char *const sizes[] = {"1e-30", "1e-299", "1e-301", "2.3e-308", "1e-310", "4.95e-324"};
@@ -99,7 +100,7 @@ static void normals_of_the_file_and_without(void **state)
     char text[400];
 
     (void)state;
-    /* Two faces that meet at the x axis, seen from below; the first has a vn of length 2 and one that is zero. */
+    /* Two faces that meet at the x axis, seen from below. The first has one vn of length 2 and one that is zero. */
     strcpy(text, roof);
     strcat(text, "vn 0 0 2\nvn 0 0 0\nf 1//1 2//1 6//2 5//2\nf 2 1 3 4\n");
     import_mesh(&mesh, "vn.obj", text, &import_plain);
@@ -107,11 +108,11 @@ static void normals_of_the_file_and_without(void **state)
     for (size_t i = 0; i < mesh.vertex_count; i++) {
         const struct sheen_host_vertex *v = &mesh.vertices[i];
         if (v->normal[2] == 1)
-            assert_true(v->position[1] < 0); /* of the first face, at the axis */
+            assert_true(v->position[1] < 0); /* in the first face, at the axis: the file's vn */
         else if (v->position[1] < 0)
-            equal3(v->normal, 0, -1, 0); /* of the second face, at the axis: the average */
+            equal3(v->normal, 0, -1, 0); /* in the second face, at the axis: the average */
         else
-            assert_true(fabs(fabs(v->normal[2]) - sqrt(0.5)) < 1e-8); /* elsewhere: its own face's */
+            assert_true(fabs(fabs(v->normal[2]) - sqrt(0.5)) < 1e-8); /* elsewhere: the normal of its own face */
     }
     sheen_host_mesh_free(&mesh);
     import_mesh(&mesh, "vn.obj", text, &(struct sheen_host_options){.average = 1});
@@ -119,7 +120,10 @@ static void normals_of_the_file_and_without(void **state)
     sheen_host_mesh_free(&mesh);
 }
 
-/* Of the angles at point 1, or in equal parts. The face up lists it once, the face to +x as two triangles. */
+/*
+ * Averages weighted by the angles at point 1, or equally. The upward face lists point 1 once; the face towards +x
+ * consists of two triangles and lists it twice.
+ */
 static void a_corner_counts_for_each_listing(void **state)
 {
     static const char text[] = "v 0 0 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\nv 0 -1 1\nf 1 3 2\nf 1 2 5\nf 1 5 4\n";
@@ -128,15 +132,15 @@ static void a_corner_counts_for_each_listing(void **state)
     (void)state;
     import_mesh(&mesh, "twice.obj", text, &(struct sheen_host_options){.equal = 1});
     const double *n = mesh.vertices[mesh.corners[0]].normal;
-    equal3(n, 2 / sqrt(5), fabs(n[1]), 0); /* it leans to +x, 2 to 1 */
+    equal3(n, 2 / sqrt(5), fabs(n[1]), 0); /* listed 2 to 1, it leans towards +x */
     sheen_host_mesh_free(&mesh);
     import_mesh(&mesh, "twice.obj", text, &import_plain);
     n = mesh.vertices[mesh.corners[0]].normal;
-    equal3(n, 1 / sqrt(2), fabs(n[1]), 0); /* 90 degrees of either */
+    equal3(n, 1 / sqrt(2), fabs(n[1]), 0); /* 90 degrees in both */
     sheen_host_mesh_free(&mesh);
 }
 
-/* (x, y, z) becomes (x, z, -y) before the fit: by the format, or as asked. */
+/* (x, y, z) becomes (x, z, -y) before the fit, because of the format or if asked for. */
 static void up_is_turned(void **state)
 {
     static const char obj[] = "v 0 0 0\nv 1 0 0\nv 0 0 4\nf 1 2 3\n";
@@ -188,7 +192,7 @@ static void a_crease_parts_faces(void **state)
     }
 }
 
-/* STL and PLY of the same tetrahedron; the facet normals of the STL are nonsense and must not matter. */
+/* The same tetrahedron as STL and PLY. The facet normals of the STL are nonsense and must not matter. */
 static void other_formats(void **state)
 {
     static const char stl[] =
@@ -218,7 +222,7 @@ static void other_formats(void **state)
     sheen_host_mesh_free(&b);
 }
 
-/* A triangle in the plane z = 0 whose nodes scale it by (2, 1, 1), move it, and mirror it in x. */
+/* A triangle in the plane z = 0. One node moves and scales it by (2, 1, 1), another mirrors it in x. */
 static void nodes_of_gltf(void **state)
 {
     static const char text[] =
@@ -237,7 +241,7 @@ static void nodes_of_gltf(void **state)
     import_mesh(&mesh, "nodes.gltf", text, &import_plain);
     assert_int_equal(mesh.polygon_count, 2);
     equal3(mesh.center, 3, 0.5, 0); /* x from -1 to 5 + 2 */
-    for (size_t p = 0; p < 2; p++)  /* mirrored as well: its corners are turned around with it */
+    for (size_t p = 0; p < 2; p++)  /* the mirrored one too, because the order of its corners is reversed */
         equal3(mesh.polygons[p].normal, 0, 0, 1);
     sheen_host_mesh_free(&mesh);
 }

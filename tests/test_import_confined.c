@@ -1,6 +1,6 @@
 /*
- * test_import_confined.c - the reader of mesh files runs confined: what a taken-over one tries, and
- * what a broken one does.
+ * test_import_confined.c - the reader of mesh files runs confined. Readers that were taken over try forbidden things,
+ * and broken readers give up, crash or hang: the test checks that nothing forbidden succeeds and what is reported.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -22,7 +22,7 @@
 #include "mesh_file.h"
 #include "test_import.h"
 
-/* Runs a reader; its error line, or "" where it came through. */
+/* Runs a reader. Returns its error line, or "" if it succeeded. */
 static const char *said(sheen_mesh_reader *reader)
 {
     static struct sheen_problem problem;
@@ -43,7 +43,7 @@ static void says(sheen_mesh_reader *reader, const char *part)
         fail_msg("'%s' should say '%s'", text, part);
 }
 
-/* A sentence of the reader's own, so that the test sees what it could do. */
+/* An error line with the result of an attempt, so that the test sees what the reader could do. */
 static int report(struct sheen_problem *problem, const char *path, const char *what, int result)
 {
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s: %s", path, what,
@@ -168,10 +168,10 @@ static void a_broken_one_is_one_line(void **state)
     says(crashes, "broke down");
 }
 
-/* Malloc'ed and written to: address space alone is not counted. */
+/* Allocates memory and writes to it, because address space alone does not count. */
 static int take(struct sheen_problem *problem, const char *path, size_t megabytes)
 {
-    char *volatile memory = malloc(megabytes << 20); /* volatile: clang leaves out what is not used */
+    char *volatile memory = malloc(megabytes << 20); /* volatile, because clang would leave out unused memory */
 
     if (memory)
         memset(memory, 1, megabytes << 20);
@@ -190,7 +190,7 @@ static int takes_much(struct sheen_polygons *polygons, const char *path, struct 
     return take(problem, path, (SHEEN_IMPORT_BYTES >> 20) + 4);
 }
 
-/* A megabyte beside the mesh: 16 more may be taken, once. */
+/* A file of a megabyte: while it is read, 16 more may be allocated, but only once. */
 static char large_file[300];
 
 static int takes_for_a_file(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)

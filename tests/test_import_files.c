@@ -1,5 +1,5 @@
 /*
- * test_import_files.c - mesh files made by the tests, and what is asked of them.
+ * test_import_files.c - makes mesh files for tests and checks what an import returns.
  */
 #include "test_import.h"
 

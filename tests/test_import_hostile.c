@@ -1,5 +1,6 @@
 /*
- * test_import_hostile.c - files cut at every byte, and with every byte changed: a mesh or one line.
+ * test_import_hostile.c - small mesh files of every format, truncated at every byte and with every byte changed: each
+ * must give a sane mesh or an error of one line.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -15,7 +16,7 @@
 #include "quantise.h"
 #include "test_import.h"
 
-/* A tetrahedron in every format; the binary ones are small enough to write by hand. */
+/* A tetrahedron in every format; the binary ones are small enough to be written by hand. */
 static const char obj[] = "# t\nmtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1e0\nvn 0 0 -1\nvt 0 0\n"
                           "usemtl m\nf 1/1/1 3/1/1 2/1/1\nf 1 2 -1\nf 1//1 4//1 3//1\nf 2 3 4\n";
 static const char stl[] = "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\n"
@@ -30,7 +31,7 @@ static const char ply_binary[] = "ply\nformat binary_little_endian 1.0\nelement 
                                  "\0\0\0\0\0\0\0\0\0\0\0\0"
                                  "\0\0\x80\x3f\0\0\0\0\0\0\0\0"
                                  "\0\0\0\0\0\0\x80\x3f\0\0\0\0"
-                                 "\3\0\0\0\0\1\0\0\0\2\0\0"; /* the literal's own zero is the last byte */
+                                 "\3\0\0\0\0\1\0\0\0\2\0\0"; /* the last byte is the literal's own zero */
 static const char strips[] = "ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\n"
                              "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
                              "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
@@ -54,7 +55,9 @@ struct sample {
     size_t count;
 };
 
-/* A mesh of sane numbers that quantises, or a line that names the file. Returns 1 for a mesh. */
+/*
+ * The result must be a mesh of sane numbers that can be quantised, or a line that names the file. Returns 1 for a mesh.
+ */
 static int survives(const char *name, const char *bytes, size_t count)
 {
     struct sheen_problem problem = {""};
@@ -79,13 +82,13 @@ static int survives(const char *name, const char *bytes, size_t count)
     return 1;
 }
 
-/* Binary STL: 80 bytes of anything, a count, 50 bytes a facet: normal, three corners, 2 spare. */
+/* Binary STL: 80 arbitrary bytes, a count, and 50 bytes per facet: its normal, three corners, 2 spare bytes. */
 static size_t binary_stl(char *out)
 {
     static const float facets[2][12] = {{0, 0, -1, 0, 0, 0, 0, 1, 0, 1, 0, 0}, {0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 
     memset(out, 'x', 80);
-    memcpy(out + 80, "\2\0\0\0", 4); /* little-endian, as are the floats: this test is for such machines */
+    memcpy(out + 80, "\2\0\0\0", 4); /* little-endian like the floats, so this test needs a little-endian machine */
     for (size_t f = 0; f < 2; f++) {
         memcpy(out + 84 + 50 * f, facets[f], 48);
         memset(out + 84 + 50 * f + 48, 0, 2);
@@ -93,7 +96,7 @@ static size_t binary_stl(char *out)
     return 184;
 }
 
-/* The same triangle as .gltf's above in chunks: 12 bytes of header, JSON, the 36 bytes of its buffer. */
+/* The triangle of the .gltf above in chunks: a header of 12 bytes, JSON, and the 36 bytes of its buffer. */
 static size_t binary_gltf(char *out)
 {
     static const char json[] =
@@ -145,7 +148,7 @@ static void cut(const struct sample *sample)
     for (size_t count = 0; count < sample->count; count++)
         meshes += survives(sample->name, sample->bytes, count);
     printf("%s: %zu cuts, %d of them meshes\n", sample->name, sample->count, meshes);
-    assert_true(meshes == 0 || !strstr(sample->name, ".gl")); /* both forms of glTF tell where they end */
+    assert_true(meshes == 0 || !strstr(sample->name, ".gl")); /* both forms of glTF show where they end */
     if (!survives(sample->name, sample->bytes, sample->count))
         fail_msg("%s: whole, and no mesh", sample->name);
 }

@@ -1,6 +1,6 @@
 /*
- * test_import_reference.c - the importer's host meshes against those of the reference, which
- * shares no code with it: positions, normals, triangles; and the quantiser's error.
+ * test_import_reference.c - the importer's meshes against those of the reference, which shares no code with it:
+ * positions, normals and triangles, for built-in meshes, files and random polygons; and the quantiser's error.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -21,11 +21,17 @@ static double apart(const double a[3], const double b[3])
     return fmax(fabs(a[0] - b[0]), fmax(fabs(a[1] - b[1]), fabs(a[2] - b[2])));
 }
 
-/* Positions are double precision, normals the core's: 4 raw steps of Q1.30 a part, from points rounded to 28 bits. */
+/*
+ * Positions have double precision. Normals have the core's: 4 raw steps of Q1.30 per part, from points rounded to 28
+ * bits.
+ */
 #define POSITION_OFF 1e-9
 #define NORMAL_OFF 1e-7
 
-/* Triangle by triangle, as both keep the polygons' order; the reference keeps polygons without area too. */
+/*
+ * Compares triangle by triangle, because both keep the order of the polygons; the reference keeps polygons without
+ * area.
+ */
 static void compare(const struct sheen_host_mesh *mesh, const struct ref_mesh *ref, const char *name)
 {
     if (mesh->triangle_count != ref->triangle_count)
@@ -95,8 +101,8 @@ static void meshes_in_every_way(void **state)
 }
 
 /*
- * A model of half a metre where surveyors put it: in doubles its points are 1e-9 apart, as floats .5. The torus
- * lists points twice where it closes, which have to meet; by an origin that is no number of few digits.
+ * A model of half a metre at surveyors' coordinates, where doubles are 1e-9 apart and floats .5. The torus lists points
+ * twice where it closes, and these must still be welded, although the offset is no round number.
  */
 static void far_from_the_origin(void **state)
 {
@@ -122,7 +128,7 @@ static void far_from_the_origin(void **state)
     sheen_polygons_free(&polygons);
 }
 
-/* The built-in meshes, whatever the compiler makes of a conversion there and back. */
+/* The points of built-in meshes are floats, whatever the compiler makes of a conversion to float and back. */
 static void points_are_floats(void **state)
 {
     static const char *const names[] = {"builtin:teapot", "builtin:teapot-fine", "builtin:sphere", "builtin:torus",
@@ -144,7 +150,7 @@ static void points_are_floats(void **state)
     }
 }
 
-/* xorshift: the same polygons on every machine. */
+/* xorshift, so that every machine gets the same polygons. */
 static uint32_t seed = 2463534242u;
 static double noise(void)
 {
@@ -154,7 +160,7 @@ static double noise(void)
     return seed / 4294967296.0;
 }
 
-/* A polygon around the origin in a random plane, slightly bent; corners out and in, so that most are concave. */
+/* A polygon around the origin in a random plane, slightly bent; its corners go in and out, so that most are concave. */
 static void random_polygon(double (*points)[3], unsigned count)
 {
     double a[3], b[3];

@@ -1,5 +1,5 @@
 /*
- * test_lecture_page.c - a page of the lecture tells which of its texts cannot be read.
+ * test_lecture_page.c - a page of the lecture reports which of its texts cannot be read.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -94,7 +94,7 @@ static void test_many(void **state)
     sheen_page_close(&page);
 }
 
-/* A claim of more lines than a cell has room for. */
+/* A claim that takes more lines than a cell has room for. */
 static void test_sheet(void **state)
 {
     static const char *const claims[2] = {"Short.", "A claim so long that it takes more than the two lines that there "
@@ -114,7 +114,7 @@ static void test_sheet(void **state)
     }
 }
 
-/* Lines break at spaces, and nothing is lost. */
+/* Lines break at spaces, and no text is lost. */
 static void test_lines(void **state)
 {
     (void)state;

@@ -1,5 +1,6 @@
 /*
- * test_lines.c - what is drawn of edges: the same pixels in whatever bands, by whichever worker; and where.
+ * test_lines.c - what is drawn of edges: the same pixels whatever the bands and workers, and at the right places,
+ * against the edges that the reference shows in a picture 4 times as fine. Lines with faults must be refused.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -33,7 +34,7 @@ static void picture(uint16_t *values, const struct ref_scene *scene, const struc
     assert_int_equal(edge_picture(values, scene, &mesh->mesh, drawing), SHEEN_OK);
 }
 
-/* Bands of any height, from below, by two workers: what they draw is what one band does. */
+/* Bands of any height, in any order and by several workers must draw what one band draws. */
 static void check_bands(const struct ref_scene *scene, const struct edge_mesh *mesh, struct edge_drawing drawing)
 {
     static const struct edge_drawing other[] = {{.band_rows = 1},
@@ -87,24 +88,27 @@ static void test_bands(void **state)
 /* ---- lines against edges of the reference ---- */
 
 enum {
-    FINE = 4,        /* pixels of the reference a side of the picture's */
-    MOST_GAP = 1,    /* steps of a line that is seen which may be left out one after the other */
-    CUT_SHORT = 2,   /* of a seeded fault */
-    FAULTY_STEPS = 6 /* an edge that is spoilt has more */
+    FINE = 4,        /* the reference's pixels along a side of one of the picture's */
+    MOST_GAP = 1,    /* consecutive steps of a visible line that may be missing */
+    CUT_SHORT = 2,   /* steps removed by a seeded fault */
+    FAULTY_STEPS = 6 /* edges that get a fault have more steps than this */
 };
 
-/* Of depth: what lies so far before an edge hides it; what does not lie before a contour at all does not. */
+/*
+ * A ratio of depths. Whatever is nearer than an edge by this factor hides it; a contour counts as seen only if nothing
+ * is nearer at all.
+ */
 #define NEARER 1.01
-#define AROUND 1.0     /* px: no edge is called seen where something lies before it so near, */
-#define ALL_AROUND 1.5 /* nor hidden where something does not: so far off is the centre of a pixel's neighbour */
-#define BESIDE 0.8     /* px: from a point of a line to the centre of a pixel of it, at the most */
-#define SMOOTHED 1.0   /* px: the same of a contour and what is smoothed there */
-#define SAMPLES_PX 4.  /* of an edge */
+#define AROUND 1.0     /* px: an edge counts as seen only if nothing within this distance hides it */
+#define ALL_AROUND 1.5 /* px: and as hidden only if everything within this one does: the next pixels' centres too */
+#define BESIDE 0.8     /* px: from a point of a line to the centre of a pixel that it draws, at most */
+#define SMOOTHED 1.0   /* px: the same from a contour to a pixel that is smoothed */
+#define SAMPLES_PX 4.  /* samples per pixel of an edge */
 #define LINE_IN_FOG                                                                                                    \
     {                                                                                                                  \
         1, 0, 1                                                                                                        \
     }
-#define ROUNDED 0.1 /* px: what the core's corners and slopes are off by at most */
+#define ROUNDED 0.1 /* px: the largest error of the core's corners and slopes */
 
 struct view {
     double yaw, pitch, distance;
@@ -114,36 +118,39 @@ struct view {
 static const struct view views[] = {{30, 20, 3.5, false}, {115, -35, 3.5, false}, {200, 60, 2.6, false},
                                     {285, 5, 1.7, false}, {330, -75, 4, true},    {70, 8, 3.5, true}};
 
-/* An edge on the fine picture. */
+/* An edge in the reference's fine picture. */
 struct seen_edge {
     const struct ref_piece *piece;
     int k;
-    double out[2]; /* of a contour: its unit normal, away from the triangle; zero: what is on both sides may hide it */
+    /*
+     * out: a contour's unit normal, away from the triangle; zero for other edges, which may be hidden from both sides.
+     */
+    double out[2];
 };
 
-/* Its steps on the picture, a row each where it is steep, a column where it is not. */
+/* The steps of an edge in the picture: one per row if it is steep, otherwise one per column. */
 struct edge_steps {
-    bool steep, diagonal; /* rounded it may be either */
+    bool steep, diagonal; /* rounding may make it steep or not */
     int first, end;
-    double across, slope; /* at row or column 0's edge */
+    double across, slope; /* position in row or column 0, and change per step */
 };
 
-/* A picture of lines alone, or of what smoothing changed, and what should be there. */
+/* A picture that holds only lines, or only what smoothing changed, and what it should hold. */
 struct line_case {
     const struct edge_mesh *mesh;
     struct ref_scene scene; /* of the reference's fine picture */
     struct ref_picture fine;
     uint8_t *front;
     uint16_t drawn[PIXELS];
-    uint16_t fogged[PIXELS]; /* where the scene has fog: the same lines in it */
-    uint8_t allowed[PIXELS]; /* an edge that is not surely hidden passes */
+    uint16_t fogged[PIXELS]; /* the same lines in fog, if the scene has any */
+    uint8_t allowed[PIXELS]; /* pixels near an edge that is not certainly hidden */
     enum sheen_edging edging;
     double beside;
     long seen, samples;
-    long steps, as_fogged;           /* that are seen in fog, and have its colour there */
-    int gap;                         /* the longest run of steps that are seen and not drawn */
-    int gap_at[2], extra, extra_at;  /* its end; pixels that are drawn and not allowed */
-    struct edge_steps whole, hidden; /* the longest edges that are seen, or hidden, from end to end */
+    long steps, as_fogged;           /* steps seen in fog, and those of them that have the fog's colour */
+    int gap;                         /* the longest run of steps that are seen but not drawn */
+    int gap_at[2], extra, extra_at;  /* where that run ends; pixels drawn although not allowed */
+    struct edge_steps whole, hidden; /* the longest edges seen, or hidden, from end to end */
 };
 
 static bool is_contour(const struct line_case *c, uint32_t triangle, int k)
@@ -164,8 +171,9 @@ static bool is_line(const struct line_case *c, uint32_t triangle, int k)
 }
 
 /*
- * 1: nothing hides the point; -1: something does, all around; 0: it may, or what lies beyond is not on the picture.
- * depth: of struct ref_piece. Its own triangles do not hide an edge, nor does what lies on the inner side of a contour.
+ * 1: nothing hides the point; -1: everything around hides it; 0: uncertain, or too close to the picture's border. An
+ * edge's own triangles do not hide it, nor does what lies on the inner side of a contour. depth: as in struct
+ * ref_piece.
  */
 static int seen_at(const struct line_case *c, const struct seen_edge *edge, double x, double y, double depth)
 {
@@ -219,7 +227,7 @@ static struct edge_steps steps_of(const struct ref_piece *p, int k)
     return s;
 }
 
-/* The pixel of a step, moved by so much across the line; -1: there is none. */
+/* The pixel of a step, moved across the line by `moved` px; -1 if it is outside the picture. */
 static int step_pixel(const struct edge_steps *s, int step, double moved)
 {
     const int across = (int)floor(s->across + s->slope * (step + 0.5) + moved), x = s->steep ? across : step,
@@ -236,7 +244,7 @@ static bool step_is_drawn(const struct line_case *c, const struct edge_steps *s,
     return low < 0 || at < 0 || high < 0 || c->drawn[low] != 0 || c->drawn[at] != 0 || c->drawn[high] != 0;
 }
 
-/* Whether a pixel is what fog makes of the lines' colour at m, a level more or less. */
+/* Whether a pixel has the lines' colour in fog at depth m, within one level. */
 static bool is_fogged(const struct line_case *c, int at, double m)
 {
     static const double line[3] = LINE_IN_FOG;
@@ -258,7 +266,7 @@ static void count_fogged(struct line_case *c, const struct edge_steps *s, int st
                     is_fogged(c, step_pixel(s, step, reach), m);
 }
 
-/* A seen edge has its pixel at every step from end to end. */
+/* Checks that an edge has a pixel at each step at which it is seen. */
 static void step_edge(struct line_case *c, const struct seen_edge *edge)
 {
     const struct ref_piece *p = edge->piece;
@@ -296,7 +304,8 @@ static void walk_edge(struct line_case *c, const struct ref_piece *p, int k)
     const int steps = (int)ceil(length / FINE * SAMPLES_PX) + 1;
     struct seen_edge edge = {p, k, {0, 0}};
 
-    if (is_contour(c, p->triangle, k) && length > 0) { /* counter-clockwise, y down: the triangle lies to the left */
+    /* Corners run counter-clockwise and y points down, so the triangle lies to the left. */
+    if (is_contour(c, p->triangle, k) && length > 0) {
         edge.out[0] = -dy / length;
         edge.out[1] = dx / length;
     }
@@ -338,7 +347,7 @@ static void draw_lines(struct line_case *c, struct ref_scene scene)
         assert_int_equal(mono[at] != 0, c->drawn[at] != 0);
 }
 
-/* The reference's picture, and the triangles that face the eye. */
+/* Renders the reference's picture and notes the triangles that face the eye. */
 static void open_case(struct line_case *c, const struct ref_scene *scene)
 {
     c->scene = *scene;
@@ -359,8 +368,8 @@ static void close_case(struct line_case *c)
 }
 
 /*
- * Where an edge is seen there is a line, from end to end; where none is, or all are hidden, there is none. Smoothing
- * changes pixels at contours that are seen, no others.
+ * Where an edge is seen there must be a line from end to end; elsewhere there must be none. Smoothing must change
+ * pixels at visible contours only.
  */
 static bool is_right(struct line_case *c)
 {
@@ -379,7 +388,7 @@ static bool is_right(struct line_case *c)
     return c->gap <= MOST_GAP && c->extra == 0;
 }
 
-/* Steps [first, end) of an edge drawn, or taken away. */
+/* The same after drawing, or erasing, the steps [first, end) of an edge. */
 static bool is_right_with(struct line_case *c, const struct edge_steps *s, int first, int end, uint16_t drawn)
 {
     static uint16_t sound[PIXELS];
@@ -397,8 +406,9 @@ static bool is_right_with(struct line_case *c, const struct edge_steps *s, int f
 }
 
 /*
- * A line that is left out, one that ends too early at either end: each is refused; one that is hidden: where seen ones
- * do not run along it. tried: how many of those, of these, and how many of these are refused.
+ * A line left out, or cut short at either end, must be refused. A hidden line that is drawn must be refused unless
+ * visible lines run along it. tried: how many visible lines, how many hidden ones, and how many of the hidden ones are
+ * refused.
  */
 static void check_faults(struct line_case *c, int tried[3])
 {
@@ -451,7 +461,7 @@ static void check_case(const struct edge_mesh *mesh, const struct view *view, en
     close_case(&c);
 }
 
-/* Every mesh from every side. */
+/* Every mesh, from every side. */
 static void check_lines(enum sheen_edging edging)
 {
     int tried[3] = {0, 0, 0};
@@ -485,7 +495,10 @@ static void test_contours_alone_are_smoothed(void **state)
             check_case(&meshes[i / 4], &views[k], SHEEN_SMOOTH, pixel[i % 4], NULL);
 }
 
-/* Nearly all steps of lines have the fog's share of their own depth: other lines cross some. Under another few do. */
+/*
+ * Nearly all steps of lines must have the colour of fog at their own depth; at some of them another line crosses. In a
+ * fog that starts elsewhere fewer than half may have it.
+ */
 static void check_fogged(const struct edge_mesh *mesh, const struct view *view)
 {
     static struct line_case c;
@@ -513,7 +526,7 @@ static void check_fogged(const struct edge_mesh *mesh, const struct view *view)
     assert_true(is_right(&c));
     print_message("%s, yaw %g: %ld of %ld steps in fog as it should be", mesh->name, view->yaw, c.as_fogged, c.steps);
     assert_true(c.as_fogged >= 0.92 * c.steps);
-    c.scene.fog_from += 0.2; /* a fault */
+    c.scene.fog_from += 0.2; /* a fault, which must be noticed */
     is_right(&c);
     print_message(", %ld as another fog\n", c.as_fogged);
     assert_true(c.as_fogged < 0.5 * c.steps);
@@ -552,7 +565,7 @@ static int no_push(void *ctx, struct sheen_rect rect, const void *pixels)
     return SHEEN_OK;
 }
 
-/* What sheen_arena.h says of edges is what they take. */
+/* The sizes that sheen_arena.h gives for edges are those that a frame needs. */
 static void test_arena(void **state)
 {
     static const uint16_t width[] = {240, 72, 134}, rows[] = {16, 5, 1};
@@ -580,7 +593,7 @@ static void test_arena(void **state)
     }
 }
 
-/* A teapot through the near plane, another beside it, with their lines, in what a configuration has room for. */
+/* Draws two teapots that the near plane cuts, with their lines, within the capacities of the configuration. */
 static int draw_cut(const struct sheen_config *config, enum sheen_subject *about, uint32_t *needed)
 {
     static const struct sheen_material material = {.ambient = 65536};
@@ -604,7 +617,10 @@ static int draw_cut(const struct sheen_config *config, enum sheen_subject *about
     return error;
 }
 
-/* Capacities that are taken as they are told lead to a frame; the lines' ends that were cut are more than vertices. */
+/*
+ * Raising each capacity to what is reported as needed must end in a frame. The ends of cut lines need more room than
+ * the vertices alone.
+ */
 static void test_capacities(void **state)
 {
     const struct sheen_target target = {.push = no_push, .width = 160, .height = 120};

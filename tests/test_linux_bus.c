@@ -1,10 +1,9 @@
 /*
- * test_linux_bus.c - every kind of bus of hal/linux x every panel, down to simulated controllers.
+ * test_linux_bus.c - every kind of bus of hal/linux with every panel, down to simulated controllers.
  *
- * The system calls and lines below hal/linux are this test's own (the linker's
- * --wrap, and pins as edges): spidev's transfers with the level of D/C, bit-banged
- * edges through the pin watcher, I2C messages through the simulated bus. Each picture
- * must be the one that was pushed; then each call fails in turn.
+ * Below hal/linux the system calls and lines are this test's own, by the linker's --wrap and by replacing libgpiod's
+ * side: spidev transfers with the level of D/C, bit-banged edges through the pin watcher, I2C messages through the
+ * simulated bus. Each picture on the panel must be the one that was pushed; then each call fails in turn.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -32,9 +31,9 @@
 
 #define SPI_FD 9001
 #define I2C_FD 9002
-#define ADAPTER_LONGEST 65u /* B, of an I2C message */
+#define ADAPTER_LONGEST 65u /* B: the longest I2C message of the adapter */
 
-/* ---- the machine: lines by name, two devices, and at their far end a panel ---- */
+/* ---- the machine: lines by name, two devices, and a panel at their far end ---- */
 
 static struct {
     struct sheen_sim_controller *controller;
@@ -44,15 +43,15 @@ static struct {
     int level[SHEEN_WIRE_COUNT];
     unsigned mode, own_cs;
     unsigned selected, selections; /* spidev's own chip select */
-    unsigned long calls, fail_at;  /* system calls and pin changes; 0: none fails */
-    int error;                     /* errno of the failing one */
+    unsigned long calls, fail_at;  /* system calls and changes of lines; fail_at 0: none fails */
+    int error;                     /* errno of the call that fails */
     unsigned address, functions;
-    size_t longest; /* transfer of spidev */
+    size_t longest; /* the longest transfer of spidev */
 } machine;
 
 static const char *const wire_names[SHEEN_WIRE_COUNT] = {"sclk", "mosi", "cs", "dc", "reset"};
 
-/* 1: this call is the one that fails; errno is set. */
+/* 1 if this call is the one to fail; errno is set then. */
 static int fails(void)
 {
     if (++machine.calls != machine.fail_at)
@@ -61,7 +60,7 @@ static int fails(void)
     return 1;
 }
 
-/* A change of a line, likewise; what EINTR does to one is libgpiod's, and pins.c's. */
+/* The same for a change of a line, except that libgpiod and pins.c deal with EINTR themselves. */
 static int line_fails(void)
 {
     return fails() && machine.error != EINTR;
@@ -80,7 +79,7 @@ static int far_reset(void *ctx, int level)
     return 0;
 }
 
-/* ---- in place of libgpiod: hal/linux/sheen_pins.h ---- */
+/* ---- replaces libgpiod: hal/linux/sheen_pins.h ---- */
 
 static unsigned wire_of(const struct sheen_pin *pin)
 {
@@ -96,7 +95,7 @@ static int drive(struct sheen_pin *pin, int level)
     unsigned wire = wire_of(pin);
 
     machine.level[wire] = pin->level = level;
-    /* Where a change is made to fail, a byte may be cut off. */
+    /* If a change was made to fail, a byte may have been cut off. */
     if (sheen_pin_watcher_edge(&machine.watcher, (enum sheen_wire)wire, level) < 0 && !machine.error)
         fail_msg("%s", machine.watcher.complaint ? machine.watcher.complaint : "an edge is refused");
     return 0;
@@ -107,7 +106,7 @@ int sheen_pin_output(struct sheen_pin *pin, const char *line, int level, struct 
     *pin = (struct sheen_pin){0};
     if (line_fails())
         return sheen_failed(why, SHEEN_ERR_BUS, "line %s: %s", line, strerror(errno));
-    pin->chip = (struct gpiod_chip *)(void *)&machine; /* any but NULL: it is open */
+    pin->chip = (struct gpiod_chip *)(void *)&machine; /* anything but NULL, which means open */
     snprintf(pin->name, sizeof pin->name, "%s", line);
     return drive(pin, level);
 }
@@ -142,7 +141,7 @@ void sheen_pin_close(struct sheen_pin *pin)
     *pin = (struct sheen_pin){0};
 }
 
-/* ---- in place of the kernel ---- */
+/* ---- replaces the kernel ---- */
 
 int __real_open(const char *path, int flags, ...);
 int __real_close(int fd);
@@ -165,7 +164,7 @@ int __wrap_close(int fd)
     return fd == SPI_FD || fd == I2C_FD ? 0 : __real_close(fd);
 }
 
-/* Time is the controller's. */
+/* Sleeping advances the controller's time. */
 int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *until, struct timespec *rest)
 {
     struct timespec now;
@@ -178,7 +177,10 @@ int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *un
     return 0;
 }
 
-/* A message of one transfer, D/C as its line stands; the controller's chip select falls, and rises unless cs_change. */
+/*
+ * A message of one transfer, with D/C at its line's level. The kernel's chip select falls, and rises again unless
+ * cs_change is set.
+ */
 static int transfer(const struct spi_ioc_transfer *one)
 {
     int own = machine.mode & SPI_NO_CS;
@@ -197,7 +199,7 @@ static int transfer(const struct spi_ioc_transfer *one)
     return (int)one->len;
 }
 
-/* A write message to the panel's bus. */
+/* An I2C message that writes to the panel. */
 static int message(const struct i2c_rdwr_ioctl_data *messages)
 {
     const struct i2c_msg *one = messages->msgs;
@@ -247,7 +249,7 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
 /* ---- a panel at the far end of a wiring ---- */
 
 struct rig {
-    struct canvas canvas; /* its own bus is not used: its controller is */
+    struct canvas canvas; /* only its controller is used, not its bus */
     struct sheen_failure why;
     struct sheen_linux_bus bus;
     struct sheen_sender sender;
@@ -272,7 +274,7 @@ static const struct {
 };
 #define KINDS (sizeof kinds / sizeof kinds[0])
 
-/* A machine with the panel at its wires, and no fault. */
+/* Connects the panel to a machine without faults. */
 static void power_up(struct rig *rig, const struct sheen_panel_record *record, unsigned orientation,
                      const struct sheen_wiring *wiring)
 {
@@ -315,7 +317,7 @@ static void rig_close(struct rig *rig)
     canvas_close(&rig->canvas);
 }
 
-/* 1: the panel can be reached by this kind. */
+/* 1 if the panel has this kind of bus. */
 static int reachable(const struct sheen_panel_record *record, const struct sheen_wiring *wiring)
 {
     return !wiring->i2c || record->i2c_address;
@@ -351,7 +353,7 @@ static void every_kind_and_panel(void **state)
     assert_true(pairs >= 33 * 7 + 8 * 2);
 }
 
-/* Chip select, the kernel's or a line, stays low from a command to the end of its data, and rises after it. */
+/* Chip select, the kernel's or a line, stays low from a command to the end of its data and then rises. */
 static void one_selection_a_call(void **state)
 {
     const struct sheen_panel_record *record = sheen_panel_find("ili9341");
@@ -370,14 +372,14 @@ static void one_selection_a_call(void **state)
         before = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
         assert_int_equal(canvas_push(&rig.canvas, (struct sheen_rect){0, 0, 240, 20}), 0); /* 9,600 B: 3 transfers */
         unsigned after = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
-        assert_int_equal(after - before, 3); /* CASET, RASET, RAMWR */
+        assert_int_equal(after - before, 3); /* for CASET, RASET and RAMWR */
         assert_int_equal(machine.selected, 0);
         assert_int_equal(machine.level[SHEEN_WIRE_CS], wiring->cs != NULL);
         rig_close(&rig);
     }
 }
 
-/* Opening and a picture with call n failing; then all goes well again. 0 once there is no call n. */
+/* Opens and pushes a picture while call n fails; afterwards everything must work again. 0 once there is no call n. */
 static int fail_at(const struct sheen_panel_record *record, size_t kind, unsigned long n, int code)
 {
     static struct rig rig;
@@ -420,7 +422,10 @@ static void every_call_fails_once(void **state)
             if (p == 2 && !kinds[kind].wiring.spi)
                 continue; /* many pixels, and no I2C */
 
-            /* Bit-banged, a picture is some 10,000 changes of a line: every one of the first 100, then some. */
+            /*
+             * A bit-banged picture changes lines some 10,000 times: the first 100 changes fail in turn, then some of
+             * the others.
+             */
             for (; last == 0; n += n < 100 ? 1 : step)
                 if (fail_at(sheen_panel_find(panels[p]), kind, n, EIO) == 0)
                     last = n;
@@ -455,7 +460,7 @@ static void i2c_words(void **state)
     assert_non_null(strstr(rig.why.text, "SMBus only"));
     machine.functions = I2C_FUNC_I2C;
     machine.calls = 0;
-    machine.fail_at = 3; /* open, I2C_FUNCS, I2C_SLAVE */
+    machine.fail_at = 3; /* after open and I2C_FUNCS: I2C_SLAVE */
     machine.error = EBUSY;
     assert_int_equal(rig_open(&rig, record, 0, &wiring, 0), SHEEN_ERR_BUS);
     assert_non_null(strstr(rig.why.text, "a driver of the kernel has address 0x3d"));
@@ -466,7 +471,7 @@ static void i2c_words(void **state)
     rig_close(&rig);
 }
 
-/* TE: waited for once a frame, and an error of it is the frame's. */
+/* TE is waited for once per frame, and an error of that wait becomes the frame's error. */
 static void te_line(void **state)
 {
     static struct rig rig;
@@ -479,7 +484,7 @@ static void te_line(void **state)
     assert_int_equal(sheen_panel_sync(&rig.panel), 0);
     assert_int_equal(canvas_push_all(&rig.canvas, 64), 0);
     assert_int_equal(canvas_differences(&rig.canvas), 0);
-    machine.controller->tearing = 0; /* TE falls silent */
+    machine.controller->tearing = 0; /* no more pulses on TE */
     assert_int_equal(sheen_panel_sync(&rig.panel), 0);
     assert_int_equal(canvas_push_all(&rig.canvas, 64), SHEEN_ERR_TIMEOUT);
     assert_non_null(strstr(rig.why.text, "line te: no pulse in 1000 ms"));

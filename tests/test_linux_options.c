@@ -1,5 +1,6 @@
 /*
- * test_linux_options.c - sheen-panel's options from a file, whose texts stay, and the signals that it heeds.
+ * test_linux_options.c - sheen-panel's options from a file, whose texts stay valid after reading, and the signals that
+ * it handles.
  */
 #include <setjmp.h>
 #include <signal.h>
@@ -18,7 +19,7 @@
 
 static char path[] = "/tmp/sheen_options_XXXXXX";
 
-/* Reads a file of these bytes as --config. */
+/* Reads a file with these bytes as --config. */
 static int read_file(struct options *options, const char *bytes, size_t count, struct sheen_failure *why)
 {
     char name[] = "sheen-panel", config[] = "--config";
@@ -74,7 +75,7 @@ static void wrong_files(void **state)
     free(options.file);
 }
 
-/* A hang-up that nohup has had ignored stays ignored. */
+/* SIGHUP stays ignored if it was ignored at the start, as under nohup; SIGTERM stops the program. */
 static void signals(void **state)
 {
     (void)state;

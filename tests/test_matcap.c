@@ -1,8 +1,9 @@
 /*
- * test_matcap.c - matcaps against their definition (core/sheen.h) in double precision, by accuracy.h's limits.
+ * test_matcap.c - matcaps against their definition (core/sheen.h) in double precision, within the limits of accuracy.h.
+ * At the end faults are put in, and each must be refused.
  *
- *   test_matcap [all [PREFIX]]     a line a mesh, matcap and shading, a third of them or all; PREFIX: pictures of
- *                                  what failed
+ *   test_matcap [all [PREFIX]]     one line per mesh, matcap and shading, a third of them or all; PREFIX: where to save
+ *                                  pictures of what failed
  */
 #include <math.h>
 #include <stdio.h>
@@ -13,16 +14,16 @@
 
 static const char *prefix;
 static bool draws_all;
-static int lines; /* so many were asked for */
+static int lines; /* how many lines were asked for so far */
 
-/* ---- pictures: the core's four, and one whose texels are large ---- */
+/* ---- pictures: the core's four matcaps, and one with large texels ---- */
 
 #define SPHERES 5
 #define TILES 4
 
 static const char *const sphere_name[SPHERES] = {"chrome", "glaze", "clay", "jade", "tiles"};
 
-/* 32 by 16, so that width and height differ; tiles of 2 by 2 texels. */
+/* 32 by 16 texels, so that width and height differ; tiles of 2 by 2 texels. */
 static struct ref_texture tiles_texture(void)
 {
     static uint16_t texels[16 * 32];
@@ -71,7 +72,7 @@ static double part_of(long part, long whole)
     return whole > 0 ? (double)part / (double)whole : 1;
 }
 
-/* 1 where the picture is outside its limits. */
+/* Adds the picture to the line. 1 if it is outside its limits. */
 static int score_picture(struct matcap_line *line, const struct accuracy_shot *shot, const struct ref_scene *scene)
 {
     const struct ref_score *s = &shot->score;
@@ -134,7 +135,10 @@ static void print_line(const struct matcap_line *line, const char *mesh, const c
     printf("\n");
 }
 
-/* Every view (3 is cut by the near plane and seen from inside, 4 by the guard band), affine and ortho. */
+/*
+ * All views (3 is cut by the near plane and seen from inside, 4 is cut by the guard band), then one affine and one
+ * orthographic, each with nearest and bilinear texels.
+ */
 static int judge_matcap(const struct accuracy_mesh *mesh, int sphere, enum ref_texels texels, bool colored, int turn)
 {
     static const double tint[3] = {230 / 255.0, 140 / 255.0, 51 / 255.0};
@@ -184,7 +188,7 @@ enum fault {
 static const char *const fault_name[FAULTS] = {"v upwards", "normals that are not of unit length",
                                                "1/8 texel to the right"};
 
-/* The core's picture of a scene against the reference's of another one has to be refused. */
+/* The core's picture of one scene must be refused against the reference's picture of a different one. */
 static int judge_fault(enum fault fault)
 {
     static struct accuracy_shot shot;
@@ -197,12 +201,12 @@ static int judge_fault(enum fault fault)
     int kept = 1;
 
     for (int j = 0; j < 64; j++)
-        for (int i = 0; i < 512; i++) /* 8 for each, so that 1 is 1/8 */
+        for (int i = 0; i < 512; i++) /* each texel 8 times, so that one place is 1/8 texel */
             moved[512 * j + i] =
                 ref_texel(&texture, fault == SHIFTED ? (i - 1) >> 3 : i >> 3, fault == FLIPPED ? 63 - j : j);
     wrong.width = 512;
     wrong.texels = moved;
-    if (make_mesh(&mesh, 6) != 0) /* coarse: its normals are far from unit length between corners */
+    if (make_mesh(&mesh, 6) != 0) /* coarse, so that interpolated normals are far from unit length */
         return 1;
     matcap_view(&scene, &mesh.reference, 1, fault == LONG_NORMAL ? REF_TEXELS_CORNER_NORMALS : REF_TEXELS_NORMAL);
     scene.texture = fault == LONG_NORMAL ? &texture : &wrong;
@@ -232,7 +236,7 @@ int main(int argc, char **argv)
             fprintf(stderr, "test_matcap: mesh %d could not be made\n", index);
             return 1;
         }
-        for (int k = 0; k < 3; k++, turn++) { /* tiles, and the others in turn */
+        for (int k = 0; k < 3; k++, turn++) { /* tiles, and two of the other matcaps in turn */
             const int sphere = k == 0 ? TILES : (index + k) % TILES;
             failed += judge_matcap(&mesh, sphere, REF_TEXELS_NORMAL, false, turn);
             if (k < 2)

@@ -1,16 +1,16 @@
 /*
- * test_mixed.c - mixes of all that a picture is made of, on colour and on greys, against the picture in double
- * precision.
+ * test_mixed.c - random mixes of everything that a picture is made of, on 565 and on greys, against the same picture in
+ * double precision.
  *
  *   test_mixed MIXES [FIRST]
  *
- * A mix's number says its shading, format, filter and whether it lies in fog, so that all of these meet; poses, lights,
- * materials, ramps and meshes are random_scene.c's; texels (key, palettes, wrap), vertex colours, coloured and point
- * lights, stipple, bias, dither, ortho, affine and cuts are drawn by lot. Each picture is within its shading's steps, a
- * step more in fog and on 256 greys (bilinear: within what its texels allow), and draws nothing that is left out.
- * Shares of equal pixels, bilinear where these are calm (REF_CALM), are judged by shading, format, filter and fog over
- * all mixes: of one, an area of one colour that lies on a rounding edge decides. So is the share that was compared, by
- * shading.
+ * A mix's number gives its shading, format, filter and whether there is fog, so that these meet in all combinations.
+ * Poses, lights, materials, ramps and meshes come from random_scene.c. Texels (key, palettes, wrap), vertex colours,
+ * coloured and point lights, stipple, bias, dither, ortho, affine and cuts are random. Each picture must be within its
+ * shading's steps, one more in fog and one more on 256 greys (bilinear: within what its texels allow), and must draw
+ * nothing that stipple leaves out. Shares of equal pixels (bilinear: of calm ones, REF_CALM) are judged per shading,
+ * format, filter and fog over all mixes, because in one mix an area of one colour on a rounding boundary could decide.
+ * The share of pixels compared is judged per shading.
  */
 #include <math.h>
 #include <stdio.h>
@@ -48,13 +48,13 @@ static const struct {
 static const int format_levels[FORMATS] = {0, 2, 16, 256};
 
 struct mix {
-    struct random_scene random; /* what its scene is made from */
+    struct random_scene random; /* what the scene is made from */
     enum shown shown;
     int format;
     struct ref_texture texture;
 };
 
-/* Of one shading, format and fog; nearest and bilinear texels apart. */
+/* Sums for one shading, format and fog; nearest and bilinear texels are counted apart. */
 static struct row {
     long pictures, covered, compared, calm, equal, beyond, dropped, dropped_drawn;
     int worst;
@@ -62,7 +62,7 @@ static struct row {
 
 /* ---- mixes ---- */
 
-/* What a random scene of that shading has, but for texels, fog and the like, which are chosen here. */
+/* Takes a random scene of that shading, without texels, fog and the like, which are chosen below. */
 static void take_scene(struct mix *mix, const struct random_meshes *meshes, uint32_t *state)
 {
     uint32_t number = KNOWN_SCENES + stage_random(state) % 1000000;
@@ -81,7 +81,8 @@ static void take_scene(struct mix *mix, const struct random_meshes *meshes, uint
             length += fabs(scene->light[i][k]);
             scene->light_color[i][k] = scene->ambient_color[k] = 1;
         }
-        scene->light[i][2] += scene->radius[i] > 0 && length < 0.05; /* a point that is a direction now */
+        /* was a point and is now a direction, which must not be zero */
+        scene->light[i][2] += scene->radius[i] > 0 && length < 0.05;
         scene->radius[i] = 0;
     }
 }
@@ -102,8 +103,7 @@ static void choose_colors(struct mix *mix, uint32_t *state)
     struct ref_scene *scene = &mix->random.scene;
 
     scene->colored = stage_random(state) % 2;
-    scene->ramp =
-        scene->ramp == REF_TOON ? REF_HALF : scene->ramp; /* whose jumps would lie where they lie at corners */
+    scene->ramp = scene->ramp == REF_TOON ? REF_HALF : scene->ramp; /* rounding would decide a jump at a corner */
     for (int i = 0; i < scene->light_count; i++) {
         for (int k = 0; k < 3; k++)
             scene->light_color[i][k] = (1 + stage_random(state) % 255) / 255.0;
@@ -131,7 +131,7 @@ static void choose_texels(struct mix *mix, uint32_t *state)
     t->clamp[1] = stage_random(state) % 4 == 0;
     t->keyed = stage_random(state) % 3 == 0;
     t->key = t->texels[stage_random(state) % (unsigned)(t->width * t->height)];
-    if (stage_random(state) % 4 == 0) { /* as they are */
+    if (stage_random(state) % 4 == 0) { /* the texels as they are */
         scene->ambient = scene->base[0] = scene->base[1] = scene->base[2] = 1;
         scene->diffuse = scene->specular = 0;
         scene->ramp = REF_LAMBERT;
@@ -165,12 +165,12 @@ static void choose_view(struct ref_scene *scene, uint32_t *state)
         scene->left_out = 1 + (int)(stage_random(state) % 63);
         scene->phase = (int)(stage_random(state) % 8);
     }
-    if (stage_random(state) % 5 == 0) { /* the near plane cuts */
+    if (stage_random(state) % 5 == 0) { /* the near plane cuts the mesh */
         scene->near = fmax(0.1, scene->distance - stage_uniform(state, 0.2, 0.9));
         scene->two_sided = true;
         return;
     }
-    /* Steps that lie between the mesh, which is within 1 of its centre, and the planes: none is held there. */
+    /* The largest bias, in steps, with which no depth of the mesh (within 1 of its centre) is clamped at a plane. */
     const double beyond = ref_nearness(scene, scene->distance + 1);
     const double before = 1 - ref_nearness(scene, scene->distance - (scene->distance > 1.06 ? 1 : 1.04));
     const int most = (int)(REF_STEPS * fmin(beyond, before)) - 1;
@@ -218,14 +218,14 @@ static void make_mix(struct mix *mix, const struct random_meshes *meshes, uint32
 
 /* ---- judged ---- */
 
-#define FEWEST 2000 /* compared pixels, below which a share is that of a handful */
+#define FEWEST 2000 /* compared pixels; shares of fewer would depend on a handful of pixels */
 
 static double share(long part, long whole)
 {
     return whole > 0 ? (double)part / (double)whole : 1;
 }
 
-/* Steps that a picture may be off by. */
+/* How many steps a picture may be off by. */
 static int most_off(const struct mix *mix)
 {
     const bool in_fog = mix->random.scene.fog, is_fine = format_levels[mix->format] > 64;
@@ -290,7 +290,7 @@ static int judge_row(const struct row *row, int shown, int format, int in_fog, i
     return 1;
 }
 
-/* Enough has to be compared to tell something. */
+/* Enough pixels must be compared for the result to mean anything. */
 static int judge_compared(int shown)
 {
     long covered = 0, compared = 0;

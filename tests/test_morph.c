@@ -1,8 +1,8 @@
 /*
- * test_morph.c - meshes between two frames, against their definition (core/sheen.h) in double precision, by
- * accuracy.h's limits.
+ * test_morph.c - meshes between two frames, against their definition (core/sheen.h) in double precision, within the
+ * limits of accuracy.h. At the end faults are put in, and each must be refused.
  *
- *   test_morph [PREFIX]     a line a shading; PREFIX: pictures of what failed
+ *   test_morph [PREFIX]     one line per shading; PREFIX: where to save pictures of what failed
  */
 #include <math.h>
 #include <stdio.h>
@@ -43,7 +43,7 @@ static void turned(double v[3], double angle)
     v[1] = sin(angle) * x + cos(angle) * y;
 }
 
-/* Flattened, then turned by 70 degrees about z: planes stay planes. */
+/* The second frame is flattened, then turned by 70 degrees about z, so that planes stay planes. */
 static const double stretch[3] = {0.95, 0.5, 0.8};
 #define TURN (70 * 3.14159265358979324 / 180)
 
@@ -94,14 +94,14 @@ static void pair_free(struct pair *p)
     core_mesh_free(&p->own[1]);
 }
 
-/* What the reference is to get wrong. */
+/* Faults put into the reference. */
 enum fault {
     NO_FAULT,
-    WEIGHT, /* by 1/64 */
-    NORMALS /* the first frame's */
+    WEIGHT, /* off by 1/64 */
+    NORMALS /* those of the first frame */
 };
 
-/* A picture at weight / 32768. 1 where it could not be made. */
+/* Draws a picture at weight / 32768. 1 if that failed. */
 static int shoot(struct accuracy_shot *shot, struct ref_scene *scene, const struct pair *p, unsigned weight,
                  enum fault fault)
 {
@@ -126,7 +126,10 @@ static int shoot(struct accuracy_shot *shot, struct ref_scene *scene, const stru
     return failed;
 }
 
-/* The shading's own limits; how much is compared is judged of all pictures: what is cut or flat shows many edges. */
+/*
+ * The shading's own limits apply. How much was compared is judged over all pictures, because cut or flat meshes show
+ * many edges.
+ */
 static bool kept(const struct ref_score *score, enum shown shown)
 {
     const enum ref_shading limit = shown <= SLERP ? (enum ref_shading)shown : REF_GOURAUD;
@@ -148,9 +151,9 @@ static void view_of(struct ref_scene *scene, const struct pair *p, struct ref_te
         scene->texels = shown == MATCAP ? REF_TEXELS_NORMAL : REF_TEXELS_CORNER_NORMALS;
     if (shown >= TEXTURED) {
         scene->texture = texture;
-        scene->width = scene->height = 320; /* of its texels' borders less is near */
+        scene->width = scene->height = 320; /* larger, so that fewer pixels are near a texel's border */
     }
-    /* of many colours: else much hangs on where the few of a flat mesh fall between levels */
+    /* A picture of many colours; with few, much would depend on where a flat mesh's colours fall between levels. */
     *texture = *textured_picture(shown == TEXTURED ? i % 2 : 2);
     texture->clamp[0] = texture->clamp[1] = shown >= MATCAP;
     if (i % 5 == 3)
@@ -159,7 +162,10 @@ static void view_of(struct ref_scene *scene, const struct pair *p, struct ref_te
     scene->dither = shown < TEXTURED && i % 3 == 1;
 }
 
-/* Every fourth picture is cut by the near plane and the far one; slerp is exempt where triangles are. */
+/*
+ * Every fourth picture is cut by the near plane and the far plane; not with slerp, which is not judged on cut
+ * triangles.
+ */
 static void cut(struct ref_scene *scene, enum shown shown, int i)
 {
     if (i % 4 != 1 || shown == SLERP || scene->ortho || shown >= TEXTURED)
@@ -206,7 +212,7 @@ static int judge(enum shown shown)
     return failed;
 }
 
-/* The test of the test. */
+/* Proves that the comparison detects faults in the reference. */
 static int judge_fault(enum fault fault, const char *name)
 {
     static struct accuracy_shot shot;
