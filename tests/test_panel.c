@@ -1,5 +1,6 @@
 /*
- * test_panel.c - the shipped panel drivers on simulated panels: every record, every orientation.
+ * test_panel.c - the shipped panel drivers on simulated panels, with every record in every orientation, against an
+ * ideal memory that was pushed the same pixels.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,7 +12,7 @@
 
 #include "test_panel_canvas.h"
 
-/* A whole picture, then 60 windows of noise, equal an ideal memory, without a complaint. */
+/* A whole picture and then 60 windows of noise must equal the ideal memory, without a complaint. */
 static void equals_ideal(struct canvas *canvas, const char *name, unsigned orientation)
 {
     assert_int_equal(canvas_push_all(canvas, 16), 0);
@@ -55,7 +56,7 @@ static void ideal_of_any_size(void **state)
     }
 }
 
-/* The same pushes cost the same on `ideal` and on a panel, window commands only where they change. */
+/* The same pushes send the same to `ideal` and to a panel; window commands are sent only if the window changes. */
 static void windows_only_when_they_change(void **state)
 {
     static const struct {
@@ -66,7 +67,7 @@ static void windows_only_when_they_change(void **state)
         {{0, 16, 320, 32}, 5 + 1 + 10240, 2, 2},     /* rows */
         {{0, 16, 320, 32}, 1 + 10240, 1, 1},         /* neither */
         {{10, 16, 11, 32}, 5 + 1 + 32, 2, 2},        /* columns */
-        {{10, 17, 11, 32}, 5 + 1 + 30, 2, 2},        /* rows: the start alone */
+        {{10, 17, 11, 32}, 5 + 1 + 30, 2, 2},        /* rows: only the start */
         {{319, 239, 320, 240}, 5 + 5 + 1 + 2, 3, 3}, /* both */
     };
     static const char *const names[] = {"ili9341", "ideal"};
@@ -94,7 +95,9 @@ static void windows_only_when_they_change(void **state)
     }
 }
 
-/* The pixels of a push may fly after it returns; nothing else does, and the next push waits first. */
+/*
+ * The pixels of a push may still be under way when it returns; everything else is done, and the next push waits first.
+ */
 static void pixels_fly_until_the_wait(void **state)
 {
     struct canvas canvas;
@@ -126,7 +129,7 @@ static void pixels_fly_until_the_wait(void **state)
     canvas_close(&canvas);
 }
 
-/* A panel is initialised by its first push, and not again while all goes well. */
+/* A panel is initialised by its first push, and not again unless something fails. */
 static void initialises_once(void **state)
 {
     struct canvas canvas;
@@ -138,11 +141,12 @@ static void initialises_once(void **state)
     uint64_t first = sheen_sim_panel_bus(canvas.panel)->operations;
     assert_int_equal(canvas_push(&canvas, (struct sheen_rect){0, 0, 320, 1}), 0);
     assert_true(first > 15);
-    assert_int_equal(sheen_sim_panel_bus(canvas.panel)->operations - first, 2); /* RAMWR with pixels, its wait */
+    /* RAMWR with pixels, and the wait for it */
+    assert_int_equal(sheen_sim_panel_bus(canvas.panel)->operations - first, 2);
     canvas_close(&canvas);
 }
 
-/* Two panels of different drivers, their pushes taking turns, know nothing of each other. */
+/* Two panels with different drivers, pushed to in turns, do not affect each other. */
 static void two_at_once(void **state)
 {
     struct canvas canvas[2];
@@ -202,13 +206,13 @@ static void bad_records(void **state)
         assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     }
     record.driver = &sheen_driver_grey;
-    record.pixel = SHEEN_RGB565_BE; /* as where it is left out */
+    record.pixel = SHEEN_RGB565_BE; /* the same as if it were left out */
     record.glass_w = 238;
     record.gap_x = 2;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 239;
     record.gap_x = 1;
-    record.pixel = SHEEN_GREY16; /* half a byte a row */
+    record.pixel = SHEEN_GREY16; /* half a byte per row */
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT);
     record.glass_w = 238;
     assert_int_equal(sheen_panel_open(&panel, &record, bus, 0), SHEEN_ERR_ARGUMENT); /* the gap is odd */

@@ -1,5 +1,5 @@
 /*
- * test_panel_canvas.c - the ideal memory that panels are compared with.
+ * test_panel_canvas.c - the ideal memory that simulated panels are compared with.
  */
 #include "test_panel_canvas.h"
 
@@ -100,7 +100,7 @@ int canvas_push_all(struct canvas *canvas, unsigned band)
     return 0;
 }
 
-/* first..end on an axis of `size`, both multiples of `align`, or end at the size itself. */
+/* A random range first..end on an axis of `size`: both are multiples of `align`, except that `end` may be the size. */
 static void range(struct canvas *canvas, unsigned size, unsigned align, int16_t *first, int16_t *end)
 {
     unsigned steps = (size + align - 1) / align, a = noise(canvas, steps), b = noise(canvas, steps);

@@ -1,9 +1,8 @@
 /*
- * test_panel_corners.c - where corners go, and whether a wrong record is seen.
+ * test_panel_corners.c - where the corners of a picture go, and whether a wrong record is noticed.
  *
- * The literals were written by hand from the published MADCTL and offset tables
- * (TFT_eSPI's rotation files, Pimoroni, Adafruit); mirrored orientations exchange
- * the two ends of the axis that the picture's x runs along.
+ * The literals were written by hand from the published MADCTL and offset tables (TFT_eSPI's rotation files, Pimoroni,
+ * Adafruit). Mirrored orientations exchange the two ends of the axis that the picture's x runs along.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +16,7 @@
 #include "glass.h"
 #include "test_panel_canvas.h"
 
-/* For each orientation: MADCTL, and the column and row sent for the picture's top left pixel. */
+/* For each orientation: MADCTL, and the column and row that are sent for the picture's top left pixel. */
 static const struct {
     const char *panel;
     uint16_t wire[8][3];
@@ -120,11 +119,14 @@ static void offsets_on_the_wire(void **state)
     }
 }
 
-/* Top left, top right, bottom left of the picture as corners of the glass at rotation 0: t, b top, bottom; l, r. */
+/*
+ * Where top left, top right and bottom left of the picture lie on the glass at rotation 0: t top, b bottom, l left, r
+ * right.
+ */
 static const char *const corners[8] = {"tl tr bl", "tr br tl", "br bl tr", "bl tl br",
                                        "tr tl br", "br tr bl", "bl br tl", "tl bl tr"};
 
-/* A pixel that is at its place must differ from 0 and from the noise around: three values, 16 bits or high levels. */
+/* Checks one corner of the glass. Its value differs from 0 and from the noise around it. */
 static void assert_corner(const struct canvas *canvas, const char *corner, uint16_t value, unsigned k)
 {
     const struct sheen_sim_controller *chip = sheen_sim_panel_bus(canvas->panel)->controller;
@@ -159,7 +161,7 @@ static void corners_on_the_glass(void **state)
     }
 }
 
-/* The comparison sees `record`, which has one thing wrong: pixels differ, or the controller complains. */
+/* Pushes with `record`, which has one fault: pixels must differ or the controller must complain. */
 static void assert_seen(const struct sheen_panel_record *record, const char *what)
 {
     for (unsigned k = 0; k < 8; k++) {
@@ -249,7 +251,7 @@ static void wrong_grey_and_mono_records_are_seen(void **state)
     wrong = *sheen_panel_find("ssd1306-72x40");
     wrong.gap_x = 27;
     assert_seen(&wrong, "the column offset");
-    /* An init step left out: multiplex, charge pump, addresses, remap, COM lines, the segments' current. */
+    /* Leave out one init step: multiplex, charge pump, addresses, remap, COM lines, the segments' current. */
     for (const char *command = "\xA8\x8D\x20\xA1\xC8\xAD"; *command != 0; command++) {
         static struct sheen_panel_step steps[32];
         const struct sheen_panel_record *right = sheen_panel_find("ssd1306-72x40");

@@ -1,5 +1,6 @@
 /*
- * test_panel_faults.c - everything that can fail on a bus, made to fail, one operation at a time.
+ * test_panel_faults.c - everything that can fail on a bus, made to fail, one operation at a time: the error is reported
+ * and the next frame is right.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,10 +15,10 @@
 /* One panel of each driver. */
 static const char *const panels[] = {"st7735-80x160", "ssd1351-128x96", "ssd1325",
                                      "ssd1306-72x40", "sh1106",         "ssd1322"};
-#define BAND 96 /* rows: few bands, since each operation of each is failed many times */
+#define BAND 96 /* rows: few bands, because each operation of each is made to fail many times */
 #define PANELS (sizeof panels / sizeof panels[0])
 
-/* Two frames: the whole picture, then two windows; stops at the first error, as the core does. */
+/* Two frames: the whole picture, then two windows. Stops at the first error, as the core does. */
 static int two_frames(struct canvas *canvas)
 {
     int error = canvas_push_all(canvas, BAND);
@@ -49,7 +50,7 @@ static void fail_at(const char *name, enum sheen_sim_fault fault, uint64_t after
     sheen_sim_bus_fault(bus, fault, after);
     assert_int_equal(two_frames(&canvas), expected);
     if (fault == SHEEN_FAULT_STUCK_RESET) {
-        assert_int_equal(canvas_push_all(&canvas, BAND), SHEEN_ERR_BUS); /* for as long as it is stuck */
+        assert_int_equal(canvas_push_all(&canvas, BAND), SHEEN_ERR_BUS); /* while it is stuck */
         sheen_sim_bus_fault(bus, SHEEN_FAULT_NONE, 0);
     }
     assert_int_equal(canvas_push_all(&canvas, BAND), 0);
@@ -73,7 +74,7 @@ static void every_operation_and_fault(void **state)
     }
 }
 
-/* The machine is cut off after any operation, with and without the panel's power, and starts again. */
+/* The machine stops after any operation, with or without the panel losing power, and starts again. */
 static void cut_at(const char *name, uint64_t after, int power)
 {
     struct canvas canvas;
@@ -104,11 +105,14 @@ static void cut_after_every_operation(void **state)
     }
 }
 
-/* A board's own code reaches the caller as it is, and a panel without reset line starts over by command. */
+/*
+ * A bus with an error code of the board's own, which must reach the caller unchanged, and without a reset line, so that
+ * the panel is reset by command.
+ */
 struct own_bus {
-    struct sheen_bus_layer layer; /* around the simulated one */
-    int countdown;                /* calls until the failure */
-    int code;                     /* which it answers */
+    struct sheen_bus_layer layer; /* around the simulated bus */
+    int countdown;                /* calls before the one that fails */
+    int code;                     /* what that call returns */
 };
 
 static int own_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
@@ -118,7 +122,7 @@ static int own_send(void *ctx, const uint8_t *command, size_t commands, const vo
 
     if (own->countdown-- != 0)
         return to->send(to->ctx, command, commands, data, count);
-    if (commands + count > 1) { /* half of it left */
+    if (commands + count > 1) { /* half of it is sent */
         size_t half = (commands + count) / 2, first = half < commands ? half : commands;
 
         to->send(to->ctx, command, first, data, half - first);
@@ -128,8 +132,8 @@ static int own_send(void *ctx, const uint8_t *command, size_t commands, const vo
 }
 
 /*
- * Call n fails with the board's code, the power goes for a moment or not, and the
- * next frame is whole. 0 once there is no call n. A code above 0 is an error of the bus.
+ * Call n fails with the board's code, the panel loses power for a moment or not, and the next frame must be whole. 0
+ * once there is no call n. A code above 0 counts as an error of the bus.
  */
 static int fail_without_reset_line(const char *name, int n, int code, int power)
 {
@@ -157,8 +161,8 @@ static int fail_without_reset_line(const char *name, int n, int code, int power)
     if (error < 0 && canvas_differences(&canvas))
         fail_msg("%s, call %d, power %d: the next frame is wrong", name, n, power);
     /*
-     * Nothing hides a command or pixel that was cut off from a controller that kept
-     * its power, nor that AE (174) was filled in for a parameter that cannot be it.
+     * A controller that kept its power notices that a command or pixel was cut off, and that AE (174) was taken for a
+     * parameter that it cannot be.
      */
     static const char *const allowed[] = {"misses",           "half a pixel", "half a column", "multiplex ratio 175",
                                           "address mode 174", "remap 0xAE"};

@@ -1,5 +1,5 @@
 /*
- * test_panel_first_light.c - the first picture, on plain memory against literals, then on every panel.
+ * test_panel_first_light.c - the first-light picture, in plain memory against literals, then on every panel.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 #include "sheen_first_light.h"
 #include "test_panel_canvas.h"
 
-/* Plain memory as a target: one byte or word a pixel, unpacked. */
+/* Plain memory as a target: one value per pixel, unpacked. */
 struct memory {
     uint16_t *values;
     uint16_t width;
@@ -41,7 +41,7 @@ static int memory_push(void *ctx, struct sheen_rect rect, const void *pixels)
     return 0;
 }
 
-/* First light of that size and format on plain memory; the caller frees it. */
+/* First light of this size and format in plain memory, which the caller frees. */
 static uint16_t *plain(uint16_t width, uint16_t height, uint8_t pixel, unsigned align)
 {
     struct memory memory = {calloc((size_t)width * height, 2), width, pixel, 0};
@@ -112,7 +112,7 @@ static void pattern_in_colour(void **state)
     free(values);
 }
 
-/* Levels of 16: white 15, bars by luminance, marks white, the 8 greys evenly. */
+/* In 16 levels: white is 15, bars have their luminance, marks are white, the 8 greys are evenly spaced. */
 static void pattern_in_grey(void **state)
 {
     static const uint8_t steps[8] = {0, 2, 4, 6, 9, 11, 13, 15};
@@ -136,7 +136,7 @@ static void pattern_in_grey(void **state)
     free(values);
 }
 
-/* Rows end within a byte: the buffer that the core's rows fill is enough, and the border is where it belongs. */
+/* Rows that end within a byte: a buffer for the core's rows suffices, and the border is in the right place. */
 static void widths_that_fill_no_byte(void **state)
 {
     (void)state;
@@ -152,7 +152,7 @@ static void widths_that_fill_no_byte(void **state)
                                           .pixel = (uint8_t)pixel,
                                           .align_x = 8,
                                           .align_y = 8};
-            uint8_t *buffer = malloc(bytes); /* the sanitizer watches its end */
+            uint8_t *buffer = malloc(bytes); /* so that the sanitizer watches its end */
 
             assert_non_null(buffer);
             assert_int_equal(sheen_first_light(&target, buffer, bytes - 1), SHEEN_ERR_MEMORY);

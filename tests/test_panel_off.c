@@ -1,5 +1,5 @@
 /*
- * Switching panels off and on again, and the TE output.
+ * test_panel_off.c - switching panels off and on again, and the TE output.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -34,7 +34,7 @@ static size_t lit(const uint16_t *picture, size_t pixels)
     return count;
 }
 
-/* Every panel: dark after off, the same picture after the next push. */
+/* Every panel is dark after sheen_panel_off() and shows the same picture after the next push. */
 static void off_is_dark_and_on_again_is_right(void **state)
 {
     const struct sheen_panel_record *record;
@@ -52,13 +52,13 @@ static void off_is_dark_and_on_again_is_right(void **state)
         before = light(sim, &choice);
         assert_true(lit(before, pixels) > pixels / 10);
 
-        /* The simulated panel's driver is its target's ctx. */
+        /* The target's ctx is the simulated panel's driver. */
         assert_int_equal(sheen_panel_off(sheen_sim_panel_target(sim)->ctx), 0);
         dark = calloc(pixels, sizeof *dark);
         assert_non_null(dark);
         assert_int_equal(sheen_sim_panel_picture(sim, dark), 0);
         assert_int_equal(lit(dark, pixels), 0);
-        /* Off twice is off: nothing is sent. */
+        /* Switching off twice sends nothing the second time. */
         uint64_t sent = sheen_sim_bus_counters(sheen_sim_panel_bus(sim)).bytes;
         assert_int_equal(sheen_panel_off(sheen_sim_panel_target(sim)->ctx), 0);
         assert_true(sheen_sim_bus_counters(sheen_sim_panel_bus(sim)).bytes == sent);
@@ -73,7 +73,7 @@ static void off_is_dark_and_on_again_is_right(void **state)
     }
 }
 
-/* A bus that only remembers what was sent last. */
+/* A bus that remembers only what was sent last. */
 struct tail {
     uint8_t command, data[4];
     size_t count;
@@ -107,7 +107,7 @@ static void tearing_is_switched_on_by_init(void **state)
     (void)state;
     assert_int_equal(sheen_panel_open(&panel, sheen_panel_find("st7789-240x240"), &bus, 0), 0);
     assert_int_equal(sheen_panel_init(&panel), 0);
-    assert_int_equal(tail.command, 0x29); /* display on is the last without it */
+    assert_int_equal(tail.command, 0x29); /* without TE, display on is the last command */
     assert_int_equal(sheen_panel_tearing(&panel), 0);
     assert_int_equal(sheen_panel_init(&panel), 0);
     assert_int_equal(tail.command, 0x35);

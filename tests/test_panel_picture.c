@@ -1,8 +1,7 @@
 /*
- * test_panel_picture.c - what a panel shows after its driver has sent it is what the core drew.
+ * test_panel_picture.c - what a panel shows is what the core drew.
  *
- * One view of each size on every RGB565 panel of that size, against the plain
- * memory that the accuracy test judges.
+ * One view of each size on every RGB565 panel of that size, against the plain memory that the accuracy test judges.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +29,7 @@ static int free_torus(void **state)
     return 0;
 }
 
-/* The same scene to memory and to the panel; values that differ. */
+/* Draws the same scene to memory and to the panel; returns how many values differ. */
 static int differing(const char *name, int width, int height)
 {
     static uint16_t values[640 * 480];

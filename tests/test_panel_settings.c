@@ -1,5 +1,6 @@
 /*
- * test_panel_settings.c - turning a panel that is open, its brightness, its TE output, and a bus that others use too.
+ * test_panel_settings.c - settings of an open panel: orientation, brightness and TE output; and a bus that others use
+ * too.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,14 +13,14 @@
 #include "../firmware/examples/own_module/record.h"
 #include "test_panel_canvas.h"
 
-#define BAND 16 /* rows of a push */
+#define BAND 16 /* rows per push */
 
 static struct sheen_sim_bus *bus_of(const struct canvas *canvas)
 {
     return sheen_sim_panel_bus(canvas->panel);
 }
 
-/* Every record, lit in one orientation and turned to each other one, shows what one opened in it shows. */
+/* Every panel, lit in one orientation and then turned to another, must show what a panel opened in that one shows. */
 static void turned_while_open(void **state)
 {
     const struct sheen_panel_record *record;
@@ -31,13 +32,13 @@ static void turned_while_open(void **state)
             struct sheen_target target;
             uint64_t operations;
 
-            canvas_open(&canvas, record->name, (int)k, 0, 0); /* the viewer stands as in k */
+            canvas_open(&canvas, record->name, (int)k, 0, 0); /* the viewer looks at it as in orientation k */
             assert_int_equal(sheen_panel_turn(sheen_sim_panel_driver(canvas.panel), (k + 5) % 8), 0);
-            assert_int_equal(bus_of(&canvas)->operations, 0); /* not lit yet: nothing to say */
+            assert_int_equal(bus_of(&canvas)->operations, 0); /* not lit yet, so nothing is sent */
             assert_int_equal(sheen_sim_panel_init(canvas.panel), 0);
             operations = bus_of(&canvas)->operations;
             assert_int_equal(sheen_panel_turn(sheen_sim_panel_driver(canvas.panel), k), 0);
-            assert_true(bus_of(&canvas)->operations - operations <= 4); /* no initialisation */
+            assert_true(bus_of(&canvas)->operations - operations <= 4); /* the panel is not initialised again */
             assert_int_equal(sheen_panel_target(sheen_sim_panel_driver(canvas.panel), &target), 0);
             canvas.target = &target;
             assert_int_equal(canvas_push_all(&canvas, BAND), 0);
@@ -60,12 +61,12 @@ static void turning_fails_and_heals(void **state)
     assert_int_equal(sheen_panel_turn(sheen_sim_panel_driver(canvas.panel), 6), 0);
     sheen_sim_bus_fault(bus_of(&canvas), SHEEN_FAULT_ERROR, 0);
     assert_int_equal(sheen_panel_turn(sheen_sim_panel_driver(canvas.panel), 2), SHEEN_ERR_BUS);
-    assert_int_equal(canvas_push_all(&canvas, BAND), 0); /* initialised again, in 2 */
+    assert_int_equal(canvas_push_all(&canvas, BAND), 0); /* initialised again, in orientation 2 */
     assert_int_equal(canvas_differences(&canvas), 0);
     canvas_close(&canvas);
 }
 
-/* The register's value for each level; DCS panels follow it once 53 was sent. */
+/* The register's value for each level; DCS panels obey it once 53 was sent. */
 static void brightness_reaches_the_register(void **state)
 {
     static const struct {
@@ -85,7 +86,8 @@ static void brightness_reaches_the_register(void **state)
         struct sheen_panel *panel = sheen_sim_panel_driver(canvas.panel);
         const struct sheen_sim_controller *chip = bus_of(&canvas)->controller;
 
-        assert_int_equal(sheen_panel_brightness(panel, 100), 0); /* before it is lit: kept for the initialisation */
+        /* before the panel is lit, the level is kept for the initialisation */
+        assert_int_equal(sheen_panel_brightness(panel, 100), 0);
         assert_int_equal(bus_of(&canvas)->operations, 0);
         assert_int_equal(canvas_push_all(&canvas, BAND), 0);
         assert_int_equal(chip->brightness, 100 >> panel->record->brightness_shift);
@@ -112,7 +114,7 @@ static void no_brightness(void **state)
     canvas_close(&canvas);
 }
 
-/* The simulated panel pulses TE at multiples of 16,667 us, and time passes by delays alone: pixels leave at one. */
+/* The simulated panel pulses TE at multiples of 16,667 us, and only delays advance time: pixels leave at a pulse. */
 static void a_frame_begins_with_the_pulse(void **state)
 {
     struct canvas canvas;
@@ -134,7 +136,7 @@ static void a_frame_begins_with_the_pulse(void **state)
         assert_int_equal(chip->now_us % 16667, 0);
         assert_true(chip->now_us > before);
         before = chip->now_us;
-        assert_int_equal(canvas_push(&canvas, (struct sheen_rect){0, 16, 240, 32}), 0); /* the first push alone */
+        assert_int_equal(canvas_push(&canvas, (struct sheen_rect){0, 16, 240, 32}), 0); /* only the first push waits */
         assert_true(chip->now_us == before);
     }
     sheen_sim_bus_fault(bus_of(&canvas), SHEEN_FAULT_TIMEOUT, 0);
@@ -154,7 +156,7 @@ static void a_frame_begins_with_the_pulse(void **state)
 
 static const char *const a_driver_each[] = {"st7735-80x160", "ssd1351-128x96", "ssd1325", "ssd1306-72x40", "sh1106"};
 
-/* Between pushes the bus is the others', whatever was done with the panel, and whichever operation failed. */
+/* Between pushes others may use the bus, whatever was done with the panel and whichever operation failed. */
 static void a_shared_bus_is_given_back(void **state)
 {
     (void)state;
@@ -186,7 +188,7 @@ static void a_shared_bus_is_given_back(void **state)
     }
 }
 
-/* While pixels fly the bus is held: giving it to another would cut them off. */
+/* While pixels are under way the bus is held, because another user would cut them off. */
 static void held_while_pixels_fly(void **state)
 {
     static const uint8_t pixel[2];
@@ -199,7 +201,7 @@ static void held_while_pixels_fly(void **state)
     assert_int_equal(bus_of(&canvas)->held, 1);
     assert_int_equal(canvas.target->wait(canvas.target->ctx), 0);
     assert_int_equal(bus_of(&canvas)->held, 0);
-    /* A switch of the TE output on the way does not forget the flight. */
+    /* Switching the TE output meanwhile must not forget the pixels under way. */
     assert_int_equal(canvas.target->push(canvas.target->ctx, (struct sheen_rect){0, 0, 1, 1}, pixel), 0);
     assert_int_equal(sheen_panel_tearing(sheen_sim_panel_driver(canvas.panel)), 0);
     assert_int_equal(sheen_panel_off(sheen_sim_panel_driver(canvas.panel)), 0);
@@ -209,7 +211,7 @@ static void held_while_pixels_fly(void **state)
     canvas_close(&canvas);
 }
 
-/* The example of a module of one's own, on the simulated hardware that it describes. */
+/* The example of a record for one's own module, on the simulated hardware that it describes. */
 static void the_example_is_right(void **state)
 {
     struct sheen_panel_record record = own_module;

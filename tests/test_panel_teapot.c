@@ -1,8 +1,8 @@
 /*
- * test_panel_teapot.c - the whole way: the core draws a teapot on every panel in every orientation.
+ * test_panel_teapot.c - the whole path: the core draws a teapot on every panel in every orientation.
  *
- * What the glass shows must equal the same frame on plain memory of the same
- * size and pixel format; two buffers, so that bands are drawn while others fly.
+ * What the glass shows must equal the same frame in plain memory of the same size and pixel format. There are two
+ * buffers, so that bands are drawn while others are being sent.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -66,7 +66,9 @@ static void scene_open(struct scene *scene, const struct sheen_target *target)
     assert_int_equal(sheen_init(&scene->frame, scene->arena, &size, &config), 0);
 }
 
-/* The teapot at turn n, up to the last pixel's arrival. The first error, which must end the frame. */
+/*
+ * Draws the teapot at turn n and waits until its last pixel has arrived. Returns the first error, which ends the frame.
+ */
 static int scene_draw(struct scene *scene, unsigned n)
 {
     const struct sheen_light light = {.to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)},
@@ -98,7 +100,7 @@ static void draw(const struct sheen_target *target)
     free(scene.arena);
 }
 
-/* The frame on plain memory, as values; at least a fiftieth of it must not be background. */
+/* Draws the frame to plain memory, as values; at least a fiftieth of it must not be background. */
 static void draw_ideal(const struct sheen_target *like, uint16_t *values)
 {
     struct memory_target memory;
@@ -131,7 +133,7 @@ static void draw_on(const char *name, uint16_t *ideal[2])
 
         canvas_open(&canvas, name, (int)k, 0, 0);
         bytes = (size_t)canvas.target->width * canvas.target->height * sizeof *canvas.ideal;
-        if (k < 2) /* the two sizes; further orientations have one of them */
+        if (k < 2) /* for each of the two sizes once; the other orientations have one of these sizes */
             draw_ideal(canvas.target, ideal[k]);
         memcpy(canvas.ideal, ideal[k & 1], bytes);
         draw(canvas.target);
@@ -154,7 +156,7 @@ static void every_panel_and_orientation(void **state)
     assert_int_equal(i, 33);
 }
 
-/* Two frames with a fault at operation n: the core hands the error over, and its next frame is whole. */
+/* Two frames with a fault at operation n: the core returns the error, and its next frame is whole. */
 static void fail_at(const char *name, uint16_t *ideal, enum sheen_sim_fault fault, uint64_t n)
 {
     struct canvas canvas;

@@ -1,5 +1,5 @@
 /*
- * test_panel_wire.c - the calls that drivers make of a bus, as literals: a command with its parameters or pixels each.
+ * test_panel_wire.c - the bus calls that drivers make, as literals: each is a command with its parameters or pixels.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 
 #include "sheen_panel.h"
 
-/* Writes calls down: "2a:0000 0001"; command, colon, data. A line a call; more than 8 bytes of data are counted. */
+/* Writes down the calls: "2a:0000 0001" is command, colon, data; more than 8 bytes of data are only counted. */
 struct scribe {
     char text[2048];
     size_t used;
@@ -45,7 +45,7 @@ static int scribe_delay(void *ctx, uint32_t us)
     return 0;
 }
 
-/* What a push of noise to a rectangle of an initialised panel says; first: the first four bytes of its pixels. */
+/* Checks what a push to a rectangle of an initialised panel sends; first: the first four bytes of its pixels. */
 static void assert_push(const char *name, unsigned orientation, struct sheen_rect rect, const char *first,
                         const char *expected)
 {
@@ -72,7 +72,7 @@ static void pushes(void **state)
     assert_push("ili9341", 0, (struct sheen_rect){1, 2, 3, 3}, "\xF8\x00\x07\xE0",
                 "2a:00010002 2b:00020002 2c:f80007e0 ");
     assert_push("ili9341", 0, (struct sheen_rect){0, 0, 240, 4}, "\0\0\0\0", "2a:000000ef 2b:00000003 2c:1920 bytes ");
-    /* Red, and half grey: the low bits repeat the high ones. */
+    /* Red and half grey; the low bits repeat the high ones. */
     assert_push("ili9488", 0, (struct sheen_rect){0, 0, 2, 1}, "\xF8\x00\x84\x10",
                 "2a:00000001 2b:00000000 2c:ff0000848284 ");
     assert_push("ili9488", 0, (struct sheen_rect){0, 0, 50, 1}, "\0\0\0\0",
@@ -88,7 +88,7 @@ static void pushes(void **state)
     assert_push("sh1106", 0, (struct sheen_rect){8, 16, 16, 24}, "\x80\0\0\0", "b20a10: :0100000000000000 ");
 }
 
-/* Init tables: a call a command, parameters with it. */
+/* Init tables: one call per command, with its parameters. */
 static void initialisations(void **state)
 {
     static const char *const ends[][2] = {

@@ -1,6 +1,6 @@
 /*
- * The pin watcher is tested before it is trusted: edges as literals, and what a
- * panel would have understood of them.
+ * test_pin_watcher.c - the watcher that decodes pin edges in other tests, itself tested with edges as literals, against
+ * what a panel would understand and the violations that it has to report.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,11 +14,11 @@
 #include "pin_watcher.h"
 #include "sheen_target.h"
 
-/* A controller that writes down what it is told: "C2a D01 R0 R1 ". */
+/* A controller that writes down what it gets: "C2a D01 R0 R1 ". */
 struct scribe {
     struct sheen_bus bus;
     char text[256];
-    int refuse; /* code that send returns */
+    int refuse; /* the code that send returns */
 };
 
 static int scribe_send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
@@ -44,7 +44,7 @@ static int scribe_reset(void *ctx, int level)
 static struct scribe scribe;
 static struct sheen_pin_watcher watcher;
 
-/* CS high and RESET high, the clock idle as its mode has it. */
+/* Starts with CS and RESET high, and the clock at its mode's idle level. */
 static void start(unsigned mode)
 {
     const uint8_t idle[SHEEN_WIRE_COUNT] = {(uint8_t)(mode >> 1), 0, 1, 0, 1};
@@ -57,9 +57,8 @@ static void start(unsigned mode)
 }
 
 /*
- * Play edges: a lower case letter drives a wire low, upper case high.
- * k clock, m MOSI, s chip select, d D/C, r RESET; blanks are for the eye.
- * Returns the first negative code.
+ * Plays edges. A lower-case letter drives a wire low, upper case high: k clock, m MOSI, s chip select, d D/C, r RESET;
+ * blanks are only for readability. Returns the first negative code.
  */
 static int play(const char *edges)
 {
@@ -99,7 +98,7 @@ static void unchanged_levels_are_no_edges(void **state)
     (void)state;
     start(0);
     assert_int_equal(play("ss d MMKKkk mmKKkk mKKKk mKk mKk mKk mKk MKk rR"), 0);
-    /* rR is a real reset: only repeated levels vanish. */
+    /* rR is a real reset; repeated levels are no edges. */
     assert_string_equal(scribe.text, "C81 R0 R1 ");
     assert_int_equal(watcher.resets, 1);
 }
@@ -107,7 +106,7 @@ static void unchanged_levels_are_no_edges(void **state)
 static void each_mode_samples_on_its_edge(void **state)
 {
     (void)state;
-    /* MOSI holds the bit only around the sampling edge; the other edge sees its inverse. */
+    /* MOSI holds the bit only around the sampling edge; at the other edge it holds the inverse. */
     start(0); /* idle low, sampled rising */
     assert_int_equal(play("s MKmk MKmk mKMk mKMk MKmk MKmk mKMk mKMk S"), 0);
     assert_string_equal(scribe.text, "Ccc ");
@@ -148,7 +147,7 @@ static void select_must_not_cut_a_byte(void **state)
     start(0);
     assert_int_equal(play("s KkKkKk S"), SHEEN_ERR_BUS);
     assert_string_equal(watcher.complaint, "CS rose inside a byte");
-    /* What follows is a new byte. */
+    /* What follows counts as a new byte. */
     assert_int_equal(play("s MKkKkKkKkKkKkKkKk"), 0);
     assert_string_equal(scribe.text, "Cff ");
     assert_int_equal(sheen_pin_watcher_finish(&watcher), SHEEN_ERR_BUS); /* the complaint stays */
@@ -160,7 +159,7 @@ static void dc_must_hold_for_a_byte(void **state)
     start(0);
     assert_int_equal(play("s d KkKkKk D KkKkKkKkKk"), SHEEN_ERR_BUS);
     assert_string_equal(watcher.complaint, "D/C changed inside a byte");
-    /* Between the last bit and the next byte it may change, selected or not. */
+    /* Between bytes it may change, selected or not. */
     start(0);
     assert_int_equal(play("s d KkKkKkKkKkKkKkKDk KkKkKkKkKkKkKkKk S d s S"), 0);
     assert_string_equal(scribe.text, "C00 D00 ");

@@ -1,5 +1,5 @@
 /*
- * test_png.c - pictures to files and back; an output file is there whole or not at all.
+ * test_png.c - pictures written to files and read back. An output file appears whole or not at all.
  */
 #include <dirent.h>
 #include <setjmp.h>
@@ -44,7 +44,7 @@ static int leave(void **state)
     return system(command);
 }
 
-/* Files in the folder, so that none is left beside the others. */
+/* Counts the files in the folder, so that temporary ones that were left are noticed. */
 static int files(void)
 {
     DIR *open = opendir(".");
@@ -109,7 +109,7 @@ static void a_link_to_nothing_yet(void **state)
     assert_int_equal(symlink("new/e.png", "b.png"), 0);
     assert_int_equal(symlink("../b.png", "new/c.png"), 0);
     assert_int_equal(symlink("new/c.png", "d.png"), 0);
-    for (size_t i = 0; i < 2; i++) { /* the second time something is there */
+    for (size_t i = 0; i < 2; i++) { /* the second time the files exist */
         assert_int_equal(sheen_png_write("d.png", picture, WIDTH, HEIGHT, &problem), 0);
         for (size_t k = 0; k < 3; k++) {
             assert_int_equal(lstat(links[k], &status), 0);
@@ -165,7 +165,7 @@ static void a_read_only_file_stays(void **state)
     struct sheen_problem problem;
 
     (void)state;
-    if (geteuid() == 0) /* whom nothing is forbidden: as another user, then */
+    if (geteuid() == 0) /* root may write anything, so as another user */
         assert_int_equal(seteuid(65534), 0);
     assert_true(sheen_out_file("/etc/passwd", "x", 1, &problem) < 0);
     assert_non_null(strstr(problem.text, "/etc/passwd: Permission denied"));
@@ -209,7 +209,7 @@ static void names_of_frames(void **state)
         assert_int_equal(sheen_frame_name_varies(cases[i].pattern), cases[i].varies);
         assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 42, 43), 0);
         assert_string_equal(name, cases[i].name);
-        assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 0, 1), 0); /* the only one */
+        assert_int_equal(sheen_frame_name(name, sizeof name, cases[i].pattern, 0, 1), 0); /* a single frame */
         assert_string_equal(name, cases[i].pattern);
     }
     assert_int_equal(sheen_frame_name(name, 5, "%d.png", 12, 13), -1);

@@ -1,5 +1,5 @@
 /*
- * test_problem.c - what reaches a person is valid UTF-8 of bounded length, whatever it was made from.
+ * test_problem.c - messages are valid UTF-8 of bounded length, whatever they were made from.
  */
 #include <locale.h>
 #include <setjmp.h>
@@ -16,7 +16,7 @@
 #include "problem.h"
 #include "utf8.h"
 
-/* Characters as the C library counts them, in a locale of UTF-8; it fails where the text is not valid. */
+/* Counts characters as the C library does in a UTF-8 locale; fails if the text is not valid. */
 static size_t judge(const char *text)
 {
     wchar_t wide[2048];
@@ -33,7 +33,7 @@ static uint32_t next(uint32_t *state)
     return *state = *state * 1664525u + 1013904223u;
 }
 
-/* Bytes that make many whole, cut, overlong and forbidden sequences. */
+/* Fills the text with many whole, truncated, overlong and forbidden sequences. */
 static void fill(char *text, size_t length, uint32_t *state)
 {
     static const char pieces[][5] = {"a",
@@ -78,7 +78,7 @@ static void any_bytes_become_a_line(void **ctx)
     }
 }
 
-/* A copy holds as many whole characters as there is room for, and no more. */
+/* A copy holds as many whole characters as fit, and no more. */
 static void copies_are_cut_between_characters(void **ctx)
 {
     static const char text[] = "a\xc3\xa4\xe2\x82\xac\xf0\x9f\x90\x87z";
@@ -93,7 +93,7 @@ static void copies_are_cut_between_characters(void **ctx)
     }
 }
 
-/* Every first and second byte, the others at the ends of their ranges: as the C library reads them. */
+/* All first and second bytes, with the others at the ends of their ranges, must be read as the C library reads them. */
 static void characters_are_those_of_the_library(void **ctx)
 {
     static const unsigned char inner[] = {0, 0x41, 0x7f, 0x80, 0x8f, 0x90, 0x9f, 0xa0, 0xbf, 0xc0, 0xff};
@@ -110,7 +110,7 @@ static void characters_are_those_of_the_library(void **ctx)
                 wchar_t wide;
                 size_t bytes = mbrtowc(&wide, text, strlen(text) + 1, &start);
                 int valid =
-                    bytes <= 4 && wide <= 0x10ffff && (wide < 0xd800 || wide > 0xdfff); /* the library takes more */
+                    bytes <= 4 && wide <= 0x10ffff && (wide < 0xd800 || wide > 0xdfff); /* the library accepts more */
                 assert_int_equal(sheen_utf8_bytes(text), valid ? bytes : 0);
             }
         }
@@ -130,7 +130,7 @@ static void what_is_clean_and_short_stays(void **ctx)
                                       "e.obj:7: '\xe2\x82\xac' is no number");
 }
 
-/* Of a path both ends stay, and all of what is said about it. */
+/* A long path is shortened in the middle, so that both its ends and all that is said about it stay. */
 static void a_path_gives_way_before_words(void **ctx)
 {
     static const char what[] = ":41: a face names vertex 9 of 8, and there is a long explanation of the way out of it";

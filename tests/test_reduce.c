@@ -1,5 +1,6 @@
 /*
- * test_reduce.c - --reduce: meshes too large to be drawn become ones that are, and stay what they were.
+ * test_reduce.c - --reduce: meshes with too many triangles become meshes that can be drawn and that keep shape,
+ * normals, sharp edges and groups.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -17,7 +18,7 @@
 
 #define PI 3.14159265358979323846
 
-/* rows x columns quadrilaterals, bent by `place`; groups: so many, rows side by side. */
+/* A grid of rows x columns quadrilaterals, bent by `place`; its rows are divided into `groups` groups. */
 static void make_grid(struct sheen_polygons *out, uint32_t rows, uint32_t columns, uint32_t groups,
                       void (*place)(double u, double v, double point[3]))
 {
@@ -39,7 +40,7 @@ static void make_grid(struct sheen_polygons *out, uint32_t rows, uint32_t column
 
 static void on_sphere(double u, double v, double point[3])
 {
-    double across = sin(PI * u); /* at the poles exactly 0, so that their points weld */
+    double across = sin(PI * u); /* exactly 0 at the poles, so that their points weld */
 
     across = u == 0 || u == 1 ? 0 : across;
     point[0] = 5 + 2 * across * cos(2 * PI * v);
@@ -47,7 +48,7 @@ static void on_sphere(double u, double v, double point[3])
     point[2] = 2 * across * sin(2 * PI * v);
 }
 
-/* The 4 sides of a prism with a square section, fine as the grid is; its ends stay open. */
+/* The 4 sides of a prism with a square section, as fine as the grid; its ends are open. */
 static void on_prism(double u, double v, double point[3])
 {
     double side = floor(4 * v), along = 1 - 2 * (4 * v - side);
@@ -80,7 +81,7 @@ static double volume_of(const struct sheen_host_mesh *mesh)
     return sum / 6;
 }
 
-/* Edges that are not run as often one way as the other: where the surface is torn. */
+/* Counts edges that do not run equally often in both directions: there the surface is torn. */
 static size_t count_open_edges(const struct sheen_host_mesh *mesh)
 {
     size_t count = 0, edges = 3 * mesh->triangle_count;
@@ -111,7 +112,7 @@ static double get_error(const struct sheen_host_mesh *mesh)
     return atof(at + 8) / 100;
 }
 
-/* Closed, round to what the note says, and as smooth as before: a corner's normal is the sphere's there. */
+/* The reduced sphere is closed, as round as the note says, and smooth: normals at corners are those of the sphere. */
 static void a_sphere_stays_round(void **state)
 {
     static const unsigned sizes[] = {60000, 5000, 600};
@@ -141,7 +142,7 @@ static void a_sphere_stays_round(void **state)
     sheen_polygons_free(&sphere);
 }
 
-/* The belt between them does not tear: over both, every edge has its other side. */
+/* The seam between two groups does not tear: over both groups, every edge has its counterpart. */
 static void groups_stay_joined(void **state)
 {
     struct sheen_polygons sphere;
@@ -167,7 +168,7 @@ static void groups_stay_joined(void **state)
     sheen_polygons_free(&sphere);
 }
 
-/* Sides of triangles that are sharp; an edge between two counts twice. */
+/* Counts sharp sides of triangles; an edge between two triangles counts twice. */
 static unsigned count_sharp(const struct sheen_host_mesh *mesh)
 {
     struct sheen_quantised quantised;
@@ -182,7 +183,7 @@ static unsigned count_sharp(const struct sheen_host_mesh *mesh)
     return count;
 }
 
-/* The crease goes with the mesh: along the prism run four sharp edges, each seen twice; its open ends are borders. */
+/* The crease is kept: the prism has four sharp edges, each counted twice, and borders at its open ends. */
 static void sharp_edges_stay_sharp(void **state)
 {
     struct sheen_polygons prism;
@@ -202,8 +203,8 @@ static void sharp_edges_stay_sharp(void **state)
 }
 
 /*
- * Flat sides need few triangles, and their corners keep the normals of their sides. On them the simplifier folds a
- * few over, which culling takes away and whose sides have no other normals: fewer than 1 in 20.
+ * Flat sides need few triangles, and their corners keep the normals of their sides. The simplifier folds a few
+ * triangles over there, fewer than 1 in 20; their normals stay parallel to the side's, and culling removes them.
  */
 static void edges_stay_edges(void **state)
 {
@@ -245,7 +246,10 @@ static void too_many_are_refused(void **state)
     sheen_polygons_free(&sphere);
 }
 
-/* Few enough triangles, but each with vertices of its own: not drawn, and not reduced unasked. */
+/*
+ * Few enough triangles, but each with vertices of its own: this cannot be drawn, and it is not reduced unless asked
+ * for.
+ */
 static void too_many_vertices_are_refused(void **state)
 {
     struct sheen_polygons sphere;
@@ -267,7 +271,7 @@ static void too_many_vertices_are_refused(void **state)
     sheen_polygons_free(&sphere);
 }
 
-/* A mesh that is small enough is left as it is, to the bit. */
+/* A mesh that is small enough stays as it is, bit by bit. */
 static void small_ones_stay(void **state)
 {
     struct sheen_host_mesh plain, asked;

@@ -1,6 +1,6 @@
 /*
- * test_reference.c - the reference against numbers worked out by hand and against
- * laws that do not depend on its formulas.
+ * test_reference.c - the reference against numbers worked out by hand and against laws that do not depend on its
+ * formulas.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +37,7 @@ static const struct ref_pixel *at(const struct ref_picture *picture, int x, int 
     return &picture->pixels[y * picture->width + x];
 }
 
-/* The right angle at (-1, -1), m = 2, fov 90: f = 120, so x_s = 160 + 60 x, y_s = 120 - 60 y. */
+/* A triangle with its right angle at (-1, -1), m = 2, fov 90: f = 120, so x_s = 160 + 60 x, y_s = 120 - 60 y. */
 static void one_triangle_by_hand(void **state)
 {
     struct shape s = {0};
@@ -46,7 +46,7 @@ static void one_triangle_by_hand(void **state)
 
     (void)state;
     shape_point(&s, -1, -1, 0);
-    shape_point(&s, 1 - 1e-9, -1, 0); /* by a hair: no pixel centre on the hypotenuse */
+    shape_point(&s, 1 - 1e-9, -1, 0); /* a little less than 1, so that no pixel centre lies on the hypotenuse */
     shape_point(&s, -1, 1 - 1e-9, 0);
     shape_polygon(&s, 3, (uint32_t[]){0, 1, 2});
     build(&mesh, &s, &as_is);
@@ -76,7 +76,7 @@ static void one_triangle_by_hand(void **state)
     NEAR(at(&picture, 120, 150)->m, 2, 1e-12);
     ref_picture_free(&picture);
 
-    /* The other way round it is a back face: culled, or lit with its normal negated. */
+    /* Turned around, it is a back face: culled, or lit with its normal negated. */
     memcpy(scene.rotation, (double[9]){-1, 0, 0, 0, 1, 0, 0, 0, -1}, sizeof scene.rotation);
     picture = render(&scene);
     assert_int_equal(picture.piece_count, 0);
@@ -89,7 +89,7 @@ static void one_triangle_by_hand(void **state)
     shape_free(&s);
 }
 
-static const double nowhere[3] = {0, 0, 0}; /* where there are no point lights */
+static const double nowhere[3] = {0, 0, 0}; /* a place that does not matter, as there are no point lights */
 
 /* A plane that recedes: halfway on the screen is not halfway in space. */
 static void perspective_by_hand(void **state)
@@ -109,7 +109,7 @@ static void perspective_by_hand(void **state)
     NEAR(lit.diffuse[0], 0.5, 1e-12);
 }
 
-/* R.V by the law of mirrors: the reflected ray, worked out as a vector. */
+/* R.V by the law of reflection, with the reflected ray worked out as a vector. */
 static void light_by_hand(void **state)
 {
     struct ref_scene scene;
@@ -120,19 +120,19 @@ static void light_by_hand(void **state)
     ref_scene_default(&scene, NULL);
     memcpy(scene.light[0], (double[3]){3, 0, 4}, sizeof scene.light[0]);
     scene.shininess = 1;
-    ref_light(&scene, nowhere, n, &lit); /* the light along the normal reflects along it: R.V = .8 */
+    ref_light(&scene, nowhere, n, &lit); /* a light along the normal reflects along it: R.V = .8 */
     NEAR(lit.diffuse[0], 0.7, 1e-12);
     NEAR(lit.specular[0], 0.24, 1e-12);
     memcpy(scene.light[0], (double[3]){-0.6, 0, -0.8}, sizeof scene.light[0]);
-    ref_light(&scene, nowhere, n, &lit); /* behind: ambient alone */
+    ref_light(&scene, nowhere, n, &lit); /* from behind: only ambient light */
     NEAR(lit.diffuse[0], 0.1, 1e-12);
     NEAR(lit.specular[0], 0, 0);
-    /* L.N < 0 and N.V < 0, the product positive: still no highlight. */
+    /* L.N < 0 and N.V < 0, so their product is positive: still no highlight. */
     memcpy(n, (double[3]){0, 0, -1}, sizeof n);
     memcpy(scene.light[0], (double[3]){0, 0, 1}, sizeof scene.light[0]);
     ref_light(&scene, nowhere, n, &lit);
     NEAR(lit.specular[0], 0, 0);
-    /* From behind, N.V = 0, so R = -L and R.V = .8; L.N is .06, then .18: beyond 1/8 the highlight is whole. */
+    /* From behind, N.V = 0, so R = -L and R.V = .8. L.N is .06, then .18: from 1/8 on the highlight is full. */
     memcpy(scene.light[0], (double[3]){0.6, 0, -0.8}, sizeof scene.light[0]);
     memcpy(n, (double[3]){0.1, sqrt(0.99), 0}, sizeof n);
     ref_light(&scene, nowhere, n, &lit);
@@ -140,7 +140,7 @@ static void light_by_hand(void **state)
     memcpy(n, (double[3]){0.3, sqrt(0.91), 0}, sizeof n);
     ref_light(&scene, nowhere, n, &lit);
     NEAR(lit.specular[0], 0.3 * 0.8, 1e-12);
-    scene.light_count = 2; /* ambient once, the rest summed */
+    scene.light_count = 2; /* ambient counts once, the rest is summed */
     memcpy(scene.light[1], (double[3]){0, 0, -1}, sizeof scene.light[1]);
     memcpy(scene.light[0], (double[3]){0, 2, 0}, sizeof scene.light[0]);
     memcpy(n, (double[3]){0, 0.6, -0.8}, sizeof n);
@@ -148,7 +148,7 @@ static void light_by_hand(void **state)
     NEAR(lit.diffuse[0], 0.1 + 0.6 * 0.6 + 0.6 * 0.8, 1e-12);
 }
 
-/* A fine sphere has its own position as normal: Phong must find it at every pixel. */
+/* The normal of a fine sphere is its position, and Phong must find that at every pixel. */
 static void phong_on_a_sphere(void **state)
 {
     struct shape s;
@@ -169,7 +169,7 @@ static void phong_on_a_sphere(void **state)
         double x = (i % 320 + 0.5 - 160) / f, y = (120 - i / 320 - 0.5) / f, a = x * x + y * y + 1;
         double root = 9 - 8 * a;
         if (root < 0.05)
-            continue; /* the silhouette of the polygons is not the sphere's */
+            continue; /* there the polygons' silhouette is not the sphere's */
         double m = (3 - sqrt(root)) / a, n[3] = {x * m, y * m, 3 - m};
         struct ref_lit lit;
         ref_normalize(n);
@@ -184,7 +184,7 @@ static void phong_on_a_sphere(void **state)
     shape_free(&s);
 }
 
-/* Rodrigues' rotation about a x b by t times the angle. */
+/* Against Rodrigues' rotation about a x b by t times the angle. */
 static void slerp_is_a_rotation(void **state)
 {
     double a[3] = {0.36, 0.48, 0.8}, b[3] = {-0.6, 0.8, 0}, axis[3], out[3], side[3];
@@ -208,7 +208,7 @@ static void slerp_is_a_rotation(void **state)
     assert_memory_equal(out, opposite, sizeof a);
 }
 
-/* Along an edge that is a scan line's end and along the row, slerp follows its own definition. */
+/* Along an edge at the end of a scanline, and along the row, slerp follows its own definition. */
 static void slerp_by_hand(void **state)
 {
     struct ref_scene scene;
@@ -223,12 +223,12 @@ static void slerp_by_hand(void **state)
     scene.shading = REF_SLERP;
     scene.ambient = 0;
     scene.diffuse = 1;
-    /* Row y = 4 crosses both slanted edges halfway: 45 degrees at either end, and so all along. */
+    /* Row y = 4 crosses both slanted edges halfway, so there are 45 degrees at both ends and in between. */
     ref_shade(&scene, &piece, 0, 4, &lit);
     NEAR(lit.diffuse[0], r, 1e-12);
     ref_shade(&scene, &piece, 2.5, 4, &lit);
     NEAR(lit.diffuse[0], r, 1e-12);
-    piece.w[1] = piece.w[2] = 0.25; /* the parameter in space: .2, 18 degrees */
+    piece.w[1] = piece.w[2] = 0.25; /* the parameter in space is .2, which is 18 degrees */
     ref_shade(&scene, &piece, 2.5, 4, &lit);
     NEAR(lit.diffuse[0], cos(18 * acos(-1) / 180), 1e-12);
     scene.affine = true;
@@ -236,7 +236,7 @@ static void slerp_by_hand(void **state)
     NEAR(lit.diffuse[0], r, 1e-12);
 }
 
-/* Everything mirrored in x gives the mirrored picture. */
+/* A scene mirrored in x gives the mirrored picture. */
 static void mirrored_scene(void **state)
 {
     struct shape torus, half[2] = {{.point_room = 0}, {.point_room = 0}};
@@ -282,7 +282,7 @@ static void mirrored_scene(void **state)
     shape_free(&torus);
 }
 
-/* Cutting changes nothing on what is left: a near plane through the mesh against one in front of it. */
+/* Cutting changes nothing in what is left: a near plane through the mesh against one in front of it. */
 static void near_plane(void **state)
 {
     struct shape s;
@@ -319,7 +319,7 @@ static void near_plane(void **state)
 
 static void shared_edges_once(void **state)
 {
-    /* A fan around (8, 8), its rays through pixel centres. */
+    /* A fan around (8, 8), whose rays pass through pixel centres. */
     static const double rim[8][2] = {{16, 8}, {16, 16}, {8, 16}, {0, 16}, {0, 8}, {0, 0}, {8, 0}, {16, 0}};
 
     (void)state;

@@ -52,7 +52,7 @@ static void normals_by_hand(void **state)
     shape_free(&s);
 }
 
-/* Cut a polygon in the plane z = 0 and return how many triangles; their areas must sum to the polygon's. */
+/* Cuts a polygon in the plane z = 0 and returns the number of triangles, whose areas must add up to the polygon's. */
 static size_t split(const double (*points)[3], size_t count, uint32_t (*out)[3])
 {
     double normal[3], whole = 0, sum = 0;
@@ -106,7 +106,7 @@ static void pixels_by_hand(void **state)
         assert_int_equal(ref_bayer8(0, i), column0[i]);
     }
     assert_int_equal(ref_565((double[3]){0.5 / 31, 0.49 / 63, 2}), 1 << 11 | 0 << 5 | 31);
-    /* 40 % grey: of 64 thresholds those above 60 % are reached: 38.4 of 64 stay dark. */
+    /* 40 % grey: the thresholds above 60 % light a pixel, so 38.4 of 64 stay dark. */
     int lit = 0;
     for (int i = 0; i < 64; i++)
         lit += ref_value(&scene, (double[3]){0.4, 0.4, 0.4}, i % 8, i / 8, false);
@@ -114,7 +114,7 @@ static void pixels_by_hand(void **state)
     assert_int_equal(ref_value(&scene, (double[3]){0.4, 0.4, 0.4}, 7, 7, true), 0);
     scene = (struct ref_scene){.levels = 16};
     assert_int_equal(ref_value(&scene, (double[3]){1, 0, 0}, 0, 0, false), 3);  /* 15 * .2126 = 3.19 */
-    assert_int_equal(ref_value(&scene, (double[3]){0, 2, 0}, 0, 0, false), 11); /* clamped first: 15 * .7152 */
+    assert_int_equal(ref_value(&scene, (double[3]){0, 2, 0}, 0, 0, false), 11); /* clamped to 1 first: 15 * .7152 */
 }
 
 int main(void)

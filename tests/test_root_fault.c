@@ -1,10 +1,10 @@
 /*
- * test_root_fault.c - the test of the accuracy test: one wrong table entry must fail it.
+ * test_root_fault.c - the test of the accuracy test: a single wrong table entry must make it fail.
  *
- * Linked with a core whose root table is this program's own copy (core_tables in reference.cmake),
- * so that an entry can be spoilt by 1/64 of its value: each in turn, to find the
- * one that the sphere uses most in a view; with that one the sphere must fail.
- * The way with a root a pixel is forced: the sphere's small triangles would take another.
+ * The core it is linked with reads its root table from this program (core_tables in reference.cmake), so that an entry
+ * can be changed by 1/64 of its value. Each entry is changed in turn to find the one that a view of the sphere uses
+ * most; with that one changed the sphere must fail. The way with a root per pixel is forced, because the sphere's small
+ * triangles would take another.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +18,7 @@
 
 #define ENTRIES 387
 extern const uint16_t shipped_root_table[ENTRIES];
-uint16_t sheen_root_table[ENTRIES]; /* what this program's core reads */
+uint16_t sheen_root_table[ENTRIES]; /* what the core in this program reads */
 
 static struct accuracy_mesh sphere;
 static struct accuracy_shot shot;
@@ -49,7 +49,7 @@ static int free_sphere(void **state)
     return 0;
 }
 
-/* The sphere with a root a pixel: all of it but triangles too flat for gradients. */
+/* Draws the sphere with a root per pixel, except triangles that are too flat for gradients. */
 static void shoot(const struct ref_scene *scene)
 {
     struct ref_picture picture;
@@ -63,7 +63,10 @@ static void shoot(const struct ref_scene *scene)
                      shot.stats.frame.setups);
 }
 
-/* How many of the sphere's pictures in the table (3 views, shininess 8, 32, 128) miss it; prints the worst shares. */
+/*
+ * How many of the sphere's pictures in the table (3 views, shininess 8, 32, 128) miss their limits; prints the worst
+ * shares.
+ */
 static int missed(void)
 {
     static const double shininess[3] = {8, 32, 128};
@@ -88,7 +91,7 @@ static int missed(void)
     return count;
 }
 
-/* The entry whose fault changes most pixels of a view. */
+/* The entry that changes most pixels of a view if it is wrong. */
 static int most_used_entry(int view, long *changed)
 {
     struct ref_scene scene;

@@ -1,5 +1,5 @@
 /*
- * The sending thread: order, errors, and buffers that stay the caller's after wait.
+ * test_sender.c - the sending thread: order, errors, and buffers that are the caller's again after a wait.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,12 +14,12 @@
 #include "sheen_sender.h"
 #include "sheen_target.h"
 
-/* A slow bus that remembers what it was given, and fails at one of its calls. */
+/* A slow bus that remembers what it was given and fails at one of its calls. */
 struct slow {
     struct sheen_bus bus;
     uint8_t seen[100000];
     size_t count;
-    unsigned calls, fail_at; /* fail_at: 1 is the first; 0: none */
+    unsigned calls, fail_at; /* the call that fails, 1 is the first; 0: none */
     int wait_error;
     pthread_t last; /* the thread of the last call */
     int levels;
@@ -148,15 +148,15 @@ static void an_error_comes_once_and_unchanged(void **state)
     slow.fail_at = 2;
     assert_int_equal(put(bytes, sizeof bytes), 0);
     assert_int_equal(collect(), 0);
-    assert_int_equal(put(bytes, sizeof bytes), 0); /* fails under way */
+    assert_int_equal(put(bytes, sizeof bytes), 0); /* fails while under way */
     assert_int_equal(collect(), SHEEN_ERR_TIMEOUT);
     assert_int_equal(collect(), 0);
     slow.fail_at = 3;
-    assert_int_equal(put_command(0, NULL, 0), SHEEN_ERR_TIMEOUT); /* at once */
+    assert_int_equal(put_command(0, NULL, 0), SHEEN_ERR_TIMEOUT); /* fails at once */
     assert_int_equal(collect(), 0);
     slow.fail_at = 4;
     assert_int_equal(put(bytes, sizeof bytes), 0);
-    assert_int_equal(put_command(0, NULL, 0), SHEEN_ERR_TIMEOUT); /* a forgotten wait loses no error */
+    assert_int_equal(put_command(0, NULL, 0), SHEEN_ERR_TIMEOUT); /* no error is lost if the caller forgets to wait */
     assert_int_equal(put_command(0, NULL, 0), 0);
 }
 

@@ -1,9 +1,9 @@
 /*
- * test_smooth.c - what smoothed contours are worth: against 4x4 samples a pixel of the reference, and over frames of a
- * slow turn. Pictures with faults have to be refused.
+ * test_smooth.c - what smoothed contours achieve, against 4x4 samples of the reference per pixel, and over the frames
+ * of a slow turn. Pictures with faults must be refused.
  *
  *   test_smooth           judges, and prints what it measured
- *   test_smooth samples   what returns where silhouettes are sampled 4x4 instead: what smoothing can be asked for
+ *   test_smooth samples   how much returns if silhouettes are sampled 4x4 instead, which is what smoothing can aim at
  */
 #include <math.h>
 #include <stdbool.h>
@@ -17,12 +17,12 @@ enum {
     WIDTH = 240,
     HEIGHT = 240,
     PIXELS = WIDTH * HEIGHT,
-    SAMPLES = 4, /* a side */
+    SAMPLES = 4, /* per side of a pixel */
     VIEWS = 6,
     FRAMES = 100
 };
 
-#define JUMP 0.02 /* of depth: a contour lies between two samples */
+#define JUMP 0.02 /* relative depth; if two samples differ by more, a contour lies between them */
 
 static struct edge_mesh meshes[EDGE_MESHES];
 static const struct edge_drawing forms[] = {
@@ -45,14 +45,14 @@ static void fail(const char *what)
     exit(1);
 }
 
-/* What is drawn wrong, to see that it is refused. */
+/* Faults put into the core's pictures, which must be refused. */
 enum fault {
     FAULTLESS,
     UNSMOOTHED, /* nothing is smoothed */
-    OVERDONE,   /* by twice as much: a pixel goes on as far again */
+    OVERDONE,   /* twice as much: each pixel is moved as far again */
     UNSTEADY,   /* every other frame is not smoothed */
-    TREMBLING,  /* in every third frame red and green of what is smoothed are two levels off */
-    WAVERING,   /* in every 20th frame blue is one level off: only by how many return is that refused */
+    TREMBLING,  /* in every third frame red and green of smoothed pixels are two levels off */
+    WAVERING,   /* in every 20th frame blue is one level off, which only the number of returning pixels shows */
     FAULTS
 };
 
@@ -81,7 +81,7 @@ static uint16_t overdone(unsigned plain, unsigned smooth, int form)
     return (uint16_t)value;
 }
 
-/* Without smoothing, and with it. */
+/* Draws the picture without smoothing and with it, the latter with a fault. */
 static void pictures(uint16_t *plain, uint16_t *smooth, const struct ref_scene *scene, const struct edge_mesh *mesh,
                      int form, enum fault fault, int frame)
 {
@@ -134,7 +134,7 @@ static bool is_silhouette(const struct samples *s, int x, int y)
     return nearest < INFINITY && farthest > nearest * (1 + JUMP);
 }
 
-/* A pixel's mean, 0..1. */
+/* The mean of a pixel's samples, 0..1. */
 static void mean_of_samples(double mean[3], const struct samples *s, int x, int y)
 {
     for (int k = 0; k < 3; k++)
@@ -161,7 +161,7 @@ static double squared_error(const struct samples *s, const struct edge_drawing *
     return sum;
 }
 
-/* The error that smoothing leaves of what there is without. */
+/* The error of smoothed silhouette pixels divided by that of unsmoothed ones. */
 static double error_left(const struct edge_mesh *mesh, int form, enum fault fault)
 {
     static uint16_t plain[PIXELS], smooth[PIXELS];
@@ -189,7 +189,7 @@ static double error_left(const struct edge_mesh *mesh, int form, enum fault faul
     return sqrt(after / before);
 }
 
-/* The mean over the meshes is at most half of what it is without, none is above .65. */
+/* The mean of these ratios over the meshes must be at most .5, and none may be above .65. */
 static bool judge_errors(int form, enum fault fault)
 {
     double sum = 0, most = 0;
@@ -205,13 +205,13 @@ static bool judge_errors(int form, enum fault fault)
 
 /* ---- over frames ---- */
 
-/* Of 31: red and blue have a level a step, green two. */
+/* A channel's level on a scale of 31: red and blue have a level per step, green two. */
 static double level(unsigned value, int channel)
 {
     return channel == 0 ? value >> 11 : channel == 1 ? (value >> 5 & 63) / 2. : value & 31;
 }
 
-/* By how much a channel goes one way in a frame and back in the next. */
+/* How far a channel moves in one frame and back in the next. */
 static double returned(uint16_t *const frame[3], int at, int channel)
 {
     double first = level(frame[1][at], channel) - level(frame[0][at], channel);
@@ -223,7 +223,7 @@ static double returned(uint16_t *const frame[3], int at, int channel)
 #define STEP 1.  /* of red or blue */
 #define SEEN 3.1 /* a tenth of a channel's range */
 
-/* Whether a pixel is what it was two frames before, and in between was by more than STEP off. */
+/* Whether a pixel is what it was two frames ago and was off by more than STEP in between. */
 static bool went_back(uint16_t *const frame[3], int at)
 {
     double most = 0;
@@ -234,24 +234,29 @@ static bool went_back(uint16_t *const frame[3], int at)
 }
 
 /*
- * What goes back and forth. Fewer pixels may go by more than a step to another value and back to just what they were
- * than without, and what returns in part is to be seen less. A silhouette that turns trembles by parts of a pixel; a
- * pixel that has two values does not show that, one with values in between does: with 4x4 samples a pixel on
- * silhouettes alone more pixels return by some step than without (2172 to 1502 on the teapot, 2507 to 1639 on the gear,
- * 824 to 682 on the rabbit), and more to just what they were (1093 to 940, 328 to 96, 545 to 489; smoothed 1650, 950,
- * 633), but fewer by more than a step (47 to 72, 245 to 299, 13 to 25) and far fewer by what is seen (test_smooth
- * samples). So what is smoothed has to return in part less by more than a step, and not many times as often at all. On
- * the gear it does more often by more than a step (482): its dark sides are thinner than a pixel beside bright faces,
- * and a pixel knows neither that they are there nor, at its teeth's corners, that two contours bound it. Even the best
- * mix of each pixel with one neighbour, shares fitted to the samples, is hardly below what it is without (284 to 299).
+ * What moves back and forth between frames. With smoothing, at most as many pixels as without it may change by more
+ * than a step and then be exactly what they were, and what returns in part must be less visible. The silhouette of a
+ * turning mesh moves by fractions of a pixel. Pixels with two values do not show that, pixels with values in between
+ * do. With 4x4 samples per pixel, on silhouettes alone, more pixels return by any amount than without smoothing (2172
+ * to 1502 on the teapot, 2507 to 1639 on the gear, 824 to 682 on the rabbit) and more return to exactly what they were
+ * (1093 to 940, 328 to 96, 545 to 489; smoothed 1650, 950, 633), but fewer by more than a step (47 to 72, 245 to 299,
+ * 13 to 25), and far fewer by a visible amount (test_smooth samples). So smoothed pictures must return less in sum
+ * beyond a step, and not many times as often by any amount. On the gear they return more often by more than a step
+ * (482): its dark sides are thinner than a pixel beside bright faces, and a pixel knows neither that they are there
+ * nor, at the corners of teeth, that two contours bound it. Even the best mix of each pixel with one neighbour, with
+ * shares fitted to the samples, returns hardly less often than without smoothing (284 to 299).
  */
 struct flicker {
-    long back;             /* pixels that go back */
-    long any, above, seen; /* pixels that return, in part too: at all, by more than STEP, by more than SEEN */
-    double steps, power;   /* sums over channels: of what is above STEP; of all, squared */
+    long back; /* pixels that are exactly what they were two frames ago */
+    /* pixels that return, also in part: by any amount, by more than STEP, by more than SEEN */
+    long any, above, seen;
+    double steps, power; /* sums over channels: of amounts above STEP; of all amounts squared */
 };
 
-/* What smoothing may make of what there is without; the rabbit's 25 that return by more than a step may be two more. */
+/*
+ * How many times as many pixels may return with smoothing as without it. The rabbit's 25 that return by more than a
+ * step may become 27.
+ */
 static const struct {
     double any, above;
 } most_flicker[EDGE_MESHES] = {[EDGE_TEAPOT] = {2, 1}, [EDGE_GEAR] = {2.25, 1.65}, [EDGE_RABBIT] = {1.6, 1.08}};
@@ -281,7 +286,7 @@ static void print_flicker(const struct edge_mesh *mesh, const char *what, const 
         mesh->name, FRAMES, what, f->back, f->any, f->above, f->seen, f->steps, f->power);
 }
 
-/* The last three of pictures kept by their number. */
+/* Adds frame f, given the last three pictures, each stored at its number modulo 3. */
 static void add_frame(struct flicker *flicker, uint16_t pixels[3][PIXELS], int f)
 {
     uint16_t *const frame[3] = {pixels[(f + 1) % 3], pixels[(f + 2) % 3], pixels[f % 3]};
@@ -295,7 +300,7 @@ static void frame_scene(struct ref_scene *scene, const struct edge_mesh *mesh, i
     scene_of(scene, mesh, 0, 30 + 0.25 * frame);
 }
 
-/* Fewer that go back and that are seen, less in their sum and their power. */
+/* At most as many pixels go back and return visibly, with at most the same sum and power. */
 static bool is_calmer(const struct flicker *is, const struct flicker *than)
 {
     return is->back <= than->back && is->seen <= than->seen && is->steps <= than->steps && is->power <= than->power;
@@ -359,7 +364,7 @@ static uint16_t best_mix(const struct samples *s, const uint16_t *plain, int x, 
     return best;
 }
 
-/* Without smoothing, but silhouette pixels as they are sampled, and as a neighbour can be mixed in at best. */
+/* The picture without smoothing, but with silhouette pixels as sampled, and as the best mix with one neighbour. */
 static void sampled_pictures(uint16_t *plain, uint16_t *sampled, uint16_t *mixed, const struct ref_scene *scene,
                              const struct edge_mesh *mesh)
 {
@@ -380,7 +385,7 @@ static void sampled_pictures(uint16_t *plain, uint16_t *sampled, uint16_t *mixed
     ref_picture_free(&samples.fine);
 }
 
-/* What the comment at struct flicker says of samples. */
+/* Checks what the comment at struct flicker says about samples. */
 static bool judge_samples(const struct edge_mesh *mesh)
 {
     static uint16_t pixels[3][3][PIXELS];

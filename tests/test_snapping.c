@@ -1,9 +1,8 @@
 /*
  * test_snapping.c - coverage against the real triangles, before their corners were snapped.
  *
- * Snapping to 1/64 px may move a pixel in or out only where its centre lies within
- * 1/8 px of an edge. Every pixel of every picture is looked at: of whole meshes,
- * and of each triangle drawn alone.
+ * Snapping to 1/64 px may add or remove a pixel only if its centre lies within 1/8 px of an edge. Every pixel of every
+ * picture is checked, for whole meshes and for each triangle drawn alone.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +29,7 @@ static bool near_edge(const struct ref_piece *pieces, size_t count, double x, do
     return false;
 }
 
-/* Lit by ambient light alone, white on black: a pixel is not black where it is covered. */
+/* White on black with ambient light only, so that a pixel is not black exactly if it is covered. */
 static void plain_scene(struct ref_scene *scene, const struct ref_mesh *mesh, int view)
 {
     accuracy_view(scene, mesh, view);
@@ -43,7 +42,7 @@ static void plain_scene(struct ref_scene *scene, const struct ref_mesh *mesh, in
     }
 }
 
-/* Number of pixels that differ, all of them by an edge. */
+/* The number of pixels that differ; each must be near an edge. */
 static long check(const struct memory_target *target, const struct ref_scene *scene, const struct ref_piece *pieces,
                   size_t count, const char *what)
 {
@@ -93,7 +92,7 @@ static void whole_meshes(void **state)
     assert_true(covered > 100000);
 }
 
-/* A frame for one triangle at a time. */
+/* Draws a frame with a single triangle of the mesh. */
 static void draw_triangle(struct core_frame *f, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                           const struct sheen_material *material, uint32_t triangle)
 {
@@ -134,7 +133,7 @@ static long triangles_of(const struct accuracy_mesh *mesh, int view, long *diffe
                                   .clipper = &sheen_clipper};
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     for (uint32_t t = 0; t < mesh->mesh->triangles; t++) {
-        size_t first = piece; /* its pieces, none for a back face */
+        size_t first = piece; /* the triangle's pieces; a back face has none */
         while (piece < picture.piece_count && picture.pieces[piece].triangle == t)
             piece++;
         draw_triangle(&f, &scene, mesh->mesh, &material, t);

@@ -1,9 +1,9 @@
 /*
- * test_texel_ends.c - triangles that end where a texel does, in slow turns: of the texel beyond, which where textures
- * repeat is the picture's other side, no pixel shows. It would come and go from frame to frame.
+ * test_texel_ends.c - triangles that end where a texel ends, in slow turns: no pixel may show the texel beyond, which
+ * is at the opposite side of the picture if the texture repeats. It would come and go from frame to frame.
  *
- * A pixel is strange where neither the reference's pixels around it nor what the triangles there show within 0.8 px
- * have its colour. What is left are slivers seen edge-on.
+ * A pixel is strange if its colour is neither that of one of the reference's pixels around it nor one that the
+ * triangles there show within 0.8 px. The few that remain are slivers seen edge-on.
  */
 #include <math.h>
 #include <stdio.h>
@@ -13,15 +13,15 @@
 enum {
     SIZE = 240,
     FRAMES = 20,
-    CUBE = 1, /* of textured_mesh_make */
+    CUBE = 1, /* index of textured_mesh_make() */
     SCREEN = 4,
-    AROUND = 4, /* places each way */
-    MOST = 10   /* strange pixels of the frames of one mesh and texture; 28 to 1,187 where ends are not cared for */
+    AROUND = 4, /* sampled places in each direction */
+    MOST = 10   /* strange pixels of all frames of one mesh and texture; 28 to 1,187 if nothing is done about ends */
 };
 
-#define APART 0.2 /* px, of two places */
+#define APART 0.2 /* px between two places */
 
-/* Each texel its own colour. */
+/* Each texel has a colour of its own. */
 static void make_texture(struct ref_texture *texture, uint16_t *texels, int width)
 {
     *texture = (struct ref_texture){.width = width, .height = width, .texels = texels, .bits = 16};
@@ -74,7 +74,7 @@ static bool is_strange(const struct ref_scene *scene, const struct ref_picture *
     return true;
 }
 
-/* Strange pixels of a frame, -1 where it cannot be drawn. */
+/* The number of strange pixels of a frame; -1 if it cannot be drawn. */
 static int count_strange(const struct ref_scene *scene, const struct accuracy_mesh *mesh)
 {
     static struct accuracy_shot shot;
@@ -92,7 +92,7 @@ static int count_strange(const struct ref_scene *scene, const struct accuracy_me
     return strange;
 }
 
-/* 1 where too many are strange. */
+/* 1 if too many pixels are strange. */
 static int judge(const struct accuracy_mesh *mesh, int width, bool ortho)
 {
     static uint16_t texels[16 * 16];

@@ -1,8 +1,9 @@
 /*
- * test_textured.c - textures against their definition (core/sheen.h) in double precision, by accuracy.h's limits.
+ * test_textured.c - textures against their definition (core/sheen.h) in double precision, within the limits of
+ * accuracy.h. At the end faults are put in, and each must be refused.
  *
- *   test_textured [all [PREFIX]]     a line a mesh, texture and light, a third of them or all; PREFIX: pictures
- *                                    of what failed
+ *   test_textured [all [PREFIX]]     one line per mesh, texture and light, a third of them or all; PREFIX: where to
+ *                                    save pictures of what failed
  */
 #include <math.h>
 #include <stdio.h>
@@ -16,9 +17,9 @@ static const char *const light_name[] = {"unlit",  "flat",        "gouraud", "gl
 static const char *const picture_name[] = {"tiles", "noise", "marble", "sixteen"};
 static const char *prefix;
 static bool draws_all;
-static int lines; /* so many were asked for */
+static int lines; /* how many lines were asked for so far */
 
-/* Of the pictures of a line: the lowest shares. */
+/* Sums over the pictures of a line; `equal` is the lowest share. */
 struct textured_line {
     double equal;
     long covered, comparable, compared, calm, beyond, dropped, dropped_drawn;
@@ -83,7 +84,7 @@ static int judge_picture(struct textured_line *line, const struct ref_scene *sce
     return failed;
 }
 
-/* Every view, perspective and kind of texture once: what is left comes in turn. */
+/* All views, then one affine and one orthographic; dither, ramp, bits, clamping and key vary with `turn`. */
 static int judge_textured(const struct accuracy_mesh *mesh, int picture, enum textured_light light, bool bilinear,
                           int turn)
 {
@@ -133,7 +134,7 @@ enum fault {
     AFFINE,
     TWICE,
     CUT,
-    NO_FAULT, /* the last one's scene without it */
+    NO_FAULT, /* the scene of CUT without the fault */
     LATE,
     TINTED,
     ON_SCREEN,
@@ -152,7 +153,7 @@ static const char *const fault_name[FAULTS] = {"v upwards",
                                                "light linear on the screen",
                                                "none, with colours"};
 
-/* The light that a piece's new corners would have of their own. */
+/* Lights the corners that cutting made by their own normals instead of interpolating the light. */
 static void light_cut_corners(struct ref_picture *picture, const struct ref_scene *scene)
 {
     static const double nowhere[3] = {0, 0, 0}; /* there are no point lights */
@@ -162,7 +163,8 @@ static void light_cut_corners(struct ref_picture *picture, const struct ref_scen
         for (int k = 0; k < 3; k++) {
             double n[3] = {p->normal[k][0], p->normal[k][1], p->normal[k][2]};
             double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-            if (length > 1 - 1e-9) /* not new: between unit normals that differ it is shorter */
+            /* not new: a new corner's normal, interpolated between different unit normals, is shorter */
+            if (length > 1 - 1e-9)
                 continue;
             for (int j = 0; j < 3; j++)
                 n[j] /= length;
@@ -171,7 +173,10 @@ static void light_cut_corners(struct ref_picture *picture, const struct ref_scen
     }
 }
 
-/* Light without the vertices' colours, to multiply the interpolated ones at the pixel. */
+/*
+ * Takes the vertices' colours out of the light, so that the interpolated colours can be multiplied at each pixel
+ * instead.
+ */
 static void take_colors(struct ref_picture *picture)
 {
     for (size_t i = 0; i < picture->piece_count; i++)
@@ -192,7 +197,7 @@ static void faulty_light(const struct ref_scene *scene, const struct ref_piece *
         lit->diffuse[k] *= color[k];
 }
 
-/* The picture as its pieces are lit now, or with a fault. */
+/* Recomputes the picture from its pieces' light as it is now, or with a fault. */
 static void colour_again(struct ref_picture *picture, const struct ref_scene *scene, enum fault fault)
 {
     for (int i = 0; i < picture->width * picture->height; i++) {
@@ -215,7 +220,7 @@ static void colour_again(struct ref_picture *picture, const struct ref_scene *sc
     }
 }
 
-/* The core's picture of a scene against the reference's of another one has to be refused. */
+/* The core's picture of one scene must be refused against the reference's picture of a different one. */
 static int judge_fault(enum fault fault)
 {
     static struct accuracy_shot shot;
@@ -231,7 +236,7 @@ static int judge_fault(enum fault fault)
         return 1;
     textured_view(&scene, &mesh.reference, is_cut || fault >= ON_SCREEN ? 3 : 1,
                   fault >= LATE ? TEXTURED_SCENE_COLORS : TEXTURED_SCENE_GOURAUD);
-    if (is_cut) /* through the middle of the screen */
+    if (is_cut) /* the near plane cuts in the middle of the screen */
         scene.near = 1.2;
     scene.texture = &texture;
     scene.affine = fault == AFFINE;
@@ -260,7 +265,7 @@ static int judge_fault(enum fault fault)
 
 /* ---- two forms of one texture ---- */
 
-/* Texels of 565 have loops of their own, palettes have not: the pictures are the same. */
+/* Texels of 565 have loops of their own, palettes do not; both must give the same picture. */
 static int judge_forms(void)
 {
     static struct accuracy_shot wide, narrow;
@@ -306,7 +311,7 @@ static int draw_about(const struct sheen_object *object, const struct sheen_targ
     return about;
 }
 
-/* What is mixed has to clamp both ways. */
+/* A bilinear matcap must clamp in both directions. */
 static int judge_matcaps(struct sheen_object *object, struct sheen_material *material,
                          const struct sheen_target *target)
 {
@@ -391,10 +396,10 @@ int main(int argc, char **argv)
         }
         for (int light = 0; light < TEXTURED_SCENE_ALL; light++) {
             if (textured_is_flat((enum textured_light)light) && (index == 2 || index == 3))
-                continue; /* too fine for what is judged a polygon */
+                continue; /* too fine to be judged polygon by polygon */
             for (int picture = 0; picture < TEXTURED_PICTURES; picture++, turn++)
                 failed += judge_textured(&mesh, picture, (enum textured_light)light, picture == 2, turn);
-            if (light == TEXTURED_SCENE_GOURAUD) /* those of high contrast are bilinear too */
+            if (light == TEXTURED_SCENE_GOURAUD) /* pictures of high contrast are drawn bilinear too */
                 for (int picture = 0; picture < TEXTURED_PICTURES; picture++)
                     failed += picture == 2 ? 0 : judge_textured(&mesh, picture, TEXTURED_SCENE_GOURAUD, true, turn);
         }

@@ -1,9 +1,9 @@
 /*
- * test_turned.c - the picture turned by 90 degrees, mesh and light rolled: Gouraud and Phong
- * over triangles do not depend on orientation, slerp does (lecture, "Orientation Dependence").
+ * test_turned.c - the picture turned by 90 degrees, by rolling mesh and light. With Gouraud and Phong over triangles
+ * the colours must not depend on orientation; with slerp they do (lecture, "Orientation Dependence").
  *
- * Compared are the core's unrounded colours, pixel by pixel, away from edges. What slerp
- * changes by is what its definition in double precision changes by.
+ * The core's unrounded colours are compared pixel by pixel, away from edges. With slerp they must change by what
+ * slerp's definition in double precision changes by.
  */
 #include <math.h>
 #include <setjmp.h>
@@ -20,7 +20,7 @@
 
 #define SIZE 240 /* px */
 
-/* A picture as the core and as the reference have it, unrounded. */
+/* A picture by the core and by the reference, unrounded. */
 struct both {
     double core[SIZE][SIZE][3];
     struct ref_picture reference;
@@ -40,7 +40,7 @@ static void draw(struct both *to, struct ref_scene *scene, const struct sheen_me
     assert_int_equal(memory_target_init(&target, SIZE, SIZE, SHEEN_RGB565_BE), 0);
     for (int dither = 0; dither < 2; dither++) {
         tap_begin();
-        scene->dither = dither; /* without it pixels may take ways on which nothing is tapped */
+        scene->dither = dither; /* without dither, pixels may be drawn by ways without a tap */
         assert_int_equal(core_draw_scene(&target.target, scene, mesh, 16), SHEEN_OK);
         for (int i = 0; i < SIZE * SIZE && !dither; i++)
             to->value[i / SIZE][i % SIZE] = (uint16_t)memory_target_pixel(&target, i % SIZE, i / SIZE);
@@ -52,7 +52,7 @@ static void draw(struct both *to, struct ref_scene *scene, const struct sheen_me
     memory_target_free(&target);
 }
 
-/* 3x3 pixels of the mesh without a jump in depth: no outline, no fold. */
+/* True if 3x3 pixels show the mesh without a jump in depth: neither outline nor fold. */
 static bool away_from_edges(const struct ref_picture *picture, int x, int y)
 {
     const struct ref_pixel *p = &picture->pixels[y * SIZE + x];
@@ -67,11 +67,11 @@ static bool away_from_edges(const struct ref_picture *picture, int x, int y)
     return true;
 }
 
-/* What turning changes, in 1/255: by the core, by the definition, and how far those two are apart. */
+/* What turning changes, in 1/255: in the core, in the definition; and how far the two are apart. */
 struct change {
     double core, core_mean, reference, apart;
     long compared, equal; /* px; equal: the same 565 value */
-    int steps;            /* of 565, at most */
+    int steps;            /* the largest difference in 565 steps */
 };
 
 static int steps_between(unsigned a, unsigned b)
@@ -82,7 +82,7 @@ static int steps_between(unsigned a, unsigned b)
     return r > g ? (r > c ? r : c) : g > c ? g : c;
 }
 
-/* Turned counter-clockwise, pixel (x, y) comes to (y, SIZE - 1 - x). */
+/* Turned counter-clockwise, pixel (x, y) becomes (y, SIZE - 1 - x). */
 static void compare(struct change *c, const struct both *a, const struct both *b)
 {
     for (int i = 0; i < SIZE * SIZE; i++) {
@@ -105,7 +105,7 @@ static void compare(struct change *c, const struct both *a, const struct both *b
     }
 }
 
-/* All views of a mesh: one light and four, in space and on the screen. */
+/* All views of a mesh, with one light and four, linear in space and on the screen. */
 static struct change turn_mesh(const struct accuracy_mesh *mesh, enum ref_shading shading)
 {
     static const double yaw_pitch[3][2] = {{30, 20}, {75, -35}, {200, 60}};
@@ -138,7 +138,7 @@ static struct change turn_mesh(const struct accuracy_mesh *mesh, enum ref_shadin
     return change;
 }
 
-/* Gouraud and Phong: by rounding alone; the definition not at all. */
+/* Gouraud and Phong change by rounding only, their definition not at all. */
 static void assert_rounding_alone(const struct change *c)
 {
     assert_true(c->reference < 1e-6);
@@ -166,10 +166,10 @@ static void turned_by_90_degrees(void **state)
         if (shading != REF_SLERP)
             assert_rounding_alone(&c);
         else
-            assert_true(c.apart <= 4); /* both pictures lie within 2/255 of their definition */
+            assert_true(c.apart <= 4); /* because both pictures are within 2/255 of their definition */
         most = fmax(most, c.reference);
     }
-    assert_true(most > 50); /* where normals lie far apart slerp's dependence is plain to see */
+    assert_true(most > 50); /* slerp's dependence is obvious where normals are far apart */
 }
 
 int main(void)

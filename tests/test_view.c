@@ -1,5 +1,5 @@
 /*
- * test_view.c - how a glass looks, and pictures as text: every value as it must be.
+ * test_view.c - how a glass looks, and pictures as text: every value against what it must be.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -41,7 +41,10 @@ static void test_plain(void **state)
     assert_int_equal(out[1], 0x808080);
 }
 
-/* Scale 3 with a gap of 1: lit squares of 2 px, the gap on their right and below, nothing past the stride. */
+/*
+ * Scale 3 with a gap of 1: lit squares of 2 px, with the gap to the right and below; nothing is written past the
+ * stride.
+ */
 static void test_gap(void **state)
 {
     struct sheen_glass_picture picture = {&pair[0][0], 2, 1, all, NULL};
@@ -70,7 +73,7 @@ static void test_mask(void **state)
     assert_memory_equal(out, expected, sizeof out);
 }
 
-/* Linear between off and on: a dark LCD pixel glows, a yellow OLED has one colour. */
+/* Colours are linear between off and on: a dark LCD pixel glows, a yellow OLED has one colour. */
 static void test_themes(void **state)
 {
     static const uint8_t black[3] = {0, 0, 0}, white[3] = {255, 255, 255}, half[3] = {51, 51, 51};
@@ -106,12 +109,12 @@ static void test_terminal_size(void **state)
 {
     (void)state;
     expect_size(320, 240, 80, 100, 80, 30); /* a character is two squares high */
-    expect_size(320, 240, 80, 21, 56, 21);  /* the height is what limits */
+    expect_size(320, 240, 80, 21, 56, 21);  /* limited by the height */
     expect_size(240, 320, 80, 24, 36, 24);
-    expect_size(40, 20, 200, 100, 40, 10); /* not larger than it is */
+    expect_size(40, 20, 200, 100, 40, 10); /* not larger than the picture */
     expect_size(8, 9, 200, 100, 8, 5);
     expect_size(640, 8, 10, 1, 10, 1);
-    expect_size(320, 240, 0, 0, 1, 1); /* a terminal without size */
+    expect_size(320, 240, 0, 0, 1, 1); /* a terminal that reports no size */
     expect_size(8, 480, 80, 24, 1, 24);
 }
 
@@ -129,7 +132,7 @@ static void expect_text(const uint8_t *rgb, unsigned width, unsigned height, uns
     free(text);
 }
 
-/* The pixel above is the foreground, the one below the background; colours are not repeated. */
+/* A cell's upper pixel is its foreground, the lower one its background; unchanged colours are not repeated. */
 static void test_terminal_picture(void **state)
 {
     static const uint8_t picture[2][3][3] = {{{1, 2, 3}, {1, 2, 3}, {9, 9, 9}}, {{4, 5, 6}, {7, 8, 9}, {7, 8, 9}}};
@@ -141,7 +144,7 @@ static void test_terminal_picture(void **state)
                 "\x1b[38;2;9;9;9m\u2580\x1b[0m\n");
 }
 
-/* A half is the mean of its pixels, rounded to nearest, halves up. */
+/* Half a cell has the mean of its pixels, rounded to nearest, halves up. */
 static void test_terminal_mean(void **state)
 {
     static const uint8_t picture[4][2][3] = {
@@ -151,10 +154,10 @@ static void test_terminal_mean(void **state)
     expect_text(&picture[0][0][0], 2, 4, 1, 1, "\x1b[38;2;1;15;255m\x1b[48;2;1;1;2m\u2580\x1b[0m\n");
 }
 
-/* An odd height and fewer cells than pixels: every pixel counts, none is read outside. */
+/* An odd height and fewer cells than pixels: every pixel counts, and none is read outside the picture. */
 static void test_terminal_odd(void **state)
 {
-    uint8_t *picture = malloc(3 * 3 * 3); /* of its own, for the sanitizer */
+    uint8_t *picture = malloc(3 * 3 * 3); /* allocated, so that the sanitizer watches its end */
     const char *expected = "\x1b[38;2;10;10;10m\x1b[48;2;10;10;10m\u2580\u2580\x1b[0m\n"
                            "\x1b[38;2;40;40;40m\x1b[48;2;70;70;70m\u2580\u2580\x1b[0m\n";
 

@@ -1,5 +1,5 @@
 /*
- * test_view_keys.c - frames, bands and keys of the viewer, and its window on SDL's driver without a screen.
+ * test_view_keys.c - frames, bands and keys of the viewer, and its window with SDL's driver that needs no screen.
  */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -50,7 +50,7 @@ static size_t picture_bytes(const struct sheen_viewer *viewer)
     return (size_t)viewer->table.choice.width * viewer->table.choice.height * 3;
 }
 
-/* What a viewer shows that was opened with these words. */
+/* Compares the viewer with one that was opened with these words. */
 static void expect_as_opened_with(const struct sheen_viewer *viewer, const char *words)
 {
     struct sheen_viewer other;
@@ -62,7 +62,7 @@ static void expect_as_opened_with(const struct sheen_viewer *viewer, const char 
     close_viewer(&other);
 }
 
-/* Band by band the new frame takes the place of the old one, downwards, and is in the end the frame drawn at once. */
+/* Band by band the new frame replaces the old one from the top down; in the end it equals the frame drawn at once. */
 static void test_bands(void **state)
 {
     struct sheen_viewer viewer;
@@ -96,7 +96,7 @@ static void test_bands(void **state)
     close_viewer(&viewer);
 }
 
-/* A frame under way is ended by whatever comes next: the next frame, another shading, another panel. */
+/* Whatever comes next finishes a frame under way: the next frame, another shading, another panel. */
 static void test_bands_left(void **state)
 {
     struct sheen_viewer viewer;
@@ -117,7 +117,7 @@ static void test_bands_left(void **state)
     close_viewer(&viewer);
 }
 
-/* Each key against the option that does the same. */
+/* Each key must do what its option does. */
 static void test_keys(void **state)
 {
     static const struct {
@@ -163,7 +163,10 @@ static void test_keys(void **state)
     }
 }
 
-/* Through all panels in all orientations, with a band too high for most: no complaint, and back where it began. */
+/*
+ * All panels in all orientations, with a band too high for most: no complaint, and at the end everything is as it
+ * began.
+ */
 static void test_panels(void **state)
 {
     struct sheen_viewer viewer;
@@ -192,7 +195,7 @@ static void test_look(void **state)
     open_viewer(&viewer, "");
     viewer.room[0] = 960, viewer.room[1] = 700;
     sheen_viewer_look(&viewer);
-    assert_int_equal(viewer.look.scale, 2); /* 240 rows 3 times are more than 700 */
+    assert_int_equal(viewer.look.scale, 2); /* 240 rows times 3 are more than 700 */
     assert_int_equal(viewer.look.theme, SHEEN_THEME_LCD);
     for (unsigned scale = 3; scale <= 18; scale++) {
         GOOD(sheen_viewer_key(&viewer, '+', &problem));
@@ -201,7 +204,7 @@ static void test_look(void **state)
     }
     GOOD(sheen_viewer_key(&viewer, 'x', &problem));
     assert_int_equal(viewer.look.gap, 2);
-    for (int k = 0; k < 20; k++) /* a gap as wide as the pixel would leave none */
+    for (int k = 0; k < 20; k++) /* a gap as wide as the pixel would leave nothing of it */
         GOOD(sheen_viewer_key(&viewer, '-', &problem));
     assert_int_equal(viewer.look.scale, 1);
     assert_int_equal(viewer.look.gap, 0);
@@ -217,7 +220,7 @@ static void test_look(void **state)
     close_viewer(&viewer);
 }
 
-/* The lines: their numbers are those of the counters. */
+/* The status lines show the values of the counters. */
 static void test_status(void **state)
 {
     struct sheen_viewer viewer;
@@ -247,7 +250,7 @@ static void press(SDL_Keycode key)
     assert_int_equal(SDL_PushEvent(&event), 1);
 }
 
-/* Keys through SDL's queue; what w writes is the glass as it looks. */
+/* Keys sent through SDL's queue; w writes the glass as it looks. */
 static void test_window(void **state)
 {
     static const SDL_Keycode keys[] = {SDLK_b,    SDLK_s,    SDLK_RIGHT,   SDLK_UP, SDLK_DOWN,
@@ -275,7 +278,7 @@ static void test_window(void **state)
     assert_int_equal(access("sheen-001.gif", F_OK), 0);
 }
 
-/* A closed window ends it; so does the number of frames. */
+/* Closing the window ends the viewer, and so does the number of frames. */
 static void test_window_end(void **state)
 {
     SDL_Event quit = {.type = SDL_QUIT};
@@ -296,7 +299,7 @@ static void test_window_end(void **state)
     close_viewer(&viewer);
 }
 
-/* What cannot be written is told, and the glass turns on. */
+/* An unwritable file is reported, and the viewer goes on. */
 static void test_unwritable(void **state)
 {
     struct sheen_viewer viewer;
