@@ -1,15 +1,15 @@
 /*
- * cortex.c - a Cortex-M of Arm's MPS2 boards in qemu, instructions counted by SysTick.
+ * cortex.c - a Cortex-M of Arm's MPS2 boards in qemu; SysTick counts instructions.
  *
- * With -icount shift=0 an instruction takes 1 ns of the machine's time, and a tick TICK_NS (40 at the 25 MHz of
- * mps2-an385 and an386, 50 at the 20 MHz of an505) instructions; 24 bits of ticks are 671 million instructions.
+ * With -icount shift=0 an instruction takes 1 ns of the machine's time, so a tick is TICK_NS instructions (40 at the 25
+ * MHz of mps2-an385 and an386, 50 at the 20 MHz of an505); 24 bits of ticks are 671 million instructions.
  */
 #include "guest.h"
 
 #define SYST_CSR (*(volatile uint32_t *)0xe000e010)
 #define SYST_RVR (*(volatile uint32_t *)0xe000e014)
 #define SYST_CVR (*(volatile uint32_t *)0xe000e018)
-#define COUNTED_TO_0 0x10000u /* in SYST_CSR, since it was last read */
+#define COUNTED_TO_0 0x10000u /* in SYST_CSR: it reached 0 since SYST_CSR was last read */
 
 extern uint32_t bench_bss_start, bench_bss_end, bench_stack_top;
 void bench_reset(void);
@@ -18,7 +18,7 @@ static void fault(void);
 __attribute__((section(".vectors"), used)) static const uintptr_t vectors[16] = {
     (uintptr_t)&bench_stack_top, (uintptr_t)bench_reset, (uintptr_t)fault, (uintptr_t)fault};
 
-/* Semihosting: the debugger's door, which qemu opens. */
+/* Semihosting: a call to the debugger, which qemu answers. */
 static int host_call(int operation, const void *argument)
 {
     register int r0 __asm__("r0") = operation;
@@ -47,7 +47,7 @@ static void fault(void)
     guest_leave(1);
 }
 
-#ifdef COUNTED_BY_HOST /* rp2040.mjs: cycles */
+#ifdef COUNTED_BY_HOST /* rp2040.mjs counts: cycles */
 
 void guest_count(void)
 {
@@ -61,7 +61,7 @@ uint32_t guest_counted(void)
 
 #else
 
-/* It counts down from the end of its 24 bits. */
+/* SysTick counts down from the largest value of 24 bits. */
 void guest_count(void)
 {
     SYST_CVR = 0;

@@ -1,5 +1,6 @@
 /*
- * example.c - the scene of firmware/examples/mist.c on a processor in an emulator: its second frame.
+ * example.c - the scene of firmware/examples/mist.c on a processor in an emulator: the instructions of its second
+ * frame.
  */
 #include "example.h"
 
@@ -14,7 +15,7 @@ static int throw_away(void *ctx, struct sheen_rect rect, const void *pixels)
     return SHEEN_OK;
 }
 
-/* So many frames, and what comes before the first one. */
+/* Counts what `frames` frames take, including what comes before the first one. */
 static uint32_t count(unsigned frames)
 {
     static const struct sheen_target target = {

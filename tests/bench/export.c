@@ -1,5 +1,5 @@
 /*
- * export.c - prints the scenes as C, for boards that have no libm to make them with.
+ * export.c - prints the scenes as C, because boards have no libm to make them with.
  */
 #include <math.h>
 #include <stdio.h>
@@ -13,7 +13,7 @@
 
 static double position[MAX_VERTICES][3], normal[MAX_VERTICES][3];
 static double polygon_normal[MAX_TRIANGLES][3];
-static double uv[MAX_VERTICES][2]; /* of scenes that are shown with a texture */
+static double uv[MAX_VERTICES][2]; /* for scenes that are drawn with a texture */
 static int triangle[MAX_TRIANGLES][3], polygon[MAX_TRIANGLES];
 static int vertices, triangles, polygons;
 
@@ -27,7 +27,7 @@ static void add_triangle(int a, int b, int c)
     polygon[triangles++] = polygons;
 }
 
-/* Ends the polygon that the triangles from `first` on were added to; its normal is the unit sum of theirs. */
+/* Ends the polygon to which the triangles from `first` on were added; its normal is the normalised sum of theirs. */
 static void end_polygon(int first)
 {
     double *n = polygon_normal[polygons], length;
@@ -54,7 +54,7 @@ static void sphere(void)
             double p[3] = {r * cos(turn), cos(PI * i / 32), -r * sin(turn)};
             for (int k = 0; k < 3; k++)
                 position[vertices][k] = normal[vertices][k] = p[k];
-            uv[vertices][0] = 2 * fabs(j - 32.0) / 32; /* there and back: no seam */
+            uv[vertices][0] = 2 * fabs(j - 32.0) / 32; /* forwards and backwards, so that there is no seam */
             uv[vertices][1] = i / 32.0;
         }
     }
@@ -112,7 +112,9 @@ static void screen(void)
     end_polygon(0);
 }
 
-/* The corner between a and b on the unit sphere, made where it is not there yet; the icosahedron's twelve lie first. */
+/*
+ * The vertex halfway between a and b on the unit sphere, added unless it exists; the icosahedron's twelve come first.
+ */
 static int middle(int a, int b)
 {
     double m[3], length = 0;
@@ -157,7 +159,7 @@ static double squared_distance(int a, int b)
     return d;
 }
 
-/* Whether a, b, c run counter-clockwise as seen from outside. */
+/* Whether a, b, c run counter-clockwise seen from outside. */
 static int outwards(int a, int b, int c)
 {
     const double *p = position[a], *q = position[b], *r = position[c];
@@ -175,7 +177,7 @@ static void add_polygon(int a, int b, int c)
     end_polygon(first);
 }
 
-/* Three corners an edge apart are a face; an edge is 1.051 long, the next distance 1.701. */
+/* Three vertices an edge apart form a face; an edge is 1.051 long, the next larger distance is 1.701. */
 static void icosahedron(void)
 {
     icosahedron_corners();
@@ -216,7 +218,7 @@ static void print_uvs(int scene)
     printf("\n};\n");
 }
 
-/* Of a vertex, r, g, b: its place, -1..1 on each axis. */
+/* Each vertex gets its position as r, g, b; each axis runs from -1 to 1. */
 static void print_colors(int scene)
 {
     printf("static const uint8_t colors_%d[] = {", scene);
@@ -280,7 +282,7 @@ static void print_edges(int scene, const struct sheen_mesh *mesh)
     printf("\n};\n");
 }
 
-/* What the baker would say of the mesh: warp, and edges. */
+/* What `sheen bake` would add to the mesh: warp and edges. */
 static void print_baked(const struct scene *s)
 {
     static int16_t positions[3 * MAX_VERTICES], normals[3 * MAX_VERTICES], facing[3 * MAX_TRIANGLES];
@@ -331,7 +333,10 @@ static void print_scene(const struct scene *s)
            lround((s->depth + 1.1) * 16777216), s->used, s->listed);
 }
 
-/* As the firmware has it, with edges; from where `sheen render` sees it, at the other scenes' angle of view. */
+/*
+ * The teapot as the firmware has it, with edges; at the distance of `sheen render`, with the other scenes' field of
+ * view.
+ */
 static void print_teapot(void)
 {
     const sheen_q24_t distance = SHEEN_Q24(2.2195);

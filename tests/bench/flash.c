@@ -1,7 +1,7 @@
 /*
- * flash.c - the least of a firmware: one shading SHADER, and where they are given one panel PANEL, the mesh and the
- * power table of the header MESH, TEXTURE, FOG, STIPPLE, RAMP, MORPH, EDGES, CLIPPER. What the linker keeps of it is
- * what `sheen plan` says of flash.
+ * flash.c - the smallest firmware: one shading SHADER and, if they are defined, a panel PANEL, the mesh and power table
+ * of the header MESH, TEXTURE, FOG, STIPPLE, RAMP, MORPH, EDGES, CLIPPER. What the linker keeps of it is the flash that
+ * `sheen plan` reports.
  */
 #include "sheen.h"
 #ifdef PANEL

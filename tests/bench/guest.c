@@ -1,5 +1,5 @@
 /*
- * guest.c - all scenes on a processor in qemu: instructions a frame, and the memory that it takes.
+ * guest.c - all scenes on a processor in qemu: the instructions per frame, and the memory that each needs.
  */
 #include "guest.h"
 
@@ -20,14 +20,14 @@ static void print_memory(const struct bench *bench)
     guest_print_number((uint32_t)sizeof bench->material);
 }
 
-/* A frame's scene and shading, or what is shown of the texture, as a word. */
+/* A scene, its shading and what is drawn of the texture; `name` is that in a word. */
 struct frame {
     const struct bench_scene *scene;
     const char *name;
     uint8_t shading, texture;
 };
 
-/* What a frame may have that takes more than without. */
+/* Extras of a frame, each of which costs something. */
 enum more {
     PLAIN,
     DITHERED,
@@ -39,7 +39,10 @@ enum more {
     WIRED
 };
 
-/* "S1 gouraud 16 4145520 memory ...": the rows of a band, the count, B of arena, vertices, lists, bands, material. */
+/*
+ * Prints "S1 gouraud 16 4145520 memory ...": rows per band, instructions, and B for arena, vertices, lists, bands and
+ * material.
+ */
 static int measure(const struct frame *frame, int band_rows, enum more more)
 {
     static const char *const more_name[] = {" ",         " dithered ", " fogged ",   " stippled ",
@@ -80,8 +83,8 @@ static int measure(const struct frame *frame, int band_rows, enum more more)
 }
 
 /*
- * Without and with dither, which unlit texels are without, and in one band; S3 fogged, and half of its pixels too; S1
- * by Gouraud half way between two frames.
+ * Without and with dither (unlit texels only without), and in one band. S3 also in fog and with half of its pixels; S1
+ * with Gouraud also halfway between two frames.
  */
 static void measure_all(const struct frame *frame)
 {
@@ -99,7 +102,7 @@ static void measure_all(const struct frame *frame)
         guest_leave(1);
 }
 
-/* Where no polygon's triangles are drawn as one. */
+/* Without quads: each triangle is drawn by itself. */
 static void measure_triangles(const struct bench_scene *scene)
 {
     static const char *const name[] = {"flat_triangles", "gouraud_triangles", "phong_triangles", "slerp_triangles"};
@@ -111,7 +114,7 @@ static void measure_triangles(const struct bench_scene *scene)
     }
 }
 
-/* By two lights that may have colours. */
+/* With two lights that may have colours. */
 static void measure_lights(const struct bench_scene *scene)
 {
     const struct frame frame = {scene, "phong_lights", SHEEN_PHONG, BENCH_LIGHTS};
@@ -120,7 +123,7 @@ static void measure_lights(const struct bench_scene *scene)
         guest_leave(1);
 }
 
-/* And what as many free channels take without colours. */
+/* With colours, and with as many independent channels but without colours. */
 static void measure_colored(const struct bench_scene *scene)
 {
     static const char *const name[] = {"flat_colored", "gouraud_colored", "phong_colored", "slerp_colored"};

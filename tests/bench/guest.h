@@ -1,5 +1,5 @@
 /*
- * guest.h - a processor in an emulator, as guest.c and planned.c see it: cortex.c, riscv.c, lx106.c.
+ * guest.h - what guest.c and planned.c need of a processor in an emulator: cortex.c, riscv.c or lx106.c.
  */
 #ifndef BENCH_GUEST_H
 #define BENCH_GUEST_H
@@ -9,17 +9,17 @@
 void guest_print(const char *text);
 __attribute__((noreturn)) void guest_leave(int status);
 
-/* Instructions between the two calls; each machine says how fine it counts. */
+/* The instructions between these two calls; how finely they are counted depends on the machine. */
 void guest_count(void);
 uint32_t guest_counted(void);
 
-/* 2 * rounds instructions. */
+/* Runs 2 * rounds instructions. */
 void guest_loop(uint32_t rounds);
 
-/* guest.c, planned.c: what a machine's start-up code calls once its memory is set up. */
+/* In guest.c or planned.c: a machine's start-up code calls it when the memory is set up. */
 __attribute__((noreturn)) void guest_main(void);
 
-/* The number and a space. */
+/* Prints the number and a space. */
 static inline void guest_print_number(uint32_t n)
 {
     char text[12];
@@ -36,7 +36,7 @@ static inline void guest_print_number(uint32_t n)
 
 #define GUEST_LOOPS 100000u
 
-/* A loop of known length comes first, so that the reader of the output can check the counter. */
+/* Runs a loop of known length first, so that the reader of the output can check the counter. */
 static inline void guest_check_counter(void)
 {
     guest_count();

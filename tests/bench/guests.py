@@ -1,4 +1,4 @@
-"""The scenes (guest.c) and an example (example.c) on processors in qemu: instructions and memory."""
+"""Runs the scenes (guest.c) and an example (example.c) on processors in qemu; counts instructions and memory."""
 import os
 import re
 import subprocess
@@ -21,7 +21,7 @@ RISCV = ["riscv64-unknown-elf-gcc", "-march=rv32imc", "-mabi=ilp32", "-mno-relax
 class Guest:
     compiler: list
     source: str
-    code: int  # where code and data lie
+    code: int  # addresses of code and data
     data: int
     machine: list
 
@@ -43,7 +43,7 @@ LINE = re.compile(rf"^(S\d|teapot) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\
 
 
 def run(command):
-    """The output of a command, both streams; leaves with it where the command fails."""
+    """The output of a command, both streams. If the command fails, exits with that output."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=900)
     if done.returncode != 0:
         sys.exit(f"report: {' '.join(map(str, command))} ended with {done.returncode}\n{done.stdout}")
@@ -58,7 +58,7 @@ FLAGS = ["-std=c11", "-O2", f"-I{HERE}", f"-I{TOP / 'core'}"]
 
 
 def core(compiler, work):
-    """The objects of the core, made once for all programs of a compiler."""
+    """The object files of the core, compiled once for all programs of a compiler."""
     folder = Path(work, "_".join(compiler).replace("/", "_"))
     sources = sorted((TOP / "core").rglob("*.c"))
     objects = [folder / f"{i}.o" for i in range(len(sources))]
@@ -70,7 +70,7 @@ def core(compiler, work):
 
 
 def build(guest, program, work):
-    """An image of a program's flags and sources, and of the core."""
+    """Builds an image from a program's flags and sources and the core."""
     image = f"{work}/guest.elf"
     run([*guest.compiler, *FLAGS, "-nostartfiles", "-T", HERE / "guest.ld",
          f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", HERE / guest.source, *program,
@@ -79,7 +79,7 @@ def build(guest, program, work):
 
 
 def output(guest, program, work):
-    """What it prints on this processor."""
+    """What a program prints on this processor."""
     image = build(guest, program, work)
     text = run([*guest.machine, "-icount", "shift=0", "-display", "none", "-semihosting", "-kernel", image])
     loop = re.search(r"loop (\d+) of (\d+)", text)
@@ -93,7 +93,7 @@ def example_of(text):
 
 
 def example_cycles(rp2040js, work):
-    """Of the example on an RP2040; rp2040js: the package's folder."""
+    """Cycles of the example on an RP2040; rp2040js: the package's folder."""
     program = ["-DCOUNTED_BY_HOST", "-Wl,--defsym=ROOM=0x40000", *EXAMPLE]
     image = build(cortex("cortex-m0plus", code=0x10000000), program, work)
     run(["arm-none-eabi-objcopy", "-O", "binary", image, f"{work}/guest.bin"])
@@ -101,7 +101,10 @@ def example_cycles(rp2040js, work):
 
 
 def rows_of(machine, counts):
-    """counts: {(scene, shading, more, rows of a band): instructions}. With more (" dithered"): what it takes more."""
+    """
+    counts: {(scene, shading, more, rows per band): instructions}. A row with `more` (" dithered") holds the difference
+    from the row without it.
+    """
     for (scene, shading, more, band), count in counts.items():
         unit, per = ("px", PIXELS) if scene == "S3" else ("M", MILLION)
         whole = counts.get((scene, shading, "", 240))
@@ -116,7 +119,7 @@ def rows_of(machine, counts):
 
 
 def memory_rows(lines):
-    """Of S1 in bands of 16 rows, without edges or another frame, whichever shading takes most."""
+    """Memory of S1 in bands of 16 rows, without edges or morph, for the shading that needs most."""
     parts = [[int(n) for n in m.groups()[5:]] for m in lines if (m[1], m[3], m[4]) == ("S1", None, "16")]
     arena, vertices, lists, bands, tables = map(max, zip(*parts))
     for what, size in (("whole", arena + tables), ("vertices", vertices), ("lists", lists), ("bands", bands),
@@ -125,7 +128,7 @@ def memory_rows(lines):
 
 
 def measure(machine, data, work):
-    """The rows of a processor; M3, on which pointers are as on all of them, gives the memory as well."""
+    """The rows of a processor. M3 gives the memory as well, since pointers have the same size on all of them."""
     guest = GUESTS[machine]
     lines = list(LINE.finditer(output(guest, [HERE / "guest.c", HERE / "scenes.c", data], work)))
     example = example_of(output(guest, EXAMPLE, work))

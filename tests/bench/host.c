@@ -1,7 +1,7 @@
 /*
  * host.c - one scene on this machine, for callgrind, which counts inside bench_measured.
  *
- *   bench_host S1 phong 16 [dithered]    runs both frames, says what was drawn
+ *   bench_host S1 phong 16 [dithered]    runs both frames and prints what was drawn
  */
 #include <stdio.h>
 #include <stdlib.h>

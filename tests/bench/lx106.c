@@ -1,8 +1,8 @@
 /*
- * lx106.c - the processor of an ESP8266 on qemu's machine `sim`. With -icount shift=0 an instruction takes 1 ns; CCOUNT
- * counts at the machine's 40 MHz, 25 instructions a tick.
+ * lx106.c - the processor of an ESP8266 on qemu's machine `sim`. With -icount shift=0 an instruction takes 1 ns, and
+ * CCOUNT counts at the machine's 40 MHz, so a tick is 25 instructions.
  *
- * Divisions, products of 64 bits, memset and memcpy are those of tests/toolchains/lx106/support.c.
+ * Divisions, products of 64 bits, memset and memcpy come from tests/toolchains/lx106/support.c.
  */
 #include "guest.h"
 

@@ -1,7 +1,8 @@
 /*
- * planned.c - the frames of planned.h and of the bench's scenes on a processor: what each takes.
+ * planned.c - the frames of planned.h and of the bench's scenes on a processor: what each costs.
  *
- * A line each: name, number, count; "arena", bytes. Of PARTS programs each runs a part, PART.
+ * Prints a line for each: name, number, count; or "arena" and bytes. The work is divided among PARTS programs, of which
+ * this is number PART.
  */
 #include "planned.h"
 

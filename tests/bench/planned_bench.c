@@ -1,6 +1,6 @@
 /*
- * planned_bench.c - the bench's scenes (scenes.h) as frames that costs are found from: all in every shading, without
- * and with dither; S1 and S3 also with textures, and under fog or with half of their pixels.
+ * planned_bench.c - the bench's scenes (scenes.h) as frames from which costs are found: all of them in every shading,
+ * without and with dither; S1 and S3 also with textures, in fog or with half of their pixels.
  */
 #include "planned.h"
 
@@ -31,14 +31,14 @@ static const struct {
 
 #define LOOKS (sizeof looks / sizeof looks[0])
 
-/* By scene: what a frame has; the last ones Gouraud shaded alone. S1, S2, S3, S5. */
+/* The extras of each scene's frames, of S1, S2, S3 and S5; the last ones only with Gouraud shading. */
 static const uint8_t more[BENCH_SCENES][6] = {{0, DITHERED, FOGGED | DITHERED, STIPPLED | DITHERED, MORPHED, SMOOTH},
                                               {0, DITHERED},
                                               {0, DITHERED, FOGGED, STIPPLED | DITHERED},
                                               {0, DITHERED}};
 static const uint8_t most[BENCH_SCENES] = {6, 2, 4, 2};
 
-/* 1 where the scenes have such a frame. */
+/* 1 if the scenes include this frame. */
 static int is_there(unsigned scene, unsigned look, unsigned with)
 {
     if (looks[look].texture != BENCH_PLAIN && scene % 2 != 0)

@@ -1,9 +1,9 @@
 /*
- * planned_export.c - the scenes of the file `planned` as C for boards, and what their frames are made of.
+ * planned_export.c - writes the scenes of the file `planned` as C for boards, and counts the features of their frames.
  *
- *   planned_export SCENES OUT.c    prints a line a frame: its name and number, then feature=count; and the bytes of
- *                                  its arena on a processor of 32 bits, as `sheen plan` tells them
- *   planned_export                 prints the features
+ *   planned_export SCENES OUT.c    prints a line per frame: its name and number, then feature=count; and the bytes of
+ *                                  its arena on a 32-bit processor, as `sheen plan` reports them
+ *   planned_export                 prints the names of the features
  *
  * A line of SCENES is a name and the words of `sheen plan`. The bench's own frames follow (planned_bench.c).
  */
@@ -56,7 +56,7 @@ static void put_pose(FILE *out, const struct sheen_pose *pose)
     fputs("},\n", out);
 }
 
-/* A pointer to what stands in the core, by name. */
+/* An object of the core that pointers refer to, and its name. */
 struct named {
     const void *at;
     const char *name;
@@ -88,7 +88,7 @@ static const struct named edgings[] = {
     NAMED(sheen_edges_smooth), NAMED(sheen_edges_outline), NAMED(sheen_edges_wire), {NULL, NULL}};
 static const struct named ramps[] = {NAMED(sheen_ramp_half), NAMED(sheen_ramp_toon), {NULL, NULL}};
 
-/* The name, or what is said where there is none. */
+/* The object's name; `otherwise` if it is not in the list. */
 static const char *name_of(const struct named *named, const void *at, const char *otherwise)
 {
     for (; named->at; named++)
@@ -97,7 +97,7 @@ static const char *name_of(const struct named *named, const void *at, const char
     return otherwise;
 }
 
-/* Textures that are drawn: texture_N_0 ..., the matcap last. */
+/* The textures that are drawn: texture_N_0 and so on, the matcap last. */
 static void put_texture_of(FILE *out, const struct sheen_scene *scene, const struct sheen_texture *texture, unsigned n)
 {
     size_t i = 0;
@@ -185,7 +185,7 @@ static void put_lights(FILE *out, const struct sheen_scene *scene, unsigned n)
                 n, fog->start, fog->end, fog->color[0], fog->color[1], fog->color[2]);
 }
 
-/* Meshes, textures, materials and lights of a scene that was drawn, and what is drawn of them, at number `n`. */
+/* Writes meshes, textures, materials, lights and objects of a scene that was drawn, as number `n`. */
 static void put_objects(FILE *out, const struct sheen_scene *scene, unsigned n)
 {
     struct sheen_object o;
@@ -214,7 +214,7 @@ static void put_objects(FILE *out, const struct sheen_scene *scene, unsigned n)
     fputs("};\n", out);
 }
 
-/* The entry of the table that refers to them: written to `table` until all are known. */
+/* Writes the entry of the table that refers to these, into `table` until all entries are known. */
 static void put_entry(FILE *table, const char *name, const struct sheen_turntable *t, unsigned n)
 {
     const struct sheen_scene *scene = &t->scene;
@@ -236,7 +236,7 @@ static void put_entry(FILE *table, const char *name, const struct sheen_turntabl
     fprintf(table, "    },\n    .objects = objects_%u},\n", n);
 }
 
-/* ---- a line, and the bench's own ---- */
+/* ---- a line of SCENES, and the bench's own frames ---- */
 
 static int export_scene(FILE *out, FILE *table, char *line, unsigned n)
 {
@@ -249,7 +249,7 @@ static int export_scene(FILE *out, FILE *table, char *line, unsigned n)
 
     words[count++] = name;
     words[count++] = "--edges";
-    words[count++] = "none"; /* but for lines that say so */
+    words[count++] = "none"; /* unless the line says otherwise */
     for (char *word = strtok(NULL, " \n"); word && count < WORDS; word = strtok(NULL, " \n"))
         words[count++] = word;
     words[count] = NULL;

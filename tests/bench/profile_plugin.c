@@ -1,11 +1,11 @@
 /*
- * profile_plugin.c - a plugin of qemu: how often each instruction runs in one measured frame.
+ * profile_plugin.c - a plugin for qemu that counts how often each instruction runs in one measured frame.
  *
  *   -plugin FILE,begin=ADDRESS,end=ADDRESS,frame=N,out=FILE
  *
- * Counting begins where `begin` is run for the Nth time, from 0 on, and ends at `end`. A line an instruction: its
- * address and how often it ran, hexadecimal and decimal. Debian has qemu's plugins without their header: what is used
- * of version 1 of the interface is declared here (qemu, "QEMU TCG Plugins").
+ * Counting starts when `begin` runs for the Nth time, from 0 on, and stops at `end`. It writes a line per instruction:
+ * its address (hexadecimal) and how often it ran (decimal). Debian ships qemu's plugins without their header, so what
+ * is used of version 1 of the interface is declared here (qemu, "QEMU TCG Plugins").
  */
 #include <inttypes.h>
 #include <stdint.h>
@@ -30,7 +30,7 @@ __attribute__((visibility("default"))) int qemu_plugin_version = 1;
 __attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t id, const void *info, int count,
                                                                char **option);
 
-/* Instructions that run one after the other. */
+/* Instructions that run one after another. */
 struct block {
     struct block *next;
     uint64_t runs;

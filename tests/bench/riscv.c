@@ -1,5 +1,5 @@
 /*
- * riscv.c - rv32imc on qemu's virt board; with -icount shift=0 its counter of instructions is exact.
+ * riscv.c - rv32imc on qemu's virt board; with -icount shift=0 its instruction counter is exact.
  */
 #include "guest.h"
 
@@ -19,7 +19,7 @@ __attribute__((naked, section(".vectors"))) void bench_reset(void)
                      "j guest_main");
 }
 
-/* Semihosting: the debugger's door, which qemu opens at these three, uncompressed. */
+/* Semihosting: a call to the debugger, which qemu answers at these three instructions if they are uncompressed. */
 static int host_call(int operation, const void *argument)
 {
     register int a0 __asm__("a0") = operation;

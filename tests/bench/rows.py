@@ -1,8 +1,8 @@
-"""What is measured, beside what may be spent (the file budget) and what is to be reached.
+"""Compares what is measured with its budgets, and with the targets called bar and beyond (the file budget).
 
-budget holds a row a line: name, unit, budget, bar, beyond, two spaces or more between
-them, - where there is none. A row more than SLACK above its budget fails; one more than
-SLACK below asks for a lower budget. A bar that a budget keeps is a bar that has to be kept.
+Each line of budget holds a row: name, unit, budget, bar, beyond, separated by two or more spaces; - means none. A row
+more than SLACK above its budget fails; for a row more than SLACK below it, a lower budget is suggested. Once a budget
+is within its bar, the measured value must be too.
 """
 import re
 import sys
@@ -23,11 +23,11 @@ class Row:
     name: str
     value: float
     unit: str
-    whole: float = 0  # what SLACK is a share of, where that is more than the budget
+    whole: float = 0  # SLACK is a share of this, or of the budget if that is larger
     remark: str = ""
 
     def change(self, budget):
-        """What it lies above its budget, as a share of the whole."""
+        """How far the value is above its budget, as a share of the whole."""
         return (self.value - budget) / (max(budget, self.whole) or 1)
 
 
@@ -94,7 +94,7 @@ def print_table(rows, limits):
 
 
 def judge(rows, limits):
-    """Prints the table and what follows from it. How many rows are refused."""
+    """Prints the table and the conclusions. Returns how many rows are refused."""
     print_table(rows, limits)
     refused = [(row, why) for row in rows if (why := limits.get(row.name, Limits(row.unit)).refuses(row))]
     lower = [row.name for row in rows if row.name in limits and limits[row.name].may_sink(row)]

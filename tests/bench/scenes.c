@@ -1,9 +1,9 @@
 /*
- * scenes.c - the frames that are measured.
+ * scenes.c - sets up and draws the frames that are measured.
  */
 #include "scenes.h"
 
-#define MAX_EDGES 1000 /* of the teapot, and a bit a triangle */
+#define MAX_EDGES 1000 /* those of the teapot, and one for each 64 triangles */
 
 static const struct sheen_light lights[2] = {
     {.to = {SHEEN_Q30(0.3916), SHEEN_Q30(0.4895), SHEEN_Q30(0.7791)}, .intensity = 65536},
@@ -42,7 +42,7 @@ static const struct sheen_texture nearest = {
 static const struct sheen_texture bilinear = {
     .texels = bench_texels, .width_log2 = BENCH_TEXELS_LOG2, .height_log2 = BENCH_TEXELS_LOG2, .bilinear = 1};
 
-/* As the core's matcaps are. */
+/* With the same settings as the core's matcaps. */
 static const struct sheen_texture spheres[2] = {{.texels = bench_texels,
                                                  .width_log2 = BENCH_TEXELS_LOG2,
                                                  .height_log2 = BENCH_TEXELS_LOG2,
@@ -85,7 +85,7 @@ int bench_begin(struct bench *bench, void *arena, size_t size)
     }
     if (bench->texture == BENCH_HIGHLIGHTED) {
         bench->material.shine = &sheen_shine_4;
-        bench->material.specular = SHEEN_Q16(0.1); /* up to .95, no pixel is clamped */
+        bench->material.specular = SHEEN_Q16(0.1); /* up to .95, so that no pixel is clamped */
     } else if (bench->texture == BENCH_TRIANGLES) {
         bench->config.quads = NULL;
     } else if (bench->texture != BENCH_PLAIN && bench->texture != BENCH_COLORED && bench->texture != BENCH_LIGHTS)
@@ -106,7 +106,7 @@ static const struct sheen_shader *shader_of(const struct bench *bench)
                                                    : &sheen_matcap;
 }
 
-/* Clear, transform, light, raster, up to the target's call. */
+/* Everything of a frame, from clearing to the target's call. */
 static int run(struct bench *bench, int frame)
 {
     const struct sheen_fog fog = {bench->scene->near, bench->scene->far, {160, 170, 180}, &sheen_fog_mixer};
