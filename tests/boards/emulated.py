@@ -1,4 +1,4 @@
-"""What the board tests share: pictures, first light's literals, a machine in QEMU."""
+"""What the board tests share: reading and comparing pictures, and a machine in QEMU."""
 import array
 import json
 import os
@@ -10,7 +10,7 @@ import tempfile
 import time
 import zlib
 
-PATIENCE = 20  # s, for an answer of the firmware
+PATIENCE = 20  # s to wait for an answer of the firmware
 
 
 class Failed(Exception):
@@ -18,7 +18,7 @@ class Failed(Exception):
 
 
 def main(test):
-    """Runs test(arguments); a Failed becomes one line and exit status 1."""
+    """Runs test(arguments); if it raises Failed, prints one line and exits with status 1."""
     try:
         test(sys.argv[1:])
     except Failed as failed:
@@ -46,7 +46,7 @@ def read_pictures(path, pixels):
 
 
 def read_png(path):
-    """The levels of a 128 x 64 picture, 8 bits, RGB: what png_file.c writes."""
+    """The levels of a 128 x 64 picture with 8 bits and RGB, as png_file.c writes it."""
     with open(path, "rb") as f:
         data = f.read()
     width, height, depth, colour = struct.unpack(">IIBB", data[16:26])
@@ -92,7 +92,7 @@ def demo_pictures(glass, panel, keys, pixels):
 
 
 def compare(keys, got, want):
-    """Prints the differing pixels, key by key; raises where there are any."""
+    """Compares the pictures, one for each key, and prints how many pixels differ; raises Failed if any do."""
     if len(got) != len(want):
         raise Failed(f"{len(got)} pictures instead of {len(want)}")
     counts = [different(a, b) for a, b in zip(got, want)]
@@ -105,14 +105,14 @@ def compare(keys, got, want):
 
 
 def corner(picture, width, x0, y0, columns, rows, dark=0):
-    """A part of a picture as text: # where anything is lit."""
+    """A part of a picture as text, with # for each lit pixel."""
     return ["".join(".#"[picture[(y0 + y) * width + x0 + x] != dark] for x in range(columns)) for y in range(rows)]
 
 
 # ---- QEMU ----
 
 class Machine:
-    """lm3s6965evb, its serial line, its screen (QMP), its memory and registers (gdb's protocol)."""
+    """QEMU's lm3s6965evb: its serial line, its screen (by QMP), its memory and registers (by gdb's protocol)."""
 
     def __init__(self, firmware):
         self.folder = tempfile.TemporaryDirectory()
@@ -168,7 +168,7 @@ class Machine:
         self.process.stdin.flush()
 
     def expect(self, text):
-        """Waits until the log since the last expected line holds text; returns the rest of that line."""
+        """Waits until the log after the last expected line contains text; returns the rest of that line."""
         end = time.monotonic() + PATIENCE
         while True:
             chunk = self.process.stdout.read()
@@ -183,7 +183,7 @@ class Machine:
             time.sleep(0.01)
 
     def screen(self):
-        """The OLED, 128 x 64 grey levels. QEMU shows a pixel as 4 x 4, level n as n / 15 of white."""
+        """The OLED's 128 x 64 grey levels. QEMU shows a pixel as 4 x 4, level n as n / 15 of white."""
         path = os.path.join(self.folder.name, "screen.ppm")
         self.qmp("screendump", filename=path)
         with open(path, "rb") as f:
@@ -198,7 +198,10 @@ class Machine:
         return picture
 
     def gdb(self, *packets):
-        """Stops the machine, sends packets of gdb's protocol, which answer OK unless they ask (q), lets it go on."""
+        """
+        Stops the machine, sends packets of gdb's protocol and lets the machine go on. Each packet must be answered with
+        OK unless it is a query (q).
+        """
         with self._connect(self.gdb_path) as sock:
             sock.settimeout(PATIENCE)
             stream = sock.makefile("rb")
@@ -208,7 +211,7 @@ class Machine:
 
     @staticmethod
     def _ask(sock, stream, text):
-        """The answer to a packet; reports that the machine has stopped (T...) are passed over."""
+        """The answer to a packet; reports that the machine has stopped (T...) are skipped."""
         sock.sendall(f"${text}#{sum(text.encode()) % 256:02x}".encode())
         answer = "T"
         while answer.startswith("T"):

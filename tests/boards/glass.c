@@ -1,16 +1,15 @@
 /*
- * glass.c - what a board's glass must show, and what bytes from a board make it show.
+ * glass.c - what a board's glass must show, and what the bytes from a board make it show.
  *
- *   board_glass demo PANEL KEYS OUT      the demo on a simulated panel, keys as demo.h has them
- *   board_glass replay PANEL WIRE OUT    what left a board's SPI, on a simulated controller
+ *   board_glass demo PANEL KEYS OUT      runs the demo on a simulated panel, with keys as in demo.h
+ *   board_glass replay PANEL WIRE OUT    sends what left a board's SPI to a simulated controller
  *
- * OUT gets the pictures one after the other: width x height values of 16 bits, low
- * byte first, RGB565 or grey levels. demo: one for each key that draws (held from
- * the start; f: first light). replay: one for each F.
+ * OUT gets the pictures one after another: width x height values of 16 bits, low byte first, RGB565 or grey levels.
+ * demo writes one for each key that draws (held from the start; f: first light), replay one for each F.
  *
- * WIRE: a letter, a count of 32 bits low byte first, and so many bytes. C commands,
- * D data; of 4 bytes, a number: R the reset line's level, T microseconds that
- * passed, F a picture is complete.
+ * WIRE: records of a letter, a count of 32 bits, low byte first, and that many bytes. C holds commands, D data. The
+ * others hold a number of 4 bytes: R the reset line's level, T the microseconds that passed, F that a picture is
+ * complete.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,7 +38,7 @@ static int complain(const char *what, const char *why)
 
 /* ---- demo ---- */
 
-/* Draws what the key asks for; 1: there is a picture. */
+/* Draws what the key asks for; 1 if that made a picture. */
 static int play(struct demo *demo, int key)
 {
     static uint8_t line[4096];
@@ -86,7 +85,7 @@ static int run_demo(const struct sheen_sim_choice *choice, const char *keys, FIL
 
 /* ---- replay ---- */
 
-/* What the viewer sees of the controller. */
+/* Writes what a viewer sees of the controller's memory. */
 static int show(struct sheen_sim_controller *controller, const struct sheen_sim_choice *choice, FILE *out)
 {
     for (unsigned y = 0; y < choice->height; y++) {

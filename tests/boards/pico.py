@@ -1,4 +1,4 @@
-"""A run of the demo on an emulated Raspberry Pi Pico, and what it left behind."""
+"""Runs the demo on an emulated Raspberry Pi Pico and reads the results."""
 import bisect
 import json
 import os
@@ -6,14 +6,14 @@ import re
 
 from emulated import Failed, read_pictures, run
 
-LEAST_BANDS = 8  # of 15; the teapot and the text touch more
-# Between the key and the first letter of the answer the firmware does a little beside the frame.
+LEAST_BANDS = 8  # of 15; the teapot and the text touch at least as many
+# Cycles that the firmware spends outside the frame between the key and the first letter of its answer, at most.
 OVERHEAD = 4000
-TICK = 125  # cycles; the firmware's clock goes in steps of a microsecond
+TICK = 125  # cycles; the firmware's clock has steps of a microsecond
 
 
 class Pico:
-    """What a run of the firmware left behind."""
+    """The results of a run of the firmware."""
 
     def __init__(self, folder, uf2, keys, *alone):
         self.out = os.path.join(folder, ".".join((uf2, str(len(keys)), *alone)))
@@ -31,7 +31,7 @@ class Pico:
 
 
 def check_frame(frame):
-    """The firmware's own numbers against the emulator's; the watchdog fed with every band."""
+    """The firmware's own numbers must agree with the emulator's; each band must feed the watchdog."""
     clocks, sent, us = map(int, re.search(r": (\d+) clocks, bus (\d+) B, (\d+) us", frame["line"]).groups())
     if not -TICK <= frame["cycles"] - clocks <= OVERHEAD:
         raise Failed(f"'{frame['line']}', but it took {frame['cycles']} cycles")
@@ -47,7 +47,7 @@ def check_frame(frame):
 
 
 def lap(line):
-    """Clocks of a frame of the running demo, by its own log: drawing, waiting, the bus sending; frames a second."""
+    """From the running demo's log: a frame's clocks for drawing, waiting and sending; and frames per second."""
     us, drawing, waiting, rate = re.search(r"(\d+) us, drawing (\d+), waiting (\d+), ([\d.]+) frames/s", line).groups()
     return int(drawing), int(waiting), 125 * int(us), float(rate)
 

@@ -1,19 +1,16 @@
-# common.sh - a Linux board in an emulator: a stock Debian kernel for arm64 on QEMU's
-# machine `virt`, whose PL061 is /dev/gpiochip0 and whose SPI is spi-gpio on lines of
-# that chip, so that every edge of the panel's wires passes through one chip; in its
-# place i2c-gpio on the same two lines (SCL is driven, SDA an open drain, which the
-# model leaves low once it was low: everything is acknowledged).
+# common.sh - a Linux board in an emulator: a stock Debian kernel for arm64 on QEMU's machine `virt`. Its PL061 is
+# /dev/gpiochip0, and its SPI is spi-gpio on lines of that chip, so that every edge of the panel's wires passes through
+# one chip. For I2C, i2c-gpio takes the same two lines (SCL is driven; SDA is an open drain, which the model leaves low
+# once it was low, so everything is acknowledged).
 #
-# Sourced by kernel/run and kernel/faults, which first set `work` to a folder of
-# theirs to build in. No root, no KVM (the guest is emulated even where KVM is),
-# nothing of the host's own GPIO is touched.
+# Sourced by kernel/run and kernel/faults, which first set `work` to a folder to build in. Neither root nor KVM is
+# needed (the guest is emulated even if there is KVM), and the host's own GPIO is not touched.
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 top=$(cd "$here/../.." && pwd)
 
-# The lines of the chip, wired like the header of a Raspberry Pi. Line 3 is the one
-# that QEMU can drive from outside (its power button); line 7 marks the runs in the
-# traces and shares its name with line 6 on purpose.
+# The chip's lines, with the names of a Raspberry Pi's header. QEMU can drive line 3 from outside (its power button).
+# Line 7 marks the runs in the traces; it has the same name as line 6 on purpose.
 line_names='"GPIO11", "GPIO10", "GPIO8", "GPIO24", "GPIO25", "GPIO27", "GPIO18", "GPIO18"'
 chip_base_name=gpiochip0
 
@@ -27,14 +24,14 @@ die() {
     exit 1
 }
 
-# Kernel, busybox and both libgpiods for arm64, unpacked into $work/v1 and $work/v2.
+# Fetches kernel, busybox and both versions of libgpiod for arm64 and unpacks them into $work/v1 and $work/v2.
 fetch_packages() {
     "$here/fetch" "$work/v1" arm64 bookworm linux-image-arm64 busybox-static libgpiod-dev libgpiod2
     "$here/fetch" "$work/v2" arm64 bookworm-backports libgpiod-dev libgpiod3
 }
 
-# The shipped program by the shipped CMake, with one version of libgpiod: v1 or v2. In units and little optimised, which
-# builds in a third of the time.
+# Builds the shipped program with the shipped CMake and one version of libgpiod, v1 or v2. A unity build with little
+# optimisation takes a third of the time.
 build_panel() {
     local packages=$work/$1 log=$work/panel-$1.log
 
@@ -49,7 +46,7 @@ build_panel() {
     unset PKG_CONFIG_LIBDIR PKG_CONFIG_SYSROOT_DIR
 }
 
-# QEMU's own device tree, with names for the lines and the SPI device.
+# Writes QEMU's own device tree, with names for the lines and with the SPI and I2C devices.
 make_device_tree() {
     qemu-system-aarch64 "${machine[@]}" -machine dumpdtb="$work/virt.dtb" 2>"$work/dtb.log" ||
         die "QEMU writes no device tree: $(cat "$work/dtb.log")"
@@ -84,8 +81,8 @@ EOF
     dtc -q -I dts -O dtb -o "$work/board.dtb" "$work/board.dts"
 }
 
-# busybox, the modules, the C library, both libgpiods, both programs; $1... are further
-# files, NAME=PATH. /init mounts the folder $work/share as /host and runs /host/main.
+# Packs busybox, modules, the C library, both versions of libgpiod, and the files $1..., given as NAME=PATH. /init
+# mounts the folder $work/share as /host and runs /host/main.
 make_initrd() {
     local root=$work/initrd modules module pair
 
@@ -108,14 +105,14 @@ make_initrd() {
 
 machine=(-M virt,accel=tcg -cpu cortex-a53 -m 256 -smp 1 -nodefaults -display none)
 
-# Where that is allowed the guest goes before what runs beside it: the emulator's threads hand over to each other at
-# every timer, and would wait each time.
+# If that is allowed, the guest gets priority over other processes, because the emulator's threads hand over to each
+# other at every timer and would have to wait each time.
 urgent=(nice -n -10)
-[ -z "$("${urgent[@]}" true 2>&1)" ] || urgent=() # says so and goes on where it is not
+[ -z "$("${urgent[@]}" true 2>&1)" ] || urgent=() # if it is not allowed, nice prints that and goes on
 
-# Boots; ends when the guest powers off, or after $1 seconds. What the guest prints is
-# in $work/console. Further words are for QEMU. norandmaps: programs at the same
-# addresses each time need not be translated again, which makes short ones 5 times as fast.
+# Boots and returns when the guest powers off, or after $1 seconds. The guest's output goes to $work/console. Further
+# words are passed to QEMU. norandmaps: programs that are always at the same addresses need not be translated again,
+# which makes short ones 5 times as fast.
 boot() {
     local seconds=$1 status=0
 

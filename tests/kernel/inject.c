@@ -1,11 +1,11 @@
 /*
- * inject.c - makes chosen ioctls of a program fail, before they reach the kernel (LD_PRELOAD).
+ * inject.c - makes chosen ioctls of a program fail before they reach the kernel (LD_PRELOAD).
  *
- *   INJECT="EIO@7"            the seventh
- *   INJECT="EINTR@7,EIO@27"   the seventh and the 27th
- *   INJECT="EINTR@1+2"        the first and every second after it
- *   INJECT="SHORT@1+1"        no failure: of every SPI transfer only the first half is made
- *   INJECT_LOG=FILE           at the end, FILE holds the number of ioctls, of the last one that was made to
+ *   INJECT="EIO@7"            the seventh fails
+ *   INJECT="EINTR@7,EIO@27"   the seventh and the 27th fail
+ *   INJECT="EINTR@1+2"        the first and then every second one fails
+ *   INJECT="SHORT@1+1"        none fails, but of every SPI transfer only the first half is made
+ *   INJECT_LOG=FILE           at the end, FILE holds the number of ioctls, the number of the last one that was made to
  *                             fail (0: none), and the bytes of the longest SPI transfer
  */
 #include <dlfcn.h>
@@ -55,7 +55,7 @@ __attribute__((destructor)) static void write_log(void)
     }
 }
 
-/* A controller that gives up half way: the kernel is asked for half, and says what it has sent. */
+/* A controller that stops halfway: the kernel is asked for half the transfer and reports what it has sent. */
 static void halve(unsigned long request, struct spi_ioc_transfer *transfer)
 {
     if (request == SPI_IOC_MESSAGE(1) && transfer->len > 1)

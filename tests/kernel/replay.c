@@ -1,22 +1,20 @@
 /*
- * replay.c - a trace of real GPIO lines, through the pin watcher and a simulated controller, to pictures.
+ * replay.c - a trace of real GPIO lines, replayed through the pin watcher to a simulated controller, gives pictures.
  *
  *   replay kernel|qemu TRACE BASE DIR NAME=PANEL:ORIENTATION:MODE|i2c ...
  *
- * TRACE holds what the lines of the emulated board did during several runs of a
- * program, each while the marker line is high; a run becomes DIR/NAME.png,
- * the picture on the panel's glass as its viewer sees it, and a line of counts.
- * Fails where a line breaks the rules of SPI, a controller complains, a run sent
- * nothing, or the number of runs differs from the names.
+ * TRACE holds what the lines of the emulated board did during several runs of a program; during each run the marker
+ * line is high. Each run gives DIR/NAME.png, the picture on the panel's glass as its viewer sees it, and a line of
+ * counts. Fails if a line breaks the rules of SPI or I2C, a controller complains, a run sent nothing, or there are more
+ * or fewer runs than names.
  *
- * kernel: tracefs, event gpio_value ("1.412651: gpio_value: 511 set 1"); lines are
- * numbered from the chip's base, BASE. qemu: its own log
- * ("1@1.5:pl061_set_output ... setting output 7 to 1"). Both have times, to which the
- * controller's clock is set.
+ * kernel: tracefs, event gpio_value ("1.412651: gpio_value: 511 set 1"); lines are numbered from the chip's base, BASE.
+ * qemu: its own log ("1@1.5:pl061_set_output ... setting output 7 to 1"). Both contain times, to which the controller's
+ * clock is set.
  *
- * SCL and SDA are open drains, whose levels are their directions: an output is low, an
- * input high. kernel: event gpio_direction ("505 out", "505  in"); qemu: writes of the
- * register of directions ("pl061_write ... offset 0x400 value 0x82").
+ * SCL and SDA are open drains, whose level follows from their direction: an output is low, an input high. kernel: event
+ * gpio_direction ("505 out", "505  in"); qemu: writes to the direction register ("pl061_write ... offset 0x400 value
+ * 0x82").
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,10 +43,10 @@ struct event {
     double seconds;
     unsigned line; /* 0..LINES - 1 */
     int level;
-    int open_drain; /* the level is what the line's direction makes it */
+    int open_drain; /* the level follows from the line's direction */
 };
 
-/* A run: its panel and what is at the far end of its wires. */
+/* A run: its panel, and what is connected to the far end of its wires. */
 struct run {
     char name[64], panel_name[64];
     char mode[8]; /* of SPI, or i2c */
@@ -89,7 +87,7 @@ static int is_i2c(const struct run *run)
     return strcmp(run->mode, "i2c") == 0;
 }
 
-/* A message is complete when it is handed over: nothing stays under way. */
+/* Passes on a message; it is complete then, so nothing stays under way. */
 static int receive_message(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     struct sheen_sim_bus *bus = ctx;
@@ -105,7 +103,7 @@ static int message_reset(void *ctx, int level)
     return bus->bus.reset(bus, level);
 }
 
-/* The panel is powered when the run begins; its lines are as the run before left them. */
+/* The panel is powered up when the run begins; the lines are as the previous run left them. */
 static void begin(struct run *run, const uint8_t level[LINES], double seconds)
 {
     const uint8_t wires[SHEEN_WIRE_COUNT] = {level[CLOCK], level[DATA], level[SELECT], level[COMMAND], level[RESET]};
@@ -128,7 +126,7 @@ static void begin(struct run *run, const uint8_t level[LINES], double seconds)
     run->seconds = run->start = seconds;
 }
 
-/* SCL and SDA; the reset line goes to the pin watcher all the same. */
+/* Passes SCL and SDA to the I2C watcher; the reset line still goes to the pin watcher. */
 static void play_i2c(struct run *run, const struct event *event)
 {
     int scl = event->line == CLOCK ? event->level : run->i2c.scl,
@@ -148,7 +146,7 @@ static void play(struct run *run, const struct event *event)
     sheen_sim_advance(run->controller, (uint32_t)((event->seconds - run->seconds) * 1e6 + 0.5));
     run->seconds = event->seconds;
     if (is_i2c(run) && (event->line == CLOCK || event->line == DATA)) {
-        if (event->open_drain) /* what it drives besides, for as long as it turns round, is no level of the wire */
+        if (event->open_drain) /* other values, driven while the direction changes, are no levels of the wire */
             play_i2c(run, event);
         return;
     }
@@ -196,7 +194,7 @@ static void end(struct run *run, const char *dir)
     sheen_sim_panel_close(run->panel);
 }
 
-/* tracefs' head says whether any event was lost. */
+/* The head of a tracefs trace tells whether any event was lost. */
 static void check_complete(const char *line)
 {
     unsigned long kept, written;
@@ -206,7 +204,7 @@ static void check_complete(const char *line)
         die("events lost", line);
 }
 
-/* A write of the register of directions that changes SCL's or SDA's. */
+/* Whether the line is a write to the direction register that changes SCL or SDA. */
 static int parse_direction(const char *line, struct event *event)
 {
     static unsigned before;
@@ -225,7 +223,7 @@ static int parse_direction(const char *line, struct event *event)
     return 1;
 }
 
-/* 1: the line of text is an event. base: of the chip's numbers. */
+/* 1 if the line of text is an event. base: the number of the chip's first line. */
 static int parse(const char *line, int is_kernel, unsigned base, struct event *event)
 {
     const char *text = strstr(line, is_kernel ? ": gpio_value: " : "pl061_set_output ");

@@ -1,5 +1,6 @@
 /*
- * picture.c - a program of C11 and of C++17 alike: a lit cube, summed as it is sent; with PANEL through a driver.
+ * picture.c - a program in C11 that is C++17 too: draws a lit cube and prints a sum of what is sent; with PANEL it
+ * draws through a panel driver.
  */
 #include <stdio.h>
 

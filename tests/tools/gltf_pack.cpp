@@ -1,12 +1,12 @@
 /*
- * gltf_pack.cpp - packs numbers as glTF's two compressions do, for tests/cli/gltf: standard input to standard output.
+ * gltf_pack.cpp - packs numbers with glTF's two compressions, for tests/cli/gltf: standard input to standard output.
  *
  *   gltf_pack draco VERTICES FACES METHOD BITS  floats of positions, then of normals, then 32-bit indices;
  *                                               METHOD 0 sequential, 1 edgebreaker; BITS 0: not quantised
- *   gltf_pack vertices COUNT STRIDE             of EXT_meshopt_compression: ATTRIBUTES
- *   gltf_pack triangles COUNT, indices COUNT    of 32-bit indices: TRIANGLES, INDICES
- *   gltf_pack octahedral COUNT STRIDE           4 floats a row to what the filter takes apart
- *   gltf_pack exponential COUNT STRIDE          STRIDE / 4 floats a row
+ *   gltf_pack vertices COUNT STRIDE             EXT_meshopt_compression: ATTRIBUTES
+ *   gltf_pack triangles COUNT, indices COUNT    32-bit indices: TRIANGLES, INDICES
+ *   gltf_pack octahedral COUNT STRIDE           4 floats per row, encoded for that filter
+ *   gltf_pack exponential COUNT STRIDE          STRIDE / 4 floats per row, likewise
  */
 #include <cstdio>
 #include <cstdlib>
@@ -31,7 +31,7 @@ std::vector<char> read_all()
     return out;
 }
 
-/* An attribute of 3 floats, one value a vertex. */
+/* Adds an attribute of 3 floats with one value per vertex. */
 int add_attribute(draco::Mesh &mesh, draco::GeometryAttribute::Type type, const float *values, unsigned count)
 {
     draco::GeometryAttribute form;

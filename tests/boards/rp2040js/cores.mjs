@@ -1,13 +1,13 @@
 /*
- * cores.mjs - the RP2040's second core, which rp2040js does not have: it runs beside the first, and the two have FIFOs,
- * events and their own numbers (data sheet, 2.3.1 and 2.8.2). What the firmware does not use of a second core is
+ * cores.mjs - the RP2040's second core, which rp2040js does not have. It runs beside the first; both have FIFOs, events
+ * and their own CPU number (data sheet, 2.3.1 and 2.8.2). Any use of the second core that the firmware does not need is
  * refused.
  */
 const CPUID = 0x00, FIFO_ST = 0x50, FIFO_WR = 0x54, FIFO_RD = 0x58, OWN_FROM = 0x60, OWN_TO = 0x100;
 const FRCE_OFF = 0x04, PROC1 = 1 << 16, PPB_FROM = 0xe000e000, FIFO_DEPTH = 8;
-const LAUNCH = [0, 0, 1]; /* then VTOR, stack, entry */
+const LAUNCH = [0, 0, 1]; /* then VTOR, stack, entry point */
 
-/* Hardware would enter the handler like this; the emulator has no faults. */
+/* Enters the handler as hardware would on a fault; the emulator has no faults. */
 export function enterFault(core) {
     core.exceptionEntry(3);
     core.PC &= ~1;
@@ -19,8 +19,8 @@ export class Cores {
         const psm = chip.peripherals[0x40010], power = psm.writeUint32.bind(psm);
         this.chip = chip;
         this.fail = fail;
-        this.running = 0; /* whose instruction it is */
-        this.deaf = this.faulty = false; /* core 1 never answers; its next instruction faults */
+        this.running = 0; /* the core that is executing */
+        this.deaf = this.faulty = false; /* core 1 never answers; core 1 faults at its next instruction */
         this.reset();
         sio.readUint32 = (offset) => {
             if (offset === CPUID) return this.running;
@@ -38,13 +38,13 @@ export class Cores {
             if (offset === FRCE_OFF && (before & ~value & PROC1) !== 0) this.boot();
             if (offset !== FRCE_OFF || (value & PROC1) === 0) return;
             this.off();
-            sio.spinLock |= 1; /* at worst it had just got it */
+            sio.spinLock |= 1; /* as if core 1 had just acquired it: the worst case */
         };
         const info = chip.logger.info.bind(chip.logger);
         chip.logger.info = (name, text) => (text === 'SEV' ? this.wake() : info(name, text));
     }
 
-    /* Dividers and interpolators, of which rp2040js has one for both. */
+    /* Dividers and interpolators: rp2040js has only one set, so core 1 must not use them. */
     own(offset) {
         if (this.running === 1 && offset >= OWN_FROM && offset < OWN_TO)
             this.fail(`core 1 reads or writes 0xd0000${offset.toString(16).padStart(3, '0')}`);
@@ -69,9 +69,9 @@ export class Cores {
         other.waiting = false;
     }
 
-    /* The whole chip's; a word is left as where a debugger restarts core 0 alone. */
+    /* Resets both cores. A word stays in core 0's FIFO, as if a debugger had restarted core 0 alone. */
     reset() {
-        this.fifos = [[1], []]; /* what each core can read */
+        this.fifos = [[1], []]; /* what core 0 and core 1 can read */
         this.off();
     }
 
@@ -81,7 +81,7 @@ export class Cores {
         this.heard = [];
     }
 
-    /* In the boot ROM. */
+    /* Core 1 starts in the boot ROM. */
     boot() {
         this.off();
         if (this.deaf) return;
@@ -90,7 +90,7 @@ export class Cores {
         this.fifos[0].push(0);
     }
 
-    /* What the boot ROM does with a word: it answers it, and starts after the sixth. */
+    /* Does what the boot ROM does with a word: it answers with the same word, and starts the core after the sixth. */
     launch() {
         const word = this.fifos[1].shift(), at = this.heard.length;
         this.heard = at < LAUNCH.length && word !== LAUNCH[at] ? [] : [...this.heard, word];
@@ -110,7 +110,10 @@ export class Cores {
         this.behind = 0;
     }
 
-    /* Core 1 up to core 0, which has gone on by so many cycles. ran(pc, cycles): an instruction of it. */
+    /*
+     * Runs core 1 until it has caught up with core 0, which has gone on by `cycles`. ran(pc, cycles) is called for each
+     * of its instructions.
+     */
     follow(cycles, ran) {
         if (this.core === null) return;
         this.behind += cycles;

@@ -1,17 +1,19 @@
 /*
- * run.mjs - a Raspberry Pi Pico with nothing but a display: runs the UF2, plays keys, writes down what leaves SPI0.
+ * run.mjs - a Raspberry Pi Pico with nothing but a display: runs a UF2, plays keys and records what leaves SPI0.
  *
  *   node run.mjs FIRMWARE.uf2 KEYS OUT [alone]      alone: the second core does not answer
  *
- * Starts as the boot ROM does: checks boot2's checksum, copies boot2 to RAM, jumps
- * to it. Each key is sent over UART0 once the firmware has answered the one before
- * with a line that begins with "frame" or "first light". ! in KEYS: the bus stops
- * answering until the firmware has logged an error; the next key is played with it.
- * # : a HardFault, @ : one of core 1 while the next frame is drawn. ~ : the firmware
- * hangs, until the watchdog restarts it. . : it runs by itself until it reports.
+ * It starts as the boot ROM does: checks boot2's checksum, copies boot2 to RAM and jumps to it. Each key is sent over
+ * UART0 once the firmware has answered the previous key with a line that begins with "frame" or "first light". In KEYS
+ * these do something else:
  *
- * OUT.wire holds what a panel sees (format: tests/boards/glass.c); OUT.json the
- * measurements; OUT.log the serial line.
+ *   !   the bus stops answering until the firmware has logged an error; the next key is played meanwhile
+ *   #   a HardFault of core 0
+ *   @   a HardFault of core 1 while the next frame is drawn
+ *   ~   the firmware hangs until the watchdog restarts it
+ *   .   the firmware runs by itself until it reports
+ *
+ * OUT.wire holds what a panel sees (format: tests/boards/glass.c), OUT.json the measurements, OUT.log the serial line.
  */
 import fs from 'node:fs';
 import process from 'node:process';
@@ -21,9 +23,9 @@ import { Cores, enterFault } from './cores.mjs';
 const FLASH = 0x10000000, BOOT2_AT = 0x20041f00, VECTORS = FLASH + 0x100;
 const PIN = { keys: [12, 13, 14, 15], dc: 16, cs: 17, sck: 18, tx: 19, backlight: 20, reset: 21 };
 const WATCHDOG_LOAD = 0x04;
-const PATIENCE_S = 5; /* emulated */
+const PATIENCE_S = 5; /* emulated seconds */
 const RAMWR = 0x2c; /* the command before a rectangle's pixels */
-const GAP_US = 5; /* bytes closer than this are one run */
+const GAP_US = 5; /* bytes that are closer than this form one run */
 
 function fail(text) {
     process.stderr.write(`rp2040: ${text}\n`);
@@ -127,7 +129,7 @@ class Pico {
         this.cores.deaf = alone;
         this.watch();
         this.boot();
-        for (const pin of PIN.keys) this.chip.gpio[pin].setInputValue(true); /* up: the pads pull */
+        for (const pin of PIN.keys) this.chip.gpio[pin].setInputValue(true); /* not pressed: the pads pull up */
     }
 
     boot() {
@@ -170,7 +172,7 @@ class Pico {
         chip.gpio[PIN.reset].addListener((state) => {
             if (state < 2) this.wire.event('R', state, clock.nanos / 1000);
         });
-        /* D/C and CS stand still while a byte is on the wire. */
+        /* D/C and CS must not change while a byte is on the wire. */
         for (const pin of [PIN.dc, PIN.cs])
             chip.gpio[pin].addListener(() => {
                 if (spi.busy && !this.stuck) fail(`pin ${pin} moves while a byte is on the wire`);
@@ -203,7 +205,7 @@ class Pico {
         this.clock.tick((cycles * 1e9) / this.chip.clkSys);
     }
 
-    /* Runs until the log, from `from` on, matches. Returns the match. */
+    /* Runs until the log matches, searched from `from` on. Returns the match. */
     until(pattern, from) {
         let length = -1;
         const end = this.clock.nanos + PATIENCE_S * 1e9;

@@ -1,16 +1,16 @@
 /*
- * sketch.mjs - a sketch on an RP2040: runs a flash image whose vectors stand at its beginning, writes down what leaves
- * SPI0 until LINES lines have come on UART0.
+ * sketch.mjs - runs a sketch on an RP2040, from a flash image that begins with its vectors, and records what leaves
+ * SPI0 until LINES lines have come from UART0.
  *
- *   node sketch.mjs IMAGE.bin DC RESET LINES OUT.wire      the pins of D/C and reset
+ *   node sketch.mjs IMAGE.bin DC RESET LINES OUT.wire      DC, RESET: their pins
  *
- * The format of OUT.wire is that of tests/boards/glass.c. Standard output gets the serial line.
+ * OUT.wire has the format of tests/boards/glass.c. Standard output gets the serial line.
  */
 import fs from 'node:fs';
 import process from 'node:process';
 import { ConsoleLogger, LogLevel, Simulator } from 'rp2040js';
 
-const FLASH = 0x10000000, PATIENCE_S = 30; /* emulated */
+const FLASH = 0x10000000, PATIENCE_S = 30; /* emulated seconds */
 const [image, dc, reset, lines, out] = process.argv.slice(2);
 const { clock, rp2040: chip } = new Simulator(), [spi] = chip.spi, flash = fs.readFileSync(image);
 const parts = [];
@@ -29,7 +29,7 @@ function number(kind, value) {
     record(kind, bytes);
 }
 
-/* What passed since the last byte, where the controller may have been given time. */
+/* Records the time since the last byte if it is long enough to matter to the controller. */
 function time() {
     const passed = Math.floor(clock.nanos / 1000) - us;
     if (passed < 100) return;

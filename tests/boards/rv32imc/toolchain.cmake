@@ -1,4 +1,4 @@
-# RISC-V rv32imc with Debian's gcc-riscv64-unknown-elf and picolibc.
+# RISC-V rv32imc, with Debian's gcc-riscv64-unknown-elf and picolibc.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR riscv32)
 set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)
