@@ -1,4 +1,4 @@
-"""Thumb machine code as objdump prints it: functions, flow, loops."""
+"""Reads Thumb machine code as objdump prints it: functions, their control flow, loops."""
 import re
 import subprocess
 
@@ -22,7 +22,7 @@ class Function:
         return f"{mnemonic} {self.symbols.get(address, operands)}".strip()
 
     def successors(self):
-        """address -> set of addresses that may be executed next, within the function."""
+        """{address: set of addresses in the function that may be executed next}"""
         order = list(self.code)
         following = dict(zip(order, order[1:]))
         graph, jumps = {}, []
@@ -31,7 +31,7 @@ class Function:
             graph[address] = {a for a in (target, following.get(address) if falls_through else None) if a in self.code}
             if computed:
                 jumps.append(address)
-        # The labels of a jump table are the places that nothing else leads to.
+        # A jump table's targets are the addresses that no other instruction leads to.
         reached = set().union(*graph.values(), order[:1]) if order else set()
         for address in jumps:
             graph[address] |= set(order) - reached
@@ -64,7 +64,7 @@ class Function:
         return [sorted(loop) for loop in innermost(graph, set(graph))]
 
     def outermost_loops(self):
-        """Each loop that no other holds, with all within it, as the sorted list of its addresses."""
+        """Each outermost loop, with the loops inside it, as the sorted list of its addresses."""
         graph = self.successors()
         return [sorted(loop) for loop in loops(graph, set(graph))]
 
@@ -85,17 +85,17 @@ def disassemble(objdump, path):
 
 
 def loops(graph, nodes):
-    """The strongly connected sets that hold an edge."""
+    """The strongly connected components that contain an edge."""
     for component in strongly_connected(graph, nodes):
         if len(component) > 1 or component & graph[min(component)]:
             yield component
 
 
 def innermost(graph, nodes):
-    """The innermost loops of a flow graph within nodes, by taking loops' entries away.
+    """The innermost loops of a flow graph within nodes, found by removing the entries of loops.
 
-    A strongly connected set is a loop. Without its entries what is still
-    strongly connected is a loop inside it; works for loops of any shape.
+    A strongly connected component is a loop. Whatever is still strongly connected without the loop's entries is a loop
+    inside it. This works for loops of any shape.
     """
     for loop in loops(graph, nodes):
         entries = {n for source in graph if source not in loop for n in graph[source] & loop}
@@ -107,7 +107,7 @@ def innermost(graph, nodes):
 
 
 def strongly_connected(graph, nodes):
-    """Kosaraju's two passes, without recursion: a function has thousands of instructions."""
+    """Kosaraju's two passes, without recursion because a function has thousands of instructions."""
     back = {n: set() for n in nodes}
     for n in nodes:
         for m in graph[n] & nodes:

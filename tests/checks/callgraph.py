@@ -1,16 +1,18 @@
 """Call graphs as gcc writes them (-fcallgraph-info=su): cycles and the deepest stack.
 
-Names: a function of external linkage stands as itself, a static one as
-file:name, exactly as in gcc's .ci files.
+A function with external linkage has its own name, a static one is called file:name, as in gcc's .ci files.
 """
 import re
 
 NODE = re.compile(r'node: { title: "([^"]+)" label: "([^"]*)"')
 EDGE = re.compile(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"')
 INDIRECT = "__indirect_call"
-# B of libgcc 12's and newlib's on Cortex-M, which push seven and five words; others as deepest() is told.
+# B of functions of libgcc 12 and newlib on Cortex-M, which push seven and five words; for others deepest() gets a
+# value.
 OUTSIDE = {"__aeabi_lmul": 40, "__clzsi2": 8, "memcpy": 40, "memset": 40}
-# Functions of sheen_shader, sheen_edges, sheen_clipper, line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points, arc_row by who calls them: what else could stand there does not.
+# Which functions the indirect calls of the core reach, through pointers in sheen_shader, sheen_edges, sheen_clipper,
+# line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points and arc_row: (callers, functions called).
+# Without this, each call could reach every function whose address is taken.
 SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|_shades_of|edges_list|morph_fits|cut_triangle|list_quad|most_warp)$"),
                 (r"(^|:)begin_(colours|draw)(\.isra\.\d+)?$", r"(_light|_begin|_shades_of|begin_by_ramp|fog_draw|most_warp)$"),
                 (r"(^|:)sheen_entry_corners$", r"(^|:)(piece|quad)_corners$"),
@@ -44,8 +46,8 @@ SHADER_CALLS = [(r"(^|:)sheen_draw$", r"(_light|_begin|_shades_of|edges_list|mor
                 (r"(^|:)(paint(\.isra\.\d+)?|collect_push|push_tile|lock|unlock|sheen_(wait|claim_band|free_buffer|send_tile))$",
                  r"(?!)")]  # callbacks of the user
 
-# A function that calls what it is handed, and what it is inlined into or not: once more, under a name of its own, for
-# who hands it other functions.
+# A function that calls functions handed to it, together with those that it may be inlined into, is copied under another
+# name for callers that hand it other functions: (functions, callers, suffix of the copies).
 HANDED = [(r"(^|:)(sheen_slerp_draw|draw_row)$", r"(^|:)tinted_slerp_rows$", " for tinted")]
 
 
@@ -67,16 +69,16 @@ class CallGraph:
 
     def _add_node(self, name, label):
         frame = re.search(r"(\d+) bytes \(([a-z,]+)\)", label)
-        if frame:            # nodes without are functions defined elsewhere
+        if frame:            # nodes without a frame are functions defined elsewhere
             self.stack[name] = int(frame[1])
             if frame[2] != "static":
                 self.dynamic.append(name)
 
     def resolve_indirect(self, taken, kinds=()):
-        """An indirect call may reach every function whose address is taken: all names in taken.
+        """Lets an indirect call reach every function whose address is taken (all names in `taken`).
 
-        kinds: (pattern of callers, pattern of what their indirect calls reach); no caller of another name is held to
-        it. A caller of several kinds, which a compiler makes of two functions, reaches what each of them does.
+        kinds: (pattern of callers, pattern of what their indirect calls reach) restricts that for the callers that
+        match. A caller that matches several kinds, because the compiler merged functions, reaches what all of them do.
         """
         reached = [name for name in self.stack if name.rsplit(":", 1)[-1] in taken]
         for group, caller, suffix in HANDED:
@@ -94,7 +96,8 @@ class CallGraph:
                 self.calls[caller] += [f"{INDIRECT} {callees}" for callees in nodes]
 
     def _copy(self, name, group, suffix):
-        """The name of a copy of a function of the group, whose calls are copies too; others stay themselves."""
+        """Copies a function of the group, and those of the group that it calls; returns the name of the copy. The name
+        of any other function is returned as it is."""
         if not re.search(group, name):
             return name
         if name + suffix not in self.stack:
@@ -103,7 +106,7 @@ class CallGraph:
         return name + suffix
 
     def cycles(self):
-        """A list of cycles, each as the list of its functions; one for each back edge met."""
+        """A list of cycles, one for each back edge found; each is the list of its functions."""
         found, done = [], set()
 
         def visit(name, path):
@@ -121,10 +124,10 @@ class CallGraph:
         return found
 
     def deepest(self, outside):
-        """(bytes, chain of names) of the deepest stack; a function defined elsewhere takes `outside` bytes.
+        """(bytes, chain of names) of the deepest stack; a function defined elsewhere counts as `outside` bytes.
 
-        Only for a graph without cycles. Indirect calls to anything but the
-        targets of resolve_indirect() are the caller's own callbacks: not counted.
+        The graph must not have cycles. Indirect calls to anything but the targets of resolve_indirect() are callbacks
+        of the user and are not counted.
         """
         known = {}
 

@@ -1,4 +1,4 @@
-"""The core, or other sources, compiled for a Cortex-M as firmware gets them."""
+"""Compiles the core, or other sources, for a Cortex-M as firmware does, and reads the objects."""
 import os
 import re
 import subprocess
@@ -24,7 +24,7 @@ class Build:
     def __init__(self, sources, cpu, folder, optimisation="-O2"):
         os.makedirs(folder, exist_ok=True)
         self.flags = [*FLAGS, optimisation, "-mcpu=" + cpu, "-I", os.path.join(ROOT, "core")]
-        # frame/edges.c and mesh/edges.c are two objects
+        # the folder is part of the name, because there are frame/edges.c and mesh/edges.c
         self.objects = {s: os.path.join(folder, "_".join(s.split(os.sep)[-2:])[:-2] + ".o") for s in sources}
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             list(pool.map(self._compile, self.objects.items()))
@@ -33,7 +33,7 @@ class Build:
         subprocess.run([TOOL + "gcc", *self.flags, "-c", pair[0], "-o", pair[1]], check=True)
 
     def functions(self, chosen):
-        """{source: its functions as machine code} of the sources that are chosen"""
+        """{source: its functions as machine code} for the sources that `chosen` accepts"""
         return {s: disassemble(TOOL + "objdump", o) for s, o in self.objects.items() if chosen(s)}
 
     @cache
@@ -51,7 +51,7 @@ class Build:
         return code, constants, state
 
     def linked(self, names):
-        """Bytes of code that these names keep in a program; functions of libgcc are not in it."""
+        """Bytes of code that a linker keeps for these names, without functions of libgcc."""
         program = os.path.join(os.path.dirname(next(iter(self.objects.values()))), "linked.elf")
         wanted = [f"-Wl,--undefined={name}" for name in names]
         subprocess.run([TOOL + "gcc", *self.flags, "-nostdlib", "-Wl,--gc-sections,--entry=0,--no-warn-rwx-segments,"
@@ -61,11 +61,11 @@ class Build:
 
     @cache
     def symbols(self, source):
-        """[(name, letter of nm)]; common variables, which no section of an object holds, are C."""
+        """[(name, letter of nm)]; the letter C marks common variables, which are in no section of an object."""
         return [tuple(line.split()[:2]) for line in tool("nm", "-P", self.objects[source]).splitlines()]
 
     def address_taken(self):
-        """Names of functions that data or code hold the address of. (Jump tables refer to sections instead.)"""
+        """Names of functions whose address is in data or code. (Jump tables refer to sections instead.)"""
         taken = set()
         for obj in self.objects.values():
             for line in tool("objdump", "-r", obj).splitlines():
@@ -74,5 +74,5 @@ class Build:
         return taken
 
     def call_files(self):
-        """gcc's call graphs (callgraph.py)."""
+        """Paths of gcc's call graphs (callgraph.py)."""
         return [obj[:-2] + ".ci" for obj in self.objects.values()]

@@ -1,6 +1,6 @@
 /*
- * wire.h - what leaves a stand-in's wires, to standard output, as tests/boards/glass.c replays it; and a transfer that
- * flies: its bytes are read when it lands, so a buffer that is touched before shows.
+ * wire.h - prints what leaves a stand-in's wires, in the format that tests/boards/glass.c replays. The bytes of a
+ * transfer under way are read when it completes, so writing to its buffer before that changes the output.
  */
 #ifndef WIRE_H
 #define WIRE_H
@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-static int wire_level = 1; /* of D/C: 0 command, 1 data */
+static int wire_level = 1; /* level of D/C: 0 command, 1 data */
 static const void *wire_flying;
 static size_t wire_count;
 

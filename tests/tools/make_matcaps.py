@@ -1,15 +1,15 @@
 #!/usr/bin/env python3
-"""Write core/pixel/matcap_*.c into a folder, or with --check compare them: pictures of a lit sphere, of our own making.
+"""Writes core/pixel/matcap_*.c, pictures of a lit sphere, into a folder, or with --check compares them.
 
-A texel is what a sphere shows where its normal is (x, y, z), z towards the eye. Nothing but sums, products, quotients
-and square roots, which IEEE 754 rounds alike everywhere, so that the files are the same bits wherever this runs.
+A texel shows what a sphere shows where its normal is (x, y, z), with z towards the eye. Only sums, products, quotients
+and square roots are used, which IEEE 754 rounds alike everywhere, so that the files have the same bits on all machines.
 """
 import os
 import sys
 from math import sqrt
 
-SIZE = 64   # texels a side
-SHARE = 4   # samples a texel and side
+SIZE = 64   # texels per side
+SHARE = 4   # samples per texel and side
 
 
 def clamp(x):
@@ -43,7 +43,7 @@ def cross(a, b):
 
 
 def power(x, doublings):
-    """x to the power of 2^doublings, 0 below 0."""
+    """x to the power of 2^doublings; 0 for a negative x."""
     x = max(x, 0.0)
     for _ in range(doublings):
         x *= x
@@ -51,7 +51,7 @@ def power(x, doublings):
 
 
 def ramp(stops, t):
-    """Between (position, colour) stops, ascending."""
+    """Interpolates between (position, colour) stops in ascending order."""
     for (low, a), (high, b) in zip(stops, stops[1:]):
         if t <= high:
             return mix(a, b, clamp((t - low) / (high - low)))
@@ -69,7 +69,10 @@ def fresnel(n, least):
 
 
 def box(r, towards, up, width, height, soft):
-    """How much of a lit rectangle at distance 1 a ray r meets; towards its middle; width, height: half of its sides."""
+    """
+    How much of a lit rectangle at distance 1 the ray r hits, 0..1. towards: the direction of the rectangle's middle;
+    width, height: half of its sides.
+    """
     side = unit(cross(up, towards))
     up = cross(towards, side)
     depth = dot(r, towards)
@@ -141,7 +144,7 @@ def jade(n):
     light = clamp(0.5 + 0.5 * dot(n, SUN))
     color = ramp([(0.0, (0.01, 0.11, 0.09)), (0.4, (0.03, 0.24, 0.16)), (0.75, (0.12, 0.43, 0.28)),
                   (1.0, (0.30, 0.63, 0.43))], light)
-    behind = clamp(0.55 - 0.45 * dot(n, SUN))           # most where the light is on the other side
+    behind = clamp(0.55 - 0.45 * dot(n, SUN))           # largest where the light is on the other side
     color = add(color, (0.42, 0.58, 0.30), thin * thin * (0.45 + 1.1 * behind))
     color = add(color, (0.16, 0.30, 0.12), smooth(0.15, 0.75, thin) * behind)
     color = mix(color, (0.80, 0.95, 0.86), 0.45 * fresnel(n, 0.0))
@@ -157,7 +160,9 @@ MATCAPS = {"chrome": chrome, "glaze": glaze, "clay": clay, "jade": jade}
 # ---- texels ----
 
 def color_at(show, u, v):
-    """At (u, v) in -1..1, v upwards; beyond the sphere as at its rim, for filters reach there."""
+    """
+    The colour at (u, v) in -1..1, v upwards. Outside the sphere it is that of the rim, because filters reach there.
+    """
     square = u * u + v * v
     if square >= 1:
         length = sqrt(square)

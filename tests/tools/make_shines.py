@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write core/pixel/shines.c, or with --check compare it: power tables as sheen_shine_make() makes them."""
+"""Writes core/pixel/shines.c, or with --check compares it: power tables as sheen_shine_make() makes them."""
 import sys
 
 ENTRIES = 256
@@ -8,7 +8,7 @@ ONE = 0xffffffff
 
 
 def multiply(a, b):
-    """UQ0.32 factors, 1.0 held as 0xffffffff; as core/pixel/shine.c rounds."""
+    """The product of UQ0.32 factors, where 0xffffffff means 1.0, rounded as in core/pixel/shine.c."""
     return (a * b + a + b) >> 32
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write core/math/tables.c, or with --check compare it: the tables are data, this is their definition."""
+"""Writes core/math/tables.c, or with --check compares it. The tables are data; this is their definition."""
 import math
 import sys
 

@@ -1,6 +1,6 @@
 /*
- * main.c - a firmware that names the shadings SHADERS, the clipper where CLIPPER is defined, one panel, and the least
- * of a frame besides.
+ * main.c - a firmware that names the shadings SHADERS, the clipper if CLIPPER is defined, quads if QUADS is defined,
+ * one panel, and otherwise only what a frame needs.
  */
 #include "sheen.h"
 #include "sheen_panel.h"

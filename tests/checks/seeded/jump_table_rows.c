@@ -3,7 +3,7 @@
 
 int32_t sheen_seed(const int32_t *from, int count);
 
-/* The division stands in a case, which only a jump table leads to. */
+/* The division is in a case that only a jump table leads to. */
 int32_t sheen_seed(const int32_t *from, int count)
 {
     int32_t sum = 0;

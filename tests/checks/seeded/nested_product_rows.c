@@ -3,7 +3,7 @@
 
 void sheen_seed(uint32_t *to, int count, uint32_t scale);
 
-/* The loop over bits inside makes the loop over pixels no innermost one. */
+/* Because of the loop over bits inside it, the loop over pixels is not an innermost one. */
 void sheen_seed(uint32_t *to, int count, uint32_t scale)
 {
     for (int i = 0; i < count; i++) {

@@ -1,4 +1,4 @@
-# Each came after CMake 3.16: a command, a variable, a keyword, a generator expression, a module, a policy.
+# All of these were added after CMake 3.16: a command, variables, a keyword, a generator expression, a module, a policy.
 cmake_path(GET seed STEM name)
 if(PROJECT_IS_TOP_LEVEL)
 endif()

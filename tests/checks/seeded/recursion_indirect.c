@@ -4,7 +4,7 @@ struct seed {
 };
 int sheen_seed(const struct seed *seed);
 
-/* A cycle that no edge of the call graph shows: through the address of the function itself. */
+/* A cycle that no edge of the call graph shows, because the function calls itself through its address. */
 const struct seed sheen_seed_self = {sheen_seed};
 
 int sheen_seed(const struct seed *seed)

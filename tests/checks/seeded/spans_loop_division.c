@@ -3,7 +3,7 @@
 
 uint32_t sheen_seed(const uint32_t *from, int rows, int count);
 
-/* The rows' loop holds another, so only the inner one is looked at. */
+/* The loop over rows contains another loop, so only the inner one counts as a pixel loop. */
 uint32_t sheen_seed(const uint32_t *from, int rows, int count)
 {
     uint32_t sum = 0;

@@ -1,6 +1,6 @@
 /*
- * main.cpp - stands for what calls a sketch, included before: setup(), and loop() three times. GLASS: a display
- * library drew, else what left on the wires.
+ * main.cpp - stands for the code that calls a sketch, which is included before it: setup(), and loop() three times.
+ * With GLASS it prints what a display library drew; otherwise the wires' stand-in has printed what left on them.
  */
 #include <Arduino.h>
 #include <SPI.h>

@@ -1,5 +1,5 @@
 /*
- * main.c - stands for what calls app_main().
+ * main.c - stands for the code that calls app_main().
  */
 #include "wire.h"
 

@@ -1,5 +1,5 @@
-# Stands for ESP-IDF's build, first pass: cmake -P with -D COMPONENT=folder. What a component registers ends its file;
-# project() and add_library() are errors there.
+# Stands for the first pass of ESP-IDF's build: cmake -P with -D COMPONENT=folder. The component's file ends at its
+# idf_component_register(); project() and add_library() before it are errors.
 set(ESP_PLATFORM 1)
 macro(idf_component_register)
   message(STATUS "registered with ${ARGC} words")

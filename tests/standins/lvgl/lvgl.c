@@ -1,5 +1,5 @@
 /*
- * lvgl.c - stands for LVGL 9: a canvas of 240 x 240 with a stride, and what of the screen is drawn anew.
+ * lvgl.c - stands for LVGL 9: a canvas of 240 x 240 with a stride, and redrawing the invalidated part of the screen.
  */
 #include "lvgl.h"
 

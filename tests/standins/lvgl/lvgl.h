@@ -19,7 +19,7 @@ typedef struct {
 
 typedef struct {
     lv_draw_buf_t *buffer;
-    lv_area_t at, invalid; /* on the screen; the union of what was invalidated */
+    lv_area_t at, invalid; /* place on the screen; the union of all invalidated areas */
 } lv_obj_t;
 
 lv_draw_buf_t *lv_canvas_get_draw_buf(lv_obj_t *canvas);

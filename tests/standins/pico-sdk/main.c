@@ -1,5 +1,5 @@
 /*
- * main.c - stands for the end of a program on a Pico: what main() returned, and the picture is complete.
+ * main.c - stands for the end of a program on a Pico: when main() has returned, the picture is complete.
  */
 #include "pico/stdlib.h"
 

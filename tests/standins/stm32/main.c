@@ -1,6 +1,6 @@
 /*
- * main.c - stands for a CubeMX project's main.c and for STM32Cube's HAL. DMA ends while its end is waited for; the
- * first one never does, and until it is aborted the HAL is busy.
+ * main.c - stands for a CubeMX project's main.c and for STM32Cube's HAL. A DMA transfer ends while the program waits
+ * for it; the first one never ends, and the HAL is busy until it is aborted.
  */
 #include <assert.h>
 
@@ -59,7 +59,7 @@ uint32_t HAL_GetTick(void)
     static uint32_t ticks;
     static int calls;
 
-    if (!stuck && ++calls % 3 == 0 && wire_flying) { /* not at the first look */
+    if (!stuck && ++calls % 3 == 0 && wire_flying) { /* not when it is first asked for */
         wire_land();
         HAL_SPI_TxCpltCallback(&hspi1);
     }

@@ -1,5 +1,5 @@
 /*
- * main.h - stands for what CubeMX writes and STM32Cube's HAL as far as SPI with DMA and GPIO go.
+ * main.h - stands for what CubeMX generates, and for STM32Cube's HAL as far as SPI with DMA and GPIO need it.
  */
 #ifndef MAIN_H
 #define MAIN_H

@@ -1,5 +1,5 @@
 /*
- * display.c - stands for a display under Zephyr: 240 x 240, FORMAT its pixels' order; shown when blanking is off.
+ * display.c - stands for a display under Zephyr: 240 x 240, with pixels in FORMAT, shown when blanking is off.
  */
 #include <stdio.h>
 #include <string.h>

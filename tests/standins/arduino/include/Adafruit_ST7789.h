@@ -1,5 +1,5 @@
 /*
- * Adafruit_ST7789.h - stands for Adafruit's ST7789 on Adafruit GFX: drawRGBBitmap() takes values.
+ * Adafruit_ST7789.h - stands for Adafruit's ST7789 on Adafruit GFX: drawRGBBitmap() expects values in machine order.
  */
 #ifndef ADAFRUIT_ST7789_H
 #define ADAFRUIT_ST7789_H

@@ -1,5 +1,5 @@
 /*
- * LovyanGFX.hpp - stands for LovyanGFX: pushImage() of uint16_t takes them high byte first, unless setSwapBytes(true).
+ * LovyanGFX.hpp - stands for LovyanGFX: pushImage() expects each uint16_t high byte first, unless setSwapBytes(true).
  */
 #ifndef LOVYANGFX_HPP
 #define LOVYANGFX_HPP

@@ -1,5 +1,5 @@
 /*
- * TFT_eSPI.h - stands for TFT_eSPI: pushImage() sends the bytes as they stand in memory, unless setSwapBytes(true).
+ * TFT_eSPI.h - stands for TFT_eSPI: pushImage() sends the bytes in the order of memory, unless setSwapBytes(true).
  */
 #ifndef TFT_ESPI_H
 #define TFT_ESPI_H

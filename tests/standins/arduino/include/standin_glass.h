@@ -8,7 +8,7 @@
 
 extern uint16_t standin_glass[240 * 240];
 
-/* The values' bytes change places where they stand high byte first. */
+/* swap: the values are stored high byte first, so their bytes are swapped. */
 inline void standin_put(int x, int y, int w, int h, const uint16_t *values, bool swap)
 {
     for (int row = 0; row < h; row++)

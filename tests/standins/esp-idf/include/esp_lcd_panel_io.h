@@ -1,5 +1,6 @@
 /*
- * esp_lcd_panel_io.h - stands for ESP-IDF's esp_lcd over SPI: a command with parameters, or with colours that fly.
+ * esp_lcd_panel_io.h - stands for ESP-IDF's esp_lcd over SPI: a command with parameters, or with colours that are sent
+ * while the program goes on.
  */
 #ifndef ESP_LCD_PANEL_IO_H
 #define ESP_LCD_PANEL_IO_H
@@ -53,7 +54,7 @@ static inline esp_err_t esp_lcd_panel_io_tx_param(esp_lcd_panel_io_handle_t io, 
                                                   size_t count)
 {
     (void)io;
-    assert(command >= 0); /* else its bytes are parameters, which dc_low_on_param sends as commands */
+    assert(command >= 0); /* without a command the bytes are parameters, which dc_low_on_param sends as commands */
     standin_command(command);
     wire_bytes(bytes, count);
     return ESP_OK;

@@ -1,5 +1,5 @@
 /*
- * dma.h - stands for pico-sdk's hardware/dma.h: one channel, whose bytes leave when they are waited for.
+ * dma.h - stands for pico-sdk's hardware/dma.h: one channel, whose bytes leave when the program waits for them.
  */
 #ifndef HARDWARE_DMA_H
 #define HARDWARE_DMA_H

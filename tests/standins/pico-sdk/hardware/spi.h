@@ -28,7 +28,7 @@ typedef enum {
     SPI_MSB_FIRST
 } spi_order_t;
 
-static unsigned standin_mode; /* of SPI; after spi_init 0 */
+static unsigned standin_mode; /* the SPI mode; 0 after spi_init() */
 
 static inline uint spi_init(spi_inst_t *spi, uint baudrate)
 {
@@ -47,7 +47,7 @@ static inline void spi_set_format(spi_inst_t *spi, uint bits, spi_cpol_t cpol, s
 static inline int spi_write_blocking(spi_inst_t *spi, const uint8_t *bytes, size_t count)
 {
     (void)spi;
-    assert(standin_mode == 3); /* the display's, which has no CS */
+    assert(standin_mode == 3); /* required by the display, which has no CS */
     wire_bytes(bytes, count);
     return (int)count;
 }

@@ -1,2 +1,2 @@
-/* The highest floor of a house whose every other file reaches where it must not. */
+/* The topmost folder of a core in which pixel.c, flat.c and phong.c use something that they must not. */
 int sheen_seed_frame(int x);

@@ -1,5 +1,5 @@
 /*
- * FreeRTOS.h - stands for FreeRTOS's types and vTaskDelay(), a tick of a millisecond.
+ * FreeRTOS.h - stands for FreeRTOS's types and vTaskDelay(), with a tick of one millisecond.
  */
 #ifndef FREERTOS_H
 #define FREERTOS_H

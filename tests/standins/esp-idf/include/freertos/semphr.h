@@ -1,5 +1,6 @@
 /*
- * semphr.h - stands for FreeRTOS's binary semaphore. To take it lets what flies land, which calls the interrupt back.
+ * semphr.h - stands for FreeRTOS's binary semaphore. Taking it completes the transfer under way, which calls the
+ * interrupt's callback.
  */
 #ifndef SEMPHR_H
 #define SEMPHR_H

@@ -19,7 +19,7 @@ static void board_begin()
 
 void pinMode(int pin, int)
 {
-    REGISTER(IO_BANK0 + 8u * (uint32_t)pin + 4) = 5; /* SIO's */
+    REGISTER(IO_BANK0 + 8u * (uint32_t)pin + 4) = 5; /* the pin belongs to SIO */
     REGISTER(SIO + 0x24) = BIT(pin);
 }
 
@@ -51,7 +51,7 @@ void pinMode(int, int)
 {
 }
 
-/* Pin 9 alone is wired. It moves when the last bit has left. */
+/* Only pin 9 is wired. It changes once the last bit has left. */
 void digitalWrite(int pin, int level)
 {
     if (pin != 9)
@@ -80,7 +80,7 @@ void SerialPort::println(const char *line)
         REGISTER(BOARD_UART) = (uint8_t)*line++;
     REGISTER(BOARD_UART) = '\n';
 #ifndef ARDUINO_RP2040
-    delay(300); /* QEMU's screen is looked at while the machine runs: a picture that is whole stands for a while */
+    delay(300); /* QEMU's screen is read while the machine runs, so each whole picture is shown for a while */
 #endif
 }
 

@@ -1,5 +1,5 @@
 /*
- * SPI.h - stands for Arduino's SPI library: the PL022 that both emulated boards have, a byte at a time.
+ * SPI.h - stands for Arduino's SPI library: drives the PL022 that both emulated boards have, one byte at a time.
  */
 #ifndef SPI_H
 #define SPI_H
