@@ -1,4 +1,4 @@
-# The measured scenes (bench/scenes.h), as data that boards can take.
+# The measured scenes (bench/scenes.h), as C data that boards can use.
 add_executable(bench_export bench/export.c)
 target_link_libraries(bench_export PRIVATE sheen::core m)
 set(bench_data ${CMAKE_CURRENT_BINARY_DIR}/bench_data.c)
@@ -14,7 +14,7 @@ set_tests_properties(bench PROPERTIES FIXTURES_REQUIRED boards)
 sheen_script(bench_profile bench COMMAND tests/bench/profile --build ${CMAKE_BINARY_DIR} M3 S1 gouraud)
 sheen_script(bench_short freestanding COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR} M3 M0+)
 
-# What `sheen plan` counts with, against emulated processors: arenas and flash are the same, times nearly.
+# What `sheen plan` predicts, against emulated processors: arenas must be the same, flash and times nearly.
 add_executable(planned_export bench/planned_export.c bench/planned_bench.c)
 target_link_libraries(planned_export PRIVATE sheen::view)
 target_include_directories(planned_export PRIVATE bench)

@@ -1,7 +1,7 @@
 # The firmware of the boards, built and run in emulators.
 set(boards ${CMAKE_BINARY_DIR}/boards)
 
-# What the boards' glasses must show.
+# board_glass tells what the boards' glasses must show.
 add_executable(board_glass boards/glass.c ${PROJECT_SOURCE_DIR}/firmware/demo.c)
 target_include_directories(board_glass PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
 target_link_libraries(board_glass PRIVATE sheen_sim sheen::hal sheen::core)

@@ -7,7 +7,7 @@ sheen_test(test_gif unit SOURCES test_gif.c LIBRARIES sheen::host sheen::core GI
 sheen_test(test_problem unit SOURCES test_problem.c LIBRARIES sheen::host sheen::core)
 sheen_test(test_png unit SOURCES test_png.c LIBRARIES sheen::host sheen::core)
 
-# Of many files, frames or figures each: with sanitizers in the long part.
+# Tests with many files, frames or figures are in the long part if they run with sanitizers.
 set(many cli)
 if(SHEEN_SANITIZED)
   set(many long)
@@ -29,14 +29,14 @@ find_package(meshoptimizer REQUIRED)
 add_executable(gltf_pack tools/gltf_pack.cpp)
 target_link_libraries(gltf_pack PRIVATE draco::draco meshoptimizer::meshoptimizer)
 sheen_script(cli_gltf ${many} COMMAND tests/cli/gltf $<TARGET_FILE:sheen> $<TARGET_FILE:gltf_pack>)
-# Every model of assimp's.
+# All models that assimp brings.
 sheen_script(cli_models long COMMAND tests/cli/models $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_textures long COMMAND tests/cli/textures $<TARGET_FILE:sheen> /usr/share/assimp/models
   $<$<BOOL:${SHEEN_SANITIZED}>:sanitized>)
 sheen_script(cli_colors cli COMMAND tests/cli/colors $<TARGET_FILE:sheen>)
 
-# Headers baked while building, for a program that draws from them.
+# Headers baked during the build, for a program that draws from them.
 set(baked ${CMAKE_CURRENT_BINARY_DIR}/baked)
 file(MAKE_DIRECTORY ${baked})
 function(sheen_baked header mesh)
@@ -60,12 +60,12 @@ sheen_test(test_bake unit SOURCES test_bake.c ${shines} ${baked}/baked_ramp.h ${
   ${baked}/baked_box.h ${baked}/baked_crate.h ${baked}/baked_crate_565.h LIBRARIES sheen::host sheen::core m)
 target_include_directories(test_bake PRIVATE ${baked})
 
-# The baker without assimp, on other processors.
-# Not the machines without an operating system: the baker is a host program, and rv32imc has another libm.
+# The baker without assimp, on other processors, except machines without an operating system: the baker is a program for
+# hosts, and rv32imc has another libm.
 sheen_script(same_bake cross COMMAND tests/checks/cross tests/cli/same_bake
   gcc-O0 gcc-O2 gcc-O3 clang-O2 tcc sanitizers armhf riscv64 powerpc)
 
-# The viewer: SDL's driver without a screen, the terminal, a pseudo-terminal.
+# The viewer: with SDL's driver that needs no screen, in a terminal, in a pseudo-terminal.
 sheen_test(test_view unit SOURCES test_view.c LIBRARIES sheen::view)
 sheen_test(test_view_keys unit SOURCES test_view_keys.c LIBRARIES sheen::view)
 sheen_script(cli_view cli COMMAND tests/cli/view $<TARGET_FILE:sheen>)

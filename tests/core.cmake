@@ -14,16 +14,16 @@ sheen_test(test_core_slivers unit SOURCES test_core_slivers.c LIBRARIES core_pic
 sheen_test(test_core_facing unit SOURCES test_core_facing.c LIBRARIES core_picture sheen::core)
 sheen_test(test_core_clip unit SOURCES test_core_clip.c exact_cover.c LIBRARIES core_picture sheen::core)
 
-# Every argument in place of every 4099th.
+# Tests every argument instead of every 4099th.
 if(NOT SHEEN_SANITIZED)
   sheen_script(test_core_newton_all long COMMAND $<TARGET_FILE:test_core_newton> all)
 endif()
 
-# The tables are data; the script is their definition. Nothing that is compiled is run.
+# The tables are data, and the script is their definition. No compiled program runs, so sanitizers make no difference.
 if(NOT SHEEN_SANITIZED)
   sheen_script(core_tables unit COMMAND python3 tests/tools/make_tables.py --check core/math/tables.c)
   sheen_script(core_matcaps unit COMMAND python3 tests/tools/make_matcaps.py --check core/pixel)
 endif()
 
-# 2D under and over the triangles.
+# 2D drawing under and over the triangles.
 sheen_test(test_canvas unit SOURCES test_canvas.c memory_target.c LIBRARIES sheen::core)

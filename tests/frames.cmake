@@ -5,13 +5,13 @@ endforeach()
 sheen_test(test_frame_changed frames SOURCES test_frame_changed.c frame_show.c LIBRARIES core_picture sheen::core)
 sheen_test(test_frame_threads threads SOURCES test_frame_threads.c
   LIBRARIES core_picture sheen::core Threads::Threads)
-# Random sequences of calls: a sample here, 10^6 of them in the long part, under the sanitizers.
+# Random sequences of calls: a sample here, and 10^6 of them in the long part with the sanitizers.
 sheen_test(test_frame_calls frames SOURCES test_frame_calls.c call_player.c call_model.c call_glass.c
   LIBRARIES core_picture sheen::core)
 if(SHEEN_SANITIZED)
   sheen_script(test_frame_calls_all long COMMAND $<TARGET_FILE:test_frame_calls> all)
 endif()
-# Random mixes of what may be drawn, likewise, by several workers.
+# Random mixes of everything that can be drawn, with several workers: a sample and a long run, likewise.
 sheen_test(test_frame_mixes threads SOURCES test_frame_mixes.c frame_mix.c
   LIBRARIES core_picture sheen::core Threads::Threads)
 if(SHEEN_SANITIZED)

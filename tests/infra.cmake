@@ -1,5 +1,5 @@
-# The checks of tests/checks: of the core as firmware gets it, of the same bits
-# everywhere, of the sources' layout; and of these checks themselves.
+# The checks of tests/checks (the core as firmware gets it, the same bits everywhere, the layout of sources), and tests
+# of these checks.
 sheen_script(core_freestanding freestanding COMMAND tests/checks/freestanding)
 sheen_script(linked_sizes freestanding COMMAND tests/checks/linked/sizes)
 sheen_script(core_rules freestanding COMMAND tests/checks/core_rules)
@@ -7,7 +7,7 @@ sheen_script(core_embedded freestanding COMMAND tests/checks/embedded/build)
 sheen_script(layout format COMMAND tests/checks/layout)
 sheen_script(names format COMMAND tests/checks/names
   $<TARGET_FILE:sheen_core> $<TARGET_FILE:sheen_hal> $<TARGET_FILE:sheen_sim> $<TARGET_FILE:sheen_host>)
-# Of the scenes one in seven.
+# Draws one in seven scenes.
 sheen_script(same_bits cross COMMAND tests/checks/cross)
 if(NOT SHEEN_SANITIZED)
   sheen_script(same_bits_whole long COMMAND tests/checks/cross --whole . gcc-O2 gcc-O0 gcc-O3 small-core
@@ -15,7 +15,7 @@ if(NOT SHEEN_SANITIZED)
   sheen_script(thumb_faults long COMMAND tests/checks/thumb_faults)
 endif()
 
-# The house: who may include and call whom, and the map of it.
+# The folders: which may include and call which, and the tables that describe them.
 sheen_script(core_floors format COMMAND tests/checks/floors)
 sheen_script(one_unit format COMMAND tests/checks/one_unit)
 sheen_script(core_house format COMMAND tests/checks/house)
@@ -28,7 +28,7 @@ endforeach()
 sheen_script(seeded_house format COMMAND tests/checks/refuses "no row for floors/"
   tests/checks/house core/README.md tests/checks/seeded)
 
-# What each check must refuse, named in the first line of the file.
+# The first line of each seed names the check that must refuse (or accept) it.
 file(GLOB seeds CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/checks/seeded/*.c)
 foreach(seed IN LISTS seeds)
   get_filename_component(name ${seed} NAME_WE)
@@ -39,7 +39,7 @@ foreach(seed IN LISTS seeds)
   sheen_script(seeded_${name} ${part} COMMAND tests/checks/refuses tests/checks/seeded/${name}.c)
 endforeach()
 
-# A program that depends on the byte order must not pass for the same bits.
+# A program whose output depends on the byte order must be refused.
 sheen_script(seeded_byte_order cross COMMAND tests/checks/refuses "powerpc differs from gcc-O2"
   tests/checks/cross tests/checks/seeded/byte_order gcc-O2 powerpc)
 
@@ -47,11 +47,11 @@ add_library(seeded_name STATIC checks/seeded/rules_name.c)
 sheen_script(seeded_names format COMMAND tests/checks/refuses "does not start with sheen_: seed"
   tests/checks/names $<TARGET_FILE:seeded_name>)
 
-# A page whose second command fails; a page that does not give a command that it should.
+# A page whose second command fails, and a page that lacks a command which it should give.
 sheen_script(seeded_readme_fails format COMMAND tests/checks/refuses "1 passed, 1 failed"
   tests/checks/readme tests/checks/seeded/readme_fails.md)
 sheen_script(seeded_readme_lacks format COMMAND tests/checks/refuses "does not give the command tests/run"
   tests/checks/readme --done tests/run tests/checks/seeded/readme_fails.md)
 
-# The README's first command where nothing is installed.
+# The README's first command on a system where nothing is installed.
 sheen_script(bare bare COMMAND tests/bare/run $<TARGET_FILE:sheen>)

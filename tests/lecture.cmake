@@ -1,4 +1,4 @@
-# What the lecture says, looked at inside the core: its own unrounded colours.
+# What the lecture says, checked inside the core: with the core's own unrounded colours.
 get_target_property(core_sources sheen_core SOURCES)
 list(TRANSFORM core_sources PREPEND ${PROJECT_SOURCE_DIR}/core/)
 add_library(core_tapped STATIC ${core_sources} test_dither_tap.c)
@@ -10,7 +10,7 @@ sheen_test(test_dither accuracy SOURCES test_dither.c LIBRARIES core_picture cor
 sheen_test(test_dither_means accuracy SOURCES test_dither_means.c LIBRARIES core_picture sheen::core)
 sheen_test(test_turned accuracy SOURCES test_turned.c LIBRARIES core_picture core_tapped)
 
-# The tapped core draws what the core draws.
+# The tapped core must draw what the core draws.
 add_executable(frame_sum_tapped frame_sum.c frame_sum_mesh.c)
 target_link_libraries(frame_sum_tapped PRIVATE core_tapped m)
 sheen_script(frame_sums_tapped accuracy COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum_tapped>)
@@ -18,7 +18,7 @@ sheen_script(frame_sums_tapped accuracy COMMAND tests/golden/compare frame_sums.
 # The command: its figures, their numbers, bad folders.
 sheen_script(cli_lecture ${many} COMMAND tests/cli/lecture $<TARGET_FILE:sheen> .)
 
-# What a page refuses to hold.
+# What a page refuses because it does not fit.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo fontconfig)
 set(lecture_folder ${PROJECT_SOURCE_DIR}/host-sim/lecture)

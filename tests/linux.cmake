@@ -1,8 +1,8 @@
-# The Linux board: the pin watcher, and what of hal/linux and sheen-panel needs no GPIO.
+# The Linux board: the pin watcher, and those parts of hal/linux and sheen-panel that need no GPIO.
 sheen_test(test_pin_watcher sim SOURCES test_pin_watcher.c LIBRARIES sheen::sim)
 sheen_test(test_i2c_watcher sim SOURCES test_i2c_watcher.c LIBRARIES sheen::sim)
 sheen_test(test_panel_off panel SOURCES test_panel_off.c LIBRARIES sheen::sim)
-# The buses of hal/linux without libgpiod and without a kernel: the test is both (its head says how).
+# The buses of hal/linux without libgpiod and without a kernel: the test replaces both (see its head comment).
 set(linux ${PROJECT_SOURCE_DIR}/hal/linux)
 sheen_test(test_linux_bus panel SOURCES test_linux_bus.c test_panel_canvas.c ${linux}/failure.c ${linux}/linux_bus.c
   ${linux}/bus_bitbang.c ${linux}/bus_i2cdev.c ${linux}/bus_spidev.c ${linux}/sender.c LIBRARIES sheen::sim Threads::Threads)
@@ -19,7 +19,8 @@ if(TARGET sheen_linux)
   sheen_test(test_sender threads SOURCES test_sender.c LIBRARIES sheen::linux)
 endif()
 
-# A stock Debian kernel in an emulator (tests/kernel/common.sh). All build in BUILD/kernel, so one at a time.
+# A stock Debian kernel in an emulator (tests/kernel/common.sh). These tests all build in BUILD/kernel, so they run one
+# at a time.
 add_executable(kernel_replay kernel/replay.c)
 target_link_libraries(kernel_replay PRIVATE sheen::sim sheen::host)
 sheen_script(kernel kernel COMMAND tests/kernel/run ${PROJECT_BINARY_DIR})

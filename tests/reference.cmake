@@ -1,4 +1,4 @@
-# The picture in double precision, and what is measured against it.
+# The reference: the picture in double precision, and the tests that compare with it.
 add_library(reference STATIC
   reference/ref_mesh.c reference/ref_between.c reference/ref_split.c reference/ref_project.c reference/ref_light.c
   reference/ref_raster.c reference/ref_shade.c reference/ref_texture.c reference/ref_pixel.c reference/ref_compare.c
@@ -6,7 +6,7 @@ add_library(reference STATIC
 target_include_directories(reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(reference PUBLIC m)
 
-# Scenes of the reference drawn by the core; by which core, the program says.
+# Draws scenes of the reference with the core; each program links the core of its choice.
 add_library(core_picture STATIC core_picture.c memory_target.c frame_stage.c accuracy.c)
 target_include_directories(core_picture PUBLIC ${PROJECT_SOURCE_DIR}/core)
 target_link_libraries(core_picture PUBLIC reference)
@@ -20,7 +20,7 @@ sheen_test(test_textured accuracy SOURCES test_textured.c textured_scene.c accur
 sheen_test(test_texel_ends accuracy SOURCES test_texel_ends.c textured_scene.c LIBRARIES core_picture sheen::core)
 sheen_test(test_matcap accuracy SOURCES test_matcap.c textured_scene.c accuracy_line.c
   LIBRARIES core_picture sheen::core)
-if(NOT SHEEN_SANITIZED) # of the pictures a third in the quick part
+if(NOT SHEEN_SANITIZED) # the quick part draws a third of the pictures
   foreach(name test_accuracy test_textured test_matcap)
     add_test(NAME ${name}_all COMMAND ${name} all WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
     sheen_part(${name}_all long TARGETS ${name})
@@ -44,7 +44,7 @@ add_executable(test_accuracy_random test_accuracy_random.c random_scene.c textur
 target_link_libraries(test_accuracy_random PRIVATE core_picture sheen::core)
 sheen_script(accuracy_random accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 500)
 sheen_script(accuracy_random_deep accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 400 0 270)
-foreach(number 10248 23943 27112) # once outside their limits
+foreach(number 10248 23943 27112) # these were once outside their limits
   sheen_script(accuracy_random_${number} accuracy COMMAND $<TARGET_FILE:test_accuracy_random> 1 ${number})
 endforeach()
 if(NOT SHEEN_SANITIZED)
@@ -55,7 +55,7 @@ target_link_libraries(test_mixed PRIVATE core_picture sheen::core)
 sheen_script(mixed accuracy COMMAND $<TARGET_FILE:test_mixed> 768)
 sheen_test(test_coverage coverage SOURCES test_coverage.c core_raster.c exact_cover.c
   LIBRARIES core_picture sheen::core)
-# Both forms of edge.c, in place of the library's.
+# Both forms of edge.c, linked instead of the library's.
 foreach(form division reciprocal)
   string(COMPARE EQUAL ${form} reciprocal no_divider)
   add_executable(test_edges_${form} test_edges.c ${PROJECT_SOURCE_DIR}/core/triangle/edge.c)
@@ -71,7 +71,7 @@ sheen_test(test_snapping coverage SOURCES test_snapping.c LIBRARIES core_picture
 sheen_test(test_panel_picture accuracy SOURCES test_panel_picture.c LIBRARIES core_picture sheen_sim sheen::core)
 sheen_test(test_grey accuracy SOURCES test_grey.c LIBRARIES core_picture sheen::core)
 
-# The test of test_accuracy: the core's tables, but for that of roots, which is the program's own, to be spoilt.
+# Tests test_accuracy: links the core's tables except the root table, which the program defines itself and changes.
 add_library(core_tables OBJECT ${PROJECT_SOURCE_DIR}/core/math/tables.c)
 target_include_directories(core_tables PRIVATE ${PROJECT_SOURCE_DIR}/core)
 target_compile_definitions(core_tables PRIVATE sheen_root_table=shipped_root_table)

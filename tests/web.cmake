@@ -19,12 +19,12 @@ web_script(web_hands hands $<TARGET_FILE:sheen> ${page} ${web}/hands ${PROJECT_S
 web_script(web_files files ${web}/cases/cases.json ${page})
 set_tests_properties(web_files PROPERTIES FIXTURES_REQUIRED "web;web_cases")
 
-# The picture of host-sim/README.md is made so.
+# This is how the picture of host-sim/README.md is made.
 sheen_script(web_picture web COMMAND bash -euc
   "rm -f '${web}/picture.png'; host-sim/web/picture '${page}' '${web}/picture.png'; grep -q PNG '${web}/picture.png'")
 set_tests_properties(web_picture PROPERTIES FIXTURES_REQUIRED web)
 
-# A page that draws another colour must not pass.
+# A page that draws another colour must be refused.
 sheen_script(seeded_web_colour web COMMAND tests/checks/refuses "pixels differ"
   node ${web}/test/pictures.mjs $<TARGET_FILE:sheen> ${page} ${web}/fault --fault)
 set_tests_properties(seeded_web_colour PROPERTIES FIXTURES_REQUIRED web)

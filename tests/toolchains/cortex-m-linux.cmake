@@ -1,9 +1,9 @@
-# A Cortex-M's instructions as a Linux program, run by qemu-user-static; which (-mcpu) the command line says. Debian's
-# gcc-arm-none-eabi and newlib.
+# A Linux program with a Cortex-M's instructions, run by qemu-user-static; the command line chooses the processor
+# (-mcpu). It needs Debian's gcc-arm-none-eabi and newlib.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
-# Not as CMAKE_C_FLAGS_INIT, which gives way to flags of the command line.
+# Not in CMAKE_C_FLAGS_INIT, which flags of the command line would replace.
 add_compile_options(-mthumb)
 add_link_options(-mthumb)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "--specs=nosys.specs -nostartfiles ${CMAKE_CURRENT_LIST_DIR}/cortex-m-linux.c")

@@ -3,7 +3,7 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR xtensa)
 set(CMAKE_C_COMPILER xtensa-lx106-elf-gcc)
 set(lx106 ${CMAKE_CURRENT_LIST_DIR}/lx106)
-# Not as CMAKE_C_FLAGS_INIT, which gives way to flags of the command line.
+# Not in CMAKE_C_FLAGS_INIT, which flags of the command line would replace.
 add_compile_options(-ffreestanding -mlongcalls -mtext-section-literals -I${lx106}/include)
 add_link_options(-ffreestanding -mlongcalls -mtext-section-literals -I${lx106}/include)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-nostdlib -T${lx106}/link.ld ${lx106}/start.S ${lx106}/support.c")

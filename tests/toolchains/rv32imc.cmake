@@ -2,7 +2,7 @@
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR riscv32)
 set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)
-# Not as CMAKE_C_FLAGS_INIT, which gives way to flags of the command line.
+# Not in CMAKE_C_FLAGS_INIT, which flags of the command line would replace.
 add_compile_options(-march=rv32imc -mabi=ilp32 --specs=picolibc.specs)
 add_link_options(-march=rv32imc -mabi=ilp32 --specs=picolibc.specs)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "--crt0=semihost --oslib=semihost -Wl,--defsym=__flash=0x80000000 \
