@@ -79,10 +79,7 @@ static double worst_of(const struct slab *s)
     return worst;
 }
 
-/*
- * The corners are within `size` of a place that is within `reach` of the centre (1/64 px), and their depths are within
- * `steep` of one depth.
- */
+/* Corners within `size` of a place within `reach` of the centre (1/64 px); depths within `steep` of one depth. */
 static void random_slab(struct slab *s, uint32_t *state, double size, double reach, double steep)
 {
     double cx = stage_uniform(state, -reach, reach), cy = stage_uniform(state, -reach, reach);

@@ -11,9 +11,7 @@
 
 struct tile;
 
-/*
- * r, g, b: the target's channels in levels, with `fraction` fraction bits, before clamping; at: the pixel in the tile.
- */
+/* r, g, b: channels of the target in levels, with `fraction` fraction bits, not clamped; at: the pixel in the tile. */
 void tap_colour(const struct tile *tile, uint32_t at, uint32_t r, uint32_t g, uint32_t b, unsigned fraction);
 
 #define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) tap_colour(tile, at, r, g, b, fraction)

@@ -269,10 +269,7 @@ static int judge(int shading, enum kind kind)
     return failed;
 }
 
-/*
- * At full fog everything has the fog's colour and vanishes in a background of that colour, in every format, dithered
- * too.
- */
+/* At full fog everything vanishes in a background of the fog's colour, in every format, dithered too. */
 static int judge_full(int shown)
 {
     static struct accuracy_shot shot;

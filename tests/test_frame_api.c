@@ -67,10 +67,7 @@ static void one_call(void **state)
     memory_target_free(&target);
 }
 
-/*
- * Draws a torus and a ball that is cut, in a frame whose capacity `subject` is `room`. 0 if it suffices, else how much
- * was reported as needed.
- */
+/* Draws a torus and a cut ball with capacity `subject` set to `room`. 0 if it suffices, else the number needed. */
 static uint32_t short_of(enum sheen_subject subject, uint32_t room)
 {
     static const struct actor cut = {STAGE_BALL, 2, SHEEN_PHONG, 0.2, 0.1, 1.3, 0.6, 0, 40};
@@ -197,10 +194,7 @@ static void arena_at_compile_time(void **state)
     memory_target_free(&target);
 }
 
-/*
- * Moving the view and moving the object give the same picture. Lights in the world turn with the view, lights fixed to
- * the eye do not.
- */
+/* Moving the view or the object gives the same picture. Lights in the world turn with the view, others do not. */
 static void views_and_lights(void **state)
 {
     static uint16_t by_object[WIDTH * HEIGHT], by_view[WIDTH * HEIGHT], other[WIDTH * HEIGHT];

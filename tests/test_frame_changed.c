@@ -30,9 +30,7 @@ static long viewport_area(struct sheen_rect r)
     return r.x0 >= r.x1 || r.y0 >= r.y1 ? SHOW_WIDTH * SHOW_HEIGHT : (long)(r.x1 - r.x0) * (r.y1 - r.y0);
 }
 
-/*
- * The counters agree with what arrived, and no pixel was sent twice. If `all`, the whole viewport must have been sent.
- */
+/* Counters agree with what arrived; no pixel was sent twice. If `all`, the whole viewport must have been sent. */
 static void check_counts(const struct memory_target *t, struct sheen_frame *frame, const struct show *s, bool all,
                          int number)
 {
@@ -242,10 +240,7 @@ static void nothing_more_than_changed(void **state)
     close_pair(&p);
 }
 
-/*
- * The last push of a frame fails in flight: the next begin returns the error, and the frame after that sends
- * everything.
- */
+/* The last push of a frame fails in flight: the next begin returns the error, the frame after that sends everything. */
 static void error_in_flight(void **state)
 {
     struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};

@@ -175,9 +175,7 @@ static void single_rows(void **state)
     for (int i = 0; i < 3 * 200; i++) {
         const struct sheen_object object = {
             .mesh = &triangle, .material = &material, .shader = &sheen_flat, .edges = kinds[i % 3]};
-        /*
-         * a pixel is .21 units wide at the middle corner, which moves from one row above the viewport to one below it
-         */
+        /* a pixel is .21 units wide at the middle corner, which moves from a row above the viewport to one below */
         const struct sheen_view view = {.viewport = {0, (int16_t)(i % 64), 64, (int16_t)(i % 64 + 1)},
                                         .fov = SHEEN_DEGREES(4),
                                         .pose.translation = {0, SHEEN_Q24(0.75) + i * 14000, SHEEN_Q24(-4)}};

@@ -119,10 +119,7 @@ static const struct actor first = {STAGE_BALL, 0, SHEEN_GOURAUD, -0.8, 0, 4, 1, 
 static const struct actor second = {STAGE_TORUS, 1, SHEEN_PHONG, 0.9, 0.1, 4, 1, 60, 50};
 static const struct actor cut = {STAGE_BALL, 2, SHEEN_PHONG, 0.2, 0.1, 1.3, 0.6, 0, 40};
 
-/*
- * Draws the first actor and then the other, whose result is returned, and ends the frame. `target` holds what was sent,
- * *stats the counters.
- */
+/* Draws the first actor, then the other; returns the latter's result. `target` gets what is sent, *stats counters. */
 static int draw_two(struct memory_target *target, const struct sheen_config *config, const struct actor *other,
                     struct sheen_stats *stats)
 {
@@ -161,9 +158,7 @@ static void set_room(struct sheen_config *config, int which, uint32_t room)
     *field[which] = (uint16_t)room;
 }
 
-/*
- * The smallest capacity of this kind that suffices for both draws; with less, a draw must fail with SHEEN_ERR_CAPACITY.
- */
+/* The smallest capacity of this kind that both draws fit in; with less, a draw must fail with SHEEN_ERR_CAPACITY. */
 static uint32_t smallest_room(const struct sheen_config *config, int which, const struct actor *other)
 {
     uint32_t low = 0, high = 2000;
@@ -239,10 +234,7 @@ static void capacities(void **state)
     check_capacity(3, &cut, "pieces");
 }
 
-/*
- * A triangle across the guard band, without room for pieces, is refused only if it is seen; without a clipper it is
- * always refused.
- */
+/* Without room for pieces, a triangle across the guard band is refused if it is seen; without a clipper, always. */
 static void across_the_guard_band(const struct sheen_clipper *clipper)
 {
     static const int16_t position[9] = {-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 0};

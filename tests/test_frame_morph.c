@@ -43,10 +43,7 @@ static const struct sheen_shader *shader_of(enum shown shown)
     return shader[shown];
 }
 
-/*
- * The vector turned by 50 degrees about z and, if it is a position, flattened. Normals are only turned; the result need
- * not fit the positions.
- */
+/* The vector turned by 50 degrees about z; positions are flattened too, so normals need not fit them. */
 static void bend(const int16_t *from, int16_t *to, int is_position)
 {
     const double c = 0.643, s = 0.766, flat = is_position ? 0.6 : 1;

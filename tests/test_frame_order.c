@@ -181,9 +181,7 @@ static void band_twice(void **state)
     order_close(&o);
 }
 
-/*
- * sheen_bands() draws all bands that are left, whichever worker comes first: each is drawn once and none is left out.
- */
+/* sheen_bands() draws all bands that are left, each once, whichever worker comes first. */
 static void shares_of_bands(void **state)
 {
     (void)state;

@@ -91,7 +91,7 @@ static void finish_mesh(struct body *b)
 enum profile {
     GLOBE, /* normals are linear over its quads */
     EGG,   /* normals are not linear over its quads */
-    DRUM   /* normals are linear on its sides; each end is one polygon */
+    DRUM   /* normals are linear on its sides; an end is one polygon with as many corners as there are sides */
 };
 
 static void make_body(struct body *b, enum profile profile, uint32_t around, uint32_t along)
@@ -455,8 +455,8 @@ static void others_are_not(void **unused)
 /* ---- single ones ---- */
 
 /*
- * A polygon in front of an eye that is not turned: raw positions and normals, its polygon normal, and the view's depths
- * in Q7.24.
+ * A polygon in front of an eye that is not turned: raw positions and normals, polygon normal, the view's depths
+ * (Q7.24).
  */
 struct single {
     int16_t position[18], normal[18], facing[3];
@@ -615,9 +615,7 @@ static void random_single(struct single *s, uint32_t *state)
     s->far = s->distance + (int32_t)(stage_uniform(state, .3, 100) * (1 << 24));
 }
 
-/*
- * Gouraud from black to white in perspectives of all strengths: neither light nor weight leaves its range at corner 3.
- */
+/* Gouraud from black to white in perspectives of all strengths: light and weight stay in their ranges at corner 3. */
 static void single_ones(void **unused)
 {
     static struct body body;

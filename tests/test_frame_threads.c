@@ -13,10 +13,7 @@
 #define WORKERS 2
 #define FRAMES 8
 
-/*
- * One bus for all workers. It reads the pixels only in wait(), so it notices a second push or a buffer that is written
- * to meanwhile.
- */
+/* One bus for all workers. It reads pixels in wait(), so it notices a second push, or a buffer written to meanwhile. */
 struct bus {
     struct memory_target memory;
     pthread_mutex_t lock;
@@ -168,9 +165,7 @@ static void play(int band_rows, int buffers, enum deal deal)
     bus_close(&two);
 }
 
-/*
- * One of the pushes or waits fails, on either thread: the frame gets that error, and the next frame sends everything.
- */
+/* One push or wait fails, on either thread: the frame gets that error, and the next frame sends everything. */
 static void one_fails(void **state)
 {
     struct core_frame f;

@@ -83,9 +83,7 @@ static void make_points(struct numbers *n)
     }
 }
 
-/*
- * The picture's bytes, written to a file and read from it: squares of 2 by 2 texels, with bytes that 565 has to round.
- */
+/* The picture's bytes, written to a file and read back: squares of 2 by 2 texels, bytes that 565 has to round. */
 static int make_picture(struct numbers *n)
 {
     struct sheen_problem problem;

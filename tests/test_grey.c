@@ -41,10 +41,7 @@ static bool between(int levels, unsigned value, unsigned low, unsigned high)
            (value >> 5 & 63) <= (high >> 5 & 63) && (value & 31) >= (low & 31) && (value & 31) <= (high & 31);
 }
 
-/*
- * The share of equal values. Any other value must be within what the colour's error allows. Edges of the mesh are left
- * out.
- */
+/* The share of equal values; any other must be within the colour's error. Edges of the mesh are left out. */
 static double equal_share(const struct ref_scene *scene, const struct sheen_mesh *mesh, enum sheen_pixel pixel)
 {
     struct memory_target target;
@@ -100,10 +97,7 @@ static void shaded_pictures(void **state)
     }
 }
 
-/*
- * A patch of one colour: its levels must be as defined pixel by pixel, and their mean over 8x8 blocks must be the
- * colour.
- */
+/* A patch of one colour: levels must be as defined pixel by pixel, and their mean over 8x8 blocks the colour. */
 static void constant_patches(void **state)
 {
     struct shape shape;

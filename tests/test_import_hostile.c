@@ -55,9 +55,7 @@ struct sample {
     size_t count;
 };
 
-/*
- * The result must be a mesh of sane numbers that can be quantised, or a line that names the file. Returns 1 for a mesh.
- */
+/* The result must be a mesh of sane numbers that can be quantised (returns 1), or a line that names the file. */
 static int survives(const char *name, const char *bytes, size_t count)
 {
     struct sheen_problem problem = {""};

@@ -21,17 +21,11 @@ static double apart(const double a[3], const double b[3])
     return fmax(fabs(a[0] - b[0]), fmax(fabs(a[1] - b[1]), fabs(a[2] - b[2])));
 }
 
-/*
- * Positions have double precision. Normals have the core's: 4 raw steps of Q1.30 per part, from points rounded to 28
- * bits.
- */
+/* Positions are doubles; normals are the core's, 4 raw steps of Q1.30 per part, from points rounded to 28 bits. */
 #define POSITION_OFF 1e-9
 #define NORMAL_OFF 1e-7
 
-/*
- * Compares triangle by triangle, because both keep the order of the polygons; the reference keeps polygons without
- * area.
- */
+/* Triangle by triangle, as both keep the polygons' order; the reference also keeps polygons without area. */
 static void compare(const struct sheen_host_mesh *mesh, const struct ref_mesh *ref, const char *name)
 {
     if (mesh->triangle_count != ref->triangle_count)

@@ -94,10 +94,7 @@ enum {
     FAULTY_STEPS = 6 /* edges that get a fault have more steps than this */
 };
 
-/*
- * A ratio of depths. Whatever is nearer than an edge by this factor hides it; a contour counts as seen only if nothing
- * is nearer at all.
- */
+/* A ratio of depths: nearer by this factor hides an edge. A contour is seen only if nothing is nearer at all. */
 #define NEARER 1.01
 #define AROUND 1.0     /* px: an edge counts as seen only if nothing within this distance hides it */
 #define ALL_AROUND 1.5 /* px: and as hidden only if everything within this one does: the next pixels' centres too */
@@ -122,10 +119,7 @@ static const struct view views[] = {{30, 20, 3.5, false}, {115, -35, 3.5, false}
 struct seen_edge {
     const struct ref_piece *piece;
     int k;
-    /*
-     * out: a contour's unit normal, away from the triangle; zero for other edges, which may be hidden from both sides.
-     */
-    double out[2];
+    double out[2]; /* a contour's unit normal, away from the triangle; zero: both sides may hide the edge */
 };
 
 /* The steps of an edge in the picture: one per row if it is steep, otherwise one per column. */
@@ -617,10 +611,7 @@ static int draw_cut(const struct sheen_config *config, enum sheen_subject *about
     return error;
 }
 
-/*
- * Raising each capacity to what is reported as needed must end in a frame. The ends of cut lines need more room than
- * the vertices alone.
- */
+/* Raising each capacity to what is reported must end in a frame. Ends of cut lines need room besides the vertices. */
 static void test_capacities(void **state)
 {
     const struct sheen_target target = {.push = no_push, .width = 160, .height = 120};

@@ -177,10 +177,7 @@ int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *un
     return 0;
 }
 
-/*
- * A message of one transfer, with D/C at its line's level. The kernel's chip select falls, and rises again unless
- * cs_change is set.
- */
+/* One transfer, with D/C at its line's level; the kernel's chip select falls, and rises again unless cs_change. */
 static int transfer(const struct spi_ioc_transfer *one)
 {
     int own = machine.mode & SPI_NO_CS;
@@ -422,10 +419,7 @@ static void every_call_fails_once(void **state)
             if (p == 2 && !kinds[kind].wiring.spi)
                 continue; /* many pixels, and no I2C */
 
-            /*
-             * A bit-banged picture changes lines some 10,000 times: the first 100 changes fail in turn, then some of
-             * the others.
-             */
+            /* A bit-banged picture changes lines some 10,000 times: the first 100 fail in turn, then some others. */
             for (; last == 0; n += n < 100 ? 1 : step)
                 if (fail_at(sheen_panel_find(panels[p]), kind, n, EIO) == 0)
                     last = n;

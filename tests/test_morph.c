@@ -126,10 +126,7 @@ static int shoot(struct accuracy_shot *shot, struct ref_scene *scene, const stru
     return failed;
 }
 
-/*
- * The shading's own limits apply. How much was compared is judged over all pictures, because cut or flat meshes show
- * many edges.
- */
+/* The shading's own limits. How much was compared is judged over all pictures: cut or flat meshes show many edges. */
 static bool kept(const struct ref_score *score, enum shown shown)
 {
     const enum ref_shading limit = shown <= SLERP ? (enum ref_shading)shown : REF_GOURAUD;
@@ -162,10 +159,7 @@ static void view_of(struct ref_scene *scene, const struct pair *p, struct ref_te
     scene->dither = shown < TEXTURED && i % 3 == 1;
 }
 
-/*
- * Every fourth picture is cut by the near plane and the far plane; not with slerp, which is not judged on cut
- * triangles.
- */
+/* The near and far planes cut every fourth picture; not with slerp, which is not judged on cut triangles. */
 static void cut(struct ref_scene *scene, enum shown shown, int i)
 {
     if (i % 4 != 1 || shown == SLERP || scene->ortho || shown >= TEXTURED)

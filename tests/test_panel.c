@@ -95,9 +95,7 @@ static void windows_only_when_they_change(void **state)
     }
 }
 
-/*
- * The pixels of a push may still be under way when it returns; everything else is done, and the next push waits first.
- */
+/* The pixels of a push may be under way when it returns, nothing else; the next push waits for them. */
 static void pixels_fly_until_the_wait(void **state)
 {
     struct canvas canvas;

@@ -120,7 +120,7 @@ static void offsets_on_the_wire(void **state)
 }
 
 /*
- * Where top left, top right and bottom left of the picture lie on the glass at rotation 0: t top, b bottom, l left, r
+ * Where the picture's top left, top right, bottom left are on the glass at rotation 0: t top, b bottom, l left, r
  * right.
  */
 static const char *const corners[8] = {"tl tr bl", "tr br tl", "br bl tr", "bl tl br",

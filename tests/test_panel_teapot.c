@@ -66,9 +66,7 @@ static void scene_open(struct scene *scene, const struct sheen_target *target)
     assert_int_equal(sheen_init(&scene->frame, scene->arena, &size, &config), 0);
 }
 
-/*
- * Draws the teapot at turn n and waits until its last pixel has arrived. Returns the first error, which ends the frame.
- */
+/* Draws the teapot at turn n and waits for its last pixel. Returns the first error, which ends the frame. */
 static int scene_draw(struct scene *scene, unsigned n)
 {
     const struct sheen_light light = {.to = {SHEEN_Q30(-0.5), SHEEN_Q30(0.7), SHEEN_Q30(0.5)},

@@ -246,10 +246,7 @@ static void too_many_are_refused(void **state)
     sheen_polygons_free(&sphere);
 }
 
-/*
- * Few enough triangles, but each with vertices of its own: this cannot be drawn, and it is not reduced unless asked
- * for.
- */
+/* Few enough triangles, but each has vertices of its own: cannot be drawn, and is reduced only if asked for. */
 static void too_many_vertices_are_refused(void **state)
 {
     struct sheen_polygons sphere;

@@ -63,10 +63,7 @@ static void shoot(const struct ref_scene *scene)
                      shot.stats.frame.setups);
 }
 
-/*
- * How many of the sphere's pictures in the table (3 views, shininess 8, 32, 128) miss their limits; prints the worst
- * shares.
- */
+/* How many of the sphere's pictures (3 views, shininess 8, 32, 128) miss their limits; prints the worst shares. */
 static int missed(void)
 {
     static const double shininess[3] = {8, 32, 128};

@@ -247,16 +247,13 @@ static bool went_back(uint16_t *const frame[3], int at)
  * shares fitted to the samples, returns hardly less often than without smoothing (284 to 299).
  */
 struct flicker {
-    long back; /* pixels that are exactly what they were two frames ago */
+    long back; /* pixels that went_back(): by more than STEP off, then exactly what they were */
     /* pixels that return, also in part: by any amount, by more than STEP, by more than SEEN */
     long any, above, seen;
     double steps, power; /* sums over channels: of amounts above STEP; of all amounts squared */
 };
 
-/*
- * How many times as many pixels may return with smoothing as without it. The rabbit's 25 that return by more than a
- * step may become 27.
- */
+/* How many times as many pixels may return as without smoothing. The rabbit's 25 beyond a step may become 27. */
 static const struct {
     double any, above;
 } most_flicker[EDGE_MESHES] = {[EDGE_TEAPOT] = {2, 1}, [EDGE_GEAR] = {2.25, 1.65}, [EDGE_RABBIT] = {1.6, 1.08}};

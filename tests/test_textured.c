@@ -173,10 +173,7 @@ static void light_cut_corners(struct ref_picture *picture, const struct ref_scen
     }
 }
 
-/*
- * Takes the vertices' colours out of the light, so that the interpolated colours can be multiplied at each pixel
- * instead.
- */
+/* Takes the vertices' colours out of the light, to multiply the interpolated colours at each pixel instead. */
 static void take_colors(struct ref_picture *picture)
 {
     for (size_t i = 0; i < picture->piece_count; i++)

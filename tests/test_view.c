@@ -41,10 +41,7 @@ static void test_plain(void **state)
     assert_int_equal(out[1], 0x808080);
 }
 
-/*
- * Scale 3 with a gap of 1: lit squares of 2 px, with the gap to the right and below; nothing is written past the
- * stride.
- */
+/* Scale 3, gap 1: lit squares of 2 px, the gap to the right and below; nothing is written past the stride. */
 static void test_gap(void **state)
 {
     struct sheen_glass_picture picture = {&pair[0][0], 2, 1, all, NULL};

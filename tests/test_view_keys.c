@@ -163,10 +163,7 @@ static void test_keys(void **state)
     }
 }
 
-/*
- * All panels in all orientations, with a band too high for most: no complaint, and at the end everything is as it
- * began.
- */
+/* All panels in all orientations, with a band too high for most: no complaint, and in the end all is as before. */
 static void test_panels(void **state)
 {
     struct sheen_viewer viewer;

@@ -112,9 +112,7 @@ static void screen(void)
     end_polygon(0);
 }
 
-/*
- * The vertex halfway between a and b on the unit sphere, added unless it exists; the icosahedron's twelve come first.
- */
+/* The vertex halfway between a and b on the unit sphere, added if it is new; the icosahedron's twelve come first. */
 static int middle(int a, int b)
 {
     double m[3], length = 0;
@@ -333,10 +331,7 @@ static void print_scene(const struct scene *s)
            lround((s->depth + 1.1) * 16777216), s->used, s->listed);
 }
 
-/*
- * The teapot as the firmware has it, with edges; at the distance of `sheen render`, with the other scenes' field of
- * view.
- */
+/* The teapot as in the firmware, with edges; at the distance of `sheen render`, in the other scenes' field of view. */
 static void print_teapot(void)
 {
     const sheen_q24_t distance = SHEEN_Q24(2.2195);

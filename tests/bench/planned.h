@@ -26,10 +26,7 @@ struct planned {
 extern const struct planned planned[];
 extern const unsigned planned_count;
 
-/*
- * Sets *bench up as frame i of the bench's scenes, ready for bench_begin(), and writes its name. 0 if there is no frame
- * i.
- */
+/* Sets *bench up as frame i of the bench's scenes, for bench_begin(), and writes its name. 0 if there is no frame i. */
 int planned_bench(struct bench *bench, unsigned i, char name[40]);
 
 #endif
