@@ -1,11 +1,11 @@
 /*
- * angle.c - sine, cosine and arc sine, odd functions each: x times a polynomial of x^2.
+ * angle.c - sine and arc sine, odd functions and so x times a polynomial in x^2; a cosine is a shifted sine.
  */
 #include "angle.h"
 #include "../sheen.h"
 #include "fixed.h"
 
-/* sum of term[k] * square^k, k = 0..last; square Q1.30, terms of any format. Range: partial sums below 2^31. */
+/* The sum of term[k] * square^k, k = 0..last; square Q1.30, terms of any format. Range: partial sums below 2^31. */
 static APART int32_t polynomial(const int32_t *term, int last, int32_t square)
 {
     int32_t sum = term[last];
@@ -16,8 +16,9 @@ static APART int32_t polynomial(const int32_t *term, int last, int32_t square)
 }
 
 /*
- * A quarter of a turn is x = 1.0, and sin(x * pi / 2) is x + x * polynomial, 1.4e-11 off at the most; rounding takes it
- * to 1.9 raw steps. Terms in Q0.31; quarters are exact, as at x = 1.0 the terms' sum is 0 within a step of Q0.31.
+ * x = 1.0 is a quarter of a turn, and sin(x * pi / 2) is x + x * polynomial, with an error of at most 1.4e-11, which
+ * rounding raises to 1.9 raw steps. Terms in Q0.31; quarter turns are exact, because at x = 1.0 the terms' sum is 0
+ * within a step of Q0.31.
  */
 sheen_q30_t sheen_sin(sheen_angle_t angle)
 {
@@ -35,9 +36,8 @@ sheen_q30_t sheen_cos(sheen_angle_t angle)
 }
 
 /*
- * asin(x) / x is smooth in x^2: a polynomial through the Chebyshev nodes of
- * [0, 0.5005], in turns (UQ0.32), off by 2e-8 of itself.
- * Range: x^2 < 2^29.01, partial sums below 2^30.
+ * asin(x) / x is smooth in x^2: a polynomial through the Chebyshev nodes of [0, 0.5005], in turns (UQ0.32), with a
+ * relative error of 2e-8. Range: x^2 < 2^29.01, partial sums below 2^30.
  */
 uint32_t sheen_arc_sine(int32_t x)
 {

@@ -1,16 +1,16 @@
 /*
- * arc.c - great arcs between unit vectors, in 32 bits but for the middle of wide ones.
+ * arc.c - great arcs between unit vectors, in 32-bit products except for the middle of wide arcs.
  */
 #include "arc.h"
 #include "newton.h"
 
-/* Ends whose sum is no longer than this, 1.0 = 32767, are opposite. */
+/* Ends whose sum is no longer than this (1.0 = 32767) are opposite. */
 #define OPPOSITE 4
-#define ANGLE_ROUNDED (1 << 16) /* and right angles may be so much more, -cosine in Q.30: 90.003 degrees */
+#define ANGLE_ROUNDED (1 << 16) /* tolerance of a right angle, as -cosine in Q.30: 90.003 degrees */
 
 /*
- * Least squares over h and t, the largest error weighted most: 1 / sin p and its like have no short series of their own
- * up to 90 degrees. Range: h * 115164 < 2^31.
+ * The terms are a least-squares fit over h and t that weights the largest errors most, because 1 / sin p and the like
+ * have no short series of their own up to 90 degrees. Range: h * 115164 < 2^31.
  */
 void sheen_arc_series(struct arc_series *s, int32_t h)
 {
@@ -24,7 +24,7 @@ void sheen_arc_series(struct arc_series *s, int32_t h)
     s->c2 = (int16_t)round15(square * round15(h * 1978));
 }
 
-/* Of a sum or difference of unit vectors, UQ2.30: below 2^32. */
+/* |v|^2 of a sum or difference of unit vectors, UQ2.30: below 2^32. */
 static uint32_t square_of(const int32_t v[3])
 {
     const uint32_t x = (uint32_t)v[0], y = (uint32_t)v[1], z = (uint32_t)v[2];
@@ -32,7 +32,7 @@ static uint32_t square_of(const int32_t v[3])
     return x * x + y * y + z * z;
 }
 
-/* v / |v|, Q0.15, of 1 / |v| = root 2^(up/2 - 47). Range: v 2^(up/2) is at most 2^16, its products below 2^31. */
+/* v / |v|, Q0.15, where 1 / |v| = root * 2^(up/2 - 47). Range: v 2^(up/2) is at most 2^16, its products below 2^31. */
 static int32_t unit_part(int32_t v, unsigned up, uint32_t root)
 {
     const int32_t part = v * (1 << up / 2), high = (int32_t)(root >> 17), low = (int32_t)(root >> 2 & 0x7fffu);
@@ -40,7 +40,7 @@ static int32_t unit_part(int32_t v, unsigned up, uint32_t root)
     return min32(round15(part * high + asr32(part * low, 15)), 32767);
 }
 
-/* Makes two parts of an obtuse one, or none. Returns |a - b|^2 of a part. */
+/* Splits an obtuse arc into two equal parts, or none if its ends are opposite. Returns |a - b|^2 of a part's ends. */
 static APART uint32_t bisect(struct arc *arc)
 {
     int32_t v[3];

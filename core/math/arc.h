@@ -1,15 +1,16 @@
 /*
- * arc.h - private: great arcs between unit vectors (lecture, "Spherical Linear Interpolation") by a series: no sine.
+ * arc.h - private: great arcs between unit vectors (lecture, "Spherical Linear Interpolation"), by a series, not sines.
  *
- * From a to b an angle p apart, t of the way is share(1 - t) a + share(t) b, share(t) = sin(t p) / sin p. Up to a right
- * angle that is t + t (1 - q)(c0 + c1 q + c2 q^2), q = t^2, with c from h = sin^2(p/2) = |a - b|^2 / 4.
+ * Between a and b, an angle p apart, the point at t is share(1 - t) a + share(t) b, where share(t) = sin(t p) / sin p.
+ * Up to a right angle share(t) is t + t (1 - q)(c0 + c1 q + c2 q^2), q = t^2; c0, c1 and c2 follow from h = sin^2(p/2)
+ * = |a - b|^2 / 4.
  */
 #ifndef SHEEN_ARC_H
 #define SHEEN_ARC_H
 
 #include "fixed.h"
 
-#define RIGHT_ANGLE (1 << 14) /* h of it, UQ0.15 */
+#define RIGHT_ANGLE (1 << 14) /* h of a right angle, UQ0.15 */
 
 struct arc_series {
     uint16_t c0;    /* UQ.16 */
@@ -19,7 +20,10 @@ struct arc_series {
 /* h: UQ0.15, at most RIGHT_ANGLE. Shares are off by at most 1.9 / 2^15. */
 void sheen_arc_series(struct arc_series *s, int32_t h);
 
-/* floor(x / 2^15 + 1/2): by a number that a product adds at once, or without one that would have to be loaded */
+/*
+ * floor(x / 2^15 + 1/2). The 1/2 is a register that a multiply-accumulate adds for free, or, without wide products, a 1
+ * that need not be loaded.
+ */
 static inline int32_t round15(int32_t x)
 {
 #if WIDE_PRODUCTS
@@ -32,8 +36,8 @@ static inline int32_t round15(int32_t x)
 }
 
 /*
- * share(t), t and it UQ0.15, t up to two steps beyond; exact at 0 and 1.0. Range: t (1 - q) is at most .385, c0 .571:
- * 2^13.7 * 2^15.2.
+ * share(t); t and the share are UQ0.15, t may be up to two steps beyond 0 or 1.0, where shares are exact. Range: t (1 -
+ * q) is at most .385, c0 .571: 2^13.7 * 2^15.2.
  */
 static inline int32_t arc_share(const struct arc_series *s, int32_t t)
 {
@@ -42,31 +46,31 @@ static inline int32_t arc_share(const struct arc_series *s, int32_t t)
     return t + asr32(round15(t * (32768 - q)) * terms + (1 << 15), 16);
 }
 
-/* An arc of any width: beyond a right angle it is two, as wide as each other. */
+/* An arc of any width; one beyond a right angle is kept as two parts of equal width. */
 struct arc {
     struct arc_series series;
     int16_t end[3][3]; /* 1.0 = 32767 */
     uint16_t h;        /* of a part, UQ0.15 */
-    uint8_t parts;     /* 1 or 2; 0: opposite ends, between which there is no way: the nearer one */
+    uint8_t parts;     /* 1 or 2; 0: the ends are opposite, so no arc is defined and the nearer end counts */
 };
 
 void sheen_arc_begin(struct arc *arc, const int16_t a[3], const int16_t b[3]);
 
-/* Shares of an arc's ends at t, UQ0.15. */
+/* The shares of an arc's ends at t, UQ0.15. */
 static inline void arc_shares(const struct arc_series *s, int32_t t, int32_t share[2])
 {
     share[0] = arc_share(s, (1 << 15) - t);
-    OPAQUE_BOTH(t, share[0]); /* one after the other: both at once take more registers than there are */
+    OPAQUE_BOTH(t, share[0]); /* one after the other: both at once need more registers than there are */
     share[1] = arc_share(s, t);
 }
 
-/* What is `first` and `second` at the ends, Q0.15. */
+/* Interpolates what is `first` and `second` at an arc's ends, Q0.15. */
 static inline int32_t blended(const int32_t share[2], int32_t first, int32_t second)
 {
     return round15(share[0] * first + share[1] * second);
 }
 
-/* Somewhere on it: shares of two ends. */
+/* A point of an arc: the shares of end[0] and end[1], the ends of the part that it lies on. */
 struct arc_blend {
     const int16_t (*end)[3];
     int32_t share[2];
@@ -88,10 +92,10 @@ static inline void arc_blend_at(const struct arc *arc, int32_t t, struct arc_ble
     }
     b->end = end;
     arc_shares(&arc->series, t, b->share);
-    OPAQUE_BOTH(b->end, b->share[0]); /* what stands there is loaded when there are registers */
+    OPAQUE_BOTH(b->end, b->share[0]); /* so that the ends' components are loaded later, when registers are free */
 }
 
-/* Part i of what lies there, Q0.15. */
+/* Component i of the point, Q0.15. */
 static inline int32_t blended_part(const struct arc_blend *b, int i)
 {
     return blended(b->share, b->end[0][i], b->end[1][i]);

@@ -1,10 +1,13 @@
 /*
- * fixed.c - what of fixed.h need not stand in each caller.
+ * fixed.c - functions of fixed.h that need not be inlined.
  */
 #include "fixed.h"
 
 #if QUOTIENT_BY_BITS
-/* A bit of the quotient a turn: what is left of a stands above those that are to come. */
+/*
+ * One bit of the quotient per iteration: `left` is the remainder; a's bits leave at the top, the quotient's enter
+ * below.
+ */
 uint32_t sheen_quotient(uint32_t a, uint32_t b)
 {
     uint32_t left = 0;
@@ -22,7 +25,7 @@ uint32_t sheen_quotient(uint32_t a, uint32_t b)
 }
 #endif
 
-/* By words: where the processor has none of 64 bits, their shifts by a variable are calls. */
+/* The shift is by words, because on 32-bit processors a 64-bit shift by a variable is a library call. */
 int32_t sheen_mul_round(int32_t a, int32_t b, unsigned n)
 {
     const uint64_t sum = (uint64_t)((int64_t)a * b) + (1u << (n - 1));

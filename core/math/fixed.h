@@ -9,21 +9,24 @@
 
 #include <stdint.h>
 
-/* Has x computed here: compilers move what makes it behind branches, and spill what they then keep. */
+/* Forces x to be computed here: compilers otherwise move its computation behind branches, and spill its operands. */
 #ifdef __GNUC__
 #define IN_REGISTER(x) __asm__("" : "+r"(x))
 #else
 #define IN_REGISTER(x) ((void)0)
 #endif
 
-/* Kept out of its callers: of their stack, of which there is 1 KB, or of their size. */
+/* Not inlined, so that the callers' stack (of which there is 1 KB) or their code stays small. */
 #ifdef __GNUC__
 #define APART __attribute__((noinline))
 #else
 #define APART
 #endif
 
-/* Made for size also where the rest is not: what is done once a draw, at pixels of rare targets, or is as fast so. */
+/*
+ * Optimised for size even in builds for speed: for what runs once per draw or at pixels of rare targets, or is as fast
+ * that way.
+ */
 #if defined(__GNUC__) && !defined(__OPTIMIZE_SIZE__)
 #define COLD __attribute__((noinline, cold))
 #else
@@ -31,8 +34,8 @@
 #endif
 
 /*
- * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative as
- * arithmetic; elsewhere the complement of a non-negative number is shifted.
+ * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative number as arithmetic; for other compilers the
+ * complement of a non-negative number is shifted.
  */
 static inline int32_t asr32(int32_t x, unsigned n)
 {
@@ -53,24 +56,24 @@ static inline int64_t asr64(int64_t x, unsigned n)
 #endif
 }
 
-/* floor(x / 2^n + 1/2), 1 <= n <= 62; MUST hold x < 2^63 - 2^(n - 1). */
+/* floor(x / 2^n + 1/2), 1 <= n <= 62; x MUST be below 2^63 - 2^(n - 1). */
 static inline int64_t round_shift64(int64_t x, unsigned n)
 {
     return asr64(x + ((int64_t)1 << (n - 1)), n);
 }
 
-/* round(a * b / 2^n), 1 <= n <= 62; the caller shows that the result fits. */
+/* round(a * b / 2^n), 1 <= n <= 62; the caller ensures that the result fits. */
 static inline int32_t mul_round(int32_t a, int32_t b, unsigned n)
 {
     return (int32_t)round_shift64((int64_t)a * b, n);
 }
 
-/* The same once for all who have the time, 1 <= n <= 32: what is done a draw. */
+/* mul_round() as a shared function, 1 <= n <= 32, for code that runs once per draw and need not be fast. */
 int32_t sheen_mul_round(int32_t a, int32_t b, unsigned n);
 
 /*
- * floor(a / b), b > 0. Where a division is a call of 270 B builds for size have one of 30, which is slower: most edges
- * are short, and do without.
+ * floor(a / b), b > 0. Where division is a library function of 270 B, builds for size have one of 30 B, which is
+ * slower; that costs little, because most edges are short and need no division.
  */
 #ifndef QUOTIENT_BY_BITS
 #if defined(__OPTIMIZE_SIZE__) && defined(__ARM_ARCH_6M__)
@@ -93,14 +96,20 @@ static inline uint32_t mul_high(uint32_t a, uint32_t b)
     return (uint32_t)(((uint64_t)a * b) >> 32);
 }
 
-/* Before a loop of four turns at most: written out, but in builds for size; GCC keeps arrays in memory else. */
+/*
+ * Stands before a loop of at most four iterations: unrolled except in builds for size, because GCC otherwise keeps the
+ * loop's arrays in memory.
+ */
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE_SIZE__)
 #define UNROLLED _Pragma("GCC unroll 4")
 #else
 #define UNROLLED
 #endif
 
-/* The compiler may not tell what x, an integer or a pointer, has become: it stays what is written. Or two at once. */
+/*
+ * Hides from the compiler how x, an integer or a pointer, was computed, so that it keeps the code as it is written.
+ * OPAQUE_BOTH does so for two at once.
+ */
 #ifdef __GNUC__
 #define OPAQUE(x) __asm__("" : "+r"(x))
 #define OPAQUE_BOTH(x, y) __asm__("" : "+r"(x), "+r"(y))
@@ -147,9 +156,8 @@ static inline int32_t max32(int32_t a, int32_t b)
 }
 
 /*
- * A Q1.30 (or any 32-bit) factor times a 16-bit one without a 64-bit product:
- * floor(n * v / 2^16). Range: |n| <= 2^15, so n times the low half is below 2^31;
- * the result fits where |n| < 2^15 or |v| < 2^31.
+ * A Q1.30 (or any 32-bit) factor times a 16-bit one without a 64-bit product: floor(n * v / 2^16). Range: |n| <= 2^15,
+ * so n times the low half is below 2^31; the result fits if |n| < 2^15 or |v| < 2^31.
  */
 static inline int32_t mul_16_32(int32_t n, int32_t v)
 {
@@ -157,8 +165,8 @@ static inline int32_t mul_16_32(int32_t n, int32_t v)
 }
 
 /*
- * Products of more than 32 bits have two forms that give the same bits: wide, where the processor multiplies to 64
- * bits, and halves, of 16-bit products, for one that has no such instruction (Armv6-M and its like).
+ * Products of more than 32 bits have two forms that give the same bits: wide_*, for processors that multiply to 64
+ * bits, and halves_*, made of 16-bit products, for those without such an instruction (Armv6-M and the like).
  */
 #ifndef WIDE_PRODUCTS
 #if defined(__ARM_ARCH_ISA_THUMB) && __ARM_ARCH_ISA_THUMB == 1
@@ -174,7 +182,7 @@ static inline int32_t mul_16_32(int32_t n, int32_t v)
 #define PRODUCT_FORM(name) halves_##name
 #endif
 
-/* As mul_16_32, of a number that has 16 bits. */
+/* mul_16_32() for an n of 16 bits. */
 static inline int32_t wide_part(int16_t n, int32_t v)
 {
     return (int32_t)asr64((int64_t)(n * (1 << 16)) * v, 32);
@@ -194,16 +202,16 @@ static inline int32_t dot_q29(const int16_t n[3], const int32_t v[3])
     return PRODUCT_FORM(part)(n[0], v[0]) + PRODUCT_FORM(part)(n[1], v[1]) + PRODUCT_FORM(part)(n[2], v[2]);
 }
 
-/* The same for |n| <= 2^15 in 32 bits. */
+/* The same for |n| <= 2^15 held as int32_t, by 32-bit products only. */
 static inline int32_t dot32_q29(const int32_t n[3], const int32_t v[3])
 {
     return mul_16_32(n[0], v[0]) + mul_16_32(n[1], v[1]) + mul_16_32(n[2], v[2]);
 }
 
 /*
- * Unit normals hold 1.0 as 32767; rounding their parts may leave the length half a
- * step off, which a highlight of n = 128 shows. 1/|n| = (1 + lacking / 2^31) / 32767.
- * Held to what rounding can do: +-65535.
+ * What a unit normal lacks of its full length. Normals hold 1.0 as 32767; rounding their components may leave the
+ * length half a step off, which a highlight of n = 128 shows. 1/|n| = (1 + lacking / 2^31) / 32767. Clamped to what
+ * rounding can do: +-65535.
  */
 static inline int32_t lacking(const int16_t n[3])
 {
@@ -213,7 +221,10 @@ static inline int32_t lacking(const int16_t n[3])
     return square > unit ? -min32((int32_t)((square - unit) >> 1), 32767) * 2 : min32((int32_t)(unit - square), 65535);
 }
 
-/* Dot product of such a normal at its full length and a Q1.30 vector: Q2.29. Range: |dot| < 2^30, so 2^14 * 2^16. */
+/*
+ * Dot product of such a normal, corrected to full length, and a Q1.30 vector: Q2.29; lacks: lacking(n). Range: |dot| <
+ * 2^30, so 2^14 * 2^16.
+ */
 static inline int32_t unit_dot_q29(const int16_t n[3], int32_t lacks, const int32_t v[3])
 {
     int32_t dot = dot_q29(n, v);

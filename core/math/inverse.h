@@ -1,5 +1,5 @@
 /*
- * inverse.h - private: what is divided by a depth or a weight, in 32 bits.
+ * inverse.h - private: division by a depth or a weight, in 32 bits.
  */
 #ifndef SHEEN_INVERSE_H
 #define SHEEN_INVERSE_H
@@ -8,8 +8,9 @@
 #include "products.h"
 
 /*
- * 1/m as a seed and what it lacks: with u = m << up, 2^32 / u = 2 seed / 2^16 * (1 + lacks / 2^29), to 2^-28; |lacks| <
- * 2^15. That is Newton's step, brought over the products: 16-bit ones each.
+ * 1/m as a seed and a correction: with u = m << up, 2^32 / u = 2 seed / 2^16 * (1 + lacks / 2^29), to 2^-28; |lacks| <
+ * 2^15. The correction is Newton's step, applied to each product instead of to the seed, so that every product has a
+ * 16-bit factor.
  */
 struct inverse {
     uint32_t seed; /* UQ1.15 */
@@ -20,7 +21,7 @@ struct inverse {
 /* m > 0. */
 static inline struct inverse inverse_of(uint32_t m)
 {
-    unsigned up = clz32(m | 1); /* the compiler need not ask whether m is 0 */
+    unsigned up = clz32(m | 1); /* | 1 spares the compiler a test for 0 */
     uint32_t u = m << up;
     IN_REGISTER(u);
     uint32_t seed = reciprocal_seed(u);
@@ -29,7 +30,9 @@ static inline struct inverse inverse_of(uint32_t m)
     return i;
 }
 
-/* Likewise 1 / sqrt(x), x UQ0.32 in [1/4, 1): seed / 2^15 * (1 + lacks / 2^29); `up` is the caller's. */
+/*
+ * The same for 1 / sqrt(x), x UQ0.32 in [1/4, 1): seed / 2^15 * (1 + lacks / 2^29); `up` is only stored for the caller.
+ */
 static inline struct inverse inverse_root(uint32_t x, unsigned up)
 {
     const uint32_t seed = root_seed(x >> 1),
@@ -39,7 +42,7 @@ static inline struct inverse inverse_root(uint32_t x, unsigned up)
     return i;
 }
 
-/* v / u * 2^30, |v| < 2^31; of a root v / sqrt(x) / 4. */
+/* v / u * 2^30, |v| < 2^31; for an inverse_root() v / sqrt(x) / 4. */
 static inline int32_t over(struct inverse i, int32_t v)
 {
     int32_t share = PRODUCT_FORM(signed_share)(i.seed, v); /* |share| < 2^30 */

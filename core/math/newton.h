@@ -1,9 +1,8 @@
 /*
  * newton.h - reciprocal and reciprocal square root: table seed + Newton step.
  *
- * The seeds are linear between table entries, good to 2^-15 by themselves: that
- * is what a pixel uses (*_rows.c). One Newton step makes them good to 2^-29,
- * for vertices, triangles and frames.
+ * Seeds are interpolated linearly between table entries and good to 2^-15 by themselves, which suffices at pixels
+ * (*_rows.c). One Newton step makes them good to 2^-29, for vertices, triangles and frames.
  */
 #ifndef SHEEN_NEWTON_H
 #define SHEEN_NEWTON_H
@@ -42,19 +41,19 @@ static inline uint32_t root_seed(uint32_t d)
     return entry[0] - ((drop * ((d >> 6) & 0xffffu) + 0x8000u) >> 16);
 }
 
-/* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-29 relative; 2.0 comes as 0xffffffff. */
+/* 1/x for x: UQ0.32 in [1/2, 1). UQ1.31, within 2^-29 relative; 2.0 is returned as 0xffffffff. */
 uint32_t sheen_reciprocal(uint32_t x);
 
-/* a / b for 0 <= a <= b, b > 0, any common scale: UQ0.32, within 2^-28; 1.0 comes as 0xffffffff. */
+/* a / b for 0 <= a <= b, b > 0, any common scale: UQ0.32, within 2^-28; 1.0 is returned as 0xffffffff. */
 uint32_t sheen_ratio(uint32_t a, uint32_t b);
 
 /*
- * Newton's step on 1/sqrt(x) for x: UQ0.32 in [1/4, 1), UQ1.31; 2.0 comes as 0xffffffff. From root_seed(x >> 1) << 16
- * it comes within 2^-29 relative.
+ * A Newton step towards 1/sqrt(x) for x: UQ0.32 in [1/4, 1); root and result UQ1.31, 2.0 is returned as 0xffffffff.
+ * From root = root_seed(x >> 1) << 16 the result is within 2^-29 relative.
  */
 uint32_t sheen_root_step(uint32_t x, uint32_t root);
 
-/* The same precision without the table, for who has the time: what is done a draw, or with a mesh. */
+/* 1/sqrt(x) to the same precision without the table; slower, for what is done once per draw or when a mesh is made. */
 uint32_t sheen_reciprocal_root(uint32_t x);
 
 #endif

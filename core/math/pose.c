@@ -1,13 +1,13 @@
 /*
- * pose.c - rotations from angles, composition, repair, and where an eye looks.
+ * pose.c - poses: rotations from angles, composition, repair, and where an eye looks.
  */
 #include "pose.h"
 #include "fixed.h"
 
 #define ONE (1 << 30)
-#define LENGTHY (ONE + (1 << 20)) /* parts of no rotation */
+#define LENGTHY (ONE + (1 << 20)) /* no component of a rotation is larger */
 
-/* What is 0 in a pose gets its default. */
+/* Replaces what is 0 in a pose by its default. */
 static void complete(struct sheen_pose *pose)
 {
     if (sheen_rotation_is_zero(pose->rotation))
@@ -22,7 +22,7 @@ COLD void sheen_pose_identity(struct sheen_pose *pose)
     complete(pose);
 }
 
-/* Range: |part| < 1.001, so that what dot products are modulo 4.0 tells them from 0. */
+/* Range: |component| < 1.001, so a dot product, which wraps modulo 4.0, is near 0 only if it is so without wrapping. */
 COLD int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
 {
     for (int k = 0; k < 9; k++)
@@ -59,13 +59,16 @@ COLD int sheen_pose_valid(const struct sheen_pose *p)
     return p->scale >= 0 && (sheen_rotation_is_zero(p->rotation) || sheen_is_rotation(p->rotation, 1 << 20));
 }
 
-/* Row of a rotation times a vector of any format, Q.30 more. Range: |row| <= 1.001, so |result| < 2^61.8. */
+/*
+ * A row of a rotation times a vector of any format, with 30 more fraction bits. Range: |row| <= 1.001, so |result| <
+ * 2^61.8.
+ */
 static APART int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
 {
     return (int64_t)row[0] * v[0] + (int64_t)row[1] * v[stride] + (int64_t)row[2] * v[2 * stride];
 }
 
-/* a x b of Q1.30 vectors no longer than 1.001: their products' difference is below 2^61. */
+/* a x b of Q1.30 vectors no longer than 1.001. Range: the difference of two products is below 2^61. */
 static void cross(const sheen_q30_t a[3], const sheen_q30_t b[3], sheen_q30_t out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -74,7 +77,7 @@ static void cross(const sheen_q30_t a[3], const sheen_q30_t b[3], sheen_q30_t ou
     }
 }
 
-/* The rotation whose third row points along `back` and whose second one lies on the side of `up`. */
+/* The rotation whose third row points along `back` and whose second row lies on the side of `up`. */
 static int rotation_from(const int32_t back[3], const int32_t up[3], sheen_q30_t rotation[9])
 {
     sheen_q30_t *right = rotation, *above = rotation + 3, *third = rotation + 6, upward[3];
@@ -83,10 +86,11 @@ static int rotation_from(const int32_t back[3], const int32_t up[3], sheen_q30_t
         return SHEEN_ERR_DEGENERATE;
     cross(upward, third, right);
     if (magnitude32(right[0]) < 1024 && magnitude32(right[1]) < 1024 && magnitude32(right[2]) < 1024)
-        return SHEEN_ERR_DEGENERATE; /* within 1e-6 of parallel: nothing left but rounding */
+        return SHEEN_ERR_DEGENERATE; /* within 1e-6 of parallel: nothing is left but rounding */
     (void)sheen_normalize(right, right);
     cross(third, right, above);
-    (void)sheen_normalize(above, above); /* at right angles to third, exactly; right may lean by its rounding */
+    (void)sheen_normalize(above,
+                          above); /* above is exactly at right angles to third, but right may lean by its rounding */
     cross(above, third, right);
     return SHEEN_OK;
 }
@@ -95,7 +99,7 @@ COLD int sheen_pose_orthonormalize(struct sheen_pose *pose)
 {
     sheen_q30_t r[9];
     const sheen_q30_t *first = pose->rotation;
-    int64_t along = 0; /* the first row says whether the pose mirrors; halved, the sum fits */
+    int64_t along = 0; /* negative if the pose mirrors, which its first row shows; halved so that the sum fits */
 
     if (rotation_from(first + 6, first + 3, r) < 0)
         return SHEEN_ERR_DEGENERATE;
@@ -107,8 +111,8 @@ COLD int sheen_pose_orthonormalize(struct sheen_pose *pose)
 }
 
 /*
- * round(sum * scale / 2^46), a row's product to a length of Q7.24, in two words: |high * scale| < 2^31.8 * 2^31. What
- * is cut off before the rounding could not change it: a floor of a floor is the floor.
+ * round(sum * scale / 2^46) brings a row's product to a length in Q7.24. It is computed in two words: |high * scale| <
+ * 2^31.8 * 2^31. The bits that are cut off before the rounding cannot change it: a floor of a floor is the floor.
  */
 int64_t sheen_pose_part(const struct sheen_pose *pose, int i, const sheen_q24_t v[3])
 {
@@ -148,7 +152,8 @@ COLD int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_p
 
     if (sheen_pose_place(outer, inner, &p) < 0)
         return SHEEN_ERR_ARGUMENT;
-    (void)sheen_pose_orthonormalize(&p); /* rotations multiply to one: errors do not add up over many compositions */
+    (void)sheen_pose_orthonormalize(
+        &p); /* cannot fail on a product of rotations; keeps errors from adding up over many compositions */
     *out = p;
     return SHEEN_OK;
 }
@@ -192,7 +197,7 @@ COLD int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], c
         int64_t away = (int64_t)eye[k] - target[k];
         halved |= away > INT32_MAX || away < -INT32_MAX;
     }
-    for (int k = 0; k < 3; k++) /* one bit less only where the difference needs 33 */
+    for (int k = 0; k < 3; k++) /* one bit less precision only if a difference needs 33 bits */
         back[k] = (int32_t)asr64((int64_t)eye[k] - target[k], halved);
     if (rotation_from(back, up, p.rotation) < 0)
         return SHEEN_ERR_DEGENERATE;
@@ -207,7 +212,7 @@ COLD int sheen_pose_look_at(struct sheen_pose *pose, const sheen_q24_t eye[3], c
     return SHEEN_OK;
 }
 
-/* Rows a and b turned in their plane, by an angle of that cosine and sine. */
+/* Turns rows a and b in their plane by the angle of that cosine and sine. */
 static APART void turn_rows(sheen_q30_t *a, sheen_q30_t *b, int32_t cosine, int32_t sine)
 {
     for (int k = 0; k < 3; k++) {

@@ -1,25 +1,28 @@
 /*
- * pose.h - private: what is taken for a rotation. The rest of pose.c is public.
+ * pose.h - private: checks of poses, and products that are not repaired. The rest of pose.c is public.
  */
 #ifndef SHEEN_POSE_H
 #define SHEEN_POSE_H
 
 #include "../sheen.h"
 
-/* 1 where rows' squared lengths and right angles are off by no more than `within`, Q1.30; a mirror counts. */
+/* 1 if the rows' squared lengths and dot products are off by at most `within`, Q1.30; a mirroring matrix passes. */
 int sheen_is_rotation(const sheen_q30_t r[9], int32_t within);
 
-/* No rotation given; nothing given at all. */
+/* 1 if no rotation is given; 1 if nothing of the pose is given at all. */
 int sheen_rotation_is_zero(const sheen_q30_t r[9]);
 int sheen_pose_is_zero(const struct sheen_pose *pose);
 
-/* 1 where a pose is one, its defaults counted. */
+/* 1 if the pose is valid, its zeros counted as defaults. */
 int sheen_pose_valid(const struct sheen_pose *pose);
 
-/* Part i of v where the pose takes it, Q7.24. */
+/* Component i of v moved by the pose, Q7.24. */
 int64_t sheen_pose_part(const struct sheen_pose *pose, int i, const sheen_q24_t v[3]);
 
-/* out = outer * inner, both with their defaults, each entry within 1 raw step of the product; not made orthonormal. */
+/*
+ * out = outer * inner, zeros in both counted as defaults; entries are within 1 raw step of the product, and the
+ * rotation is not made orthonormal again.
+ */
 int sheen_pose_place(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out);
 
 #endif

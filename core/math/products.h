@@ -1,7 +1,7 @@
 /*
  * products.h - private: products of more than 32 bits, for vertices and triangles.
  *
- * Each has the two forms that fixed.h speaks of.
+ * Each has the two forms, wide and halves, that fixed.h describes.
  */
 #ifndef SHEEN_PRODUCTS_H
 #define SHEEN_PRODUCTS_H
@@ -30,7 +30,7 @@ static inline int32_t halves_signed_share(uint32_t n, int32_t v)
     return asr32((int32_t)n * asr32(v, 16) + (int32_t)((n * ((uint32_t)v & 0xffffu)) >> 16), 1);
 }
 
-/* floor(a b / 2^32). Range: a product of halves and what is carried into it stay below 2^31. */
+/* floor(a b / 2^32). Range: a product of halves plus the carry into it stays below 2^31. */
 static inline int32_t wide_high(int32_t a, int32_t b)
 {
     return (int32_t)asr64((int64_t)a * b, 32);
@@ -44,7 +44,7 @@ static inline int32_t halves_high(int32_t a, int32_t b)
     return a1 * b1 + asr32(middle, 16) + asr32((int32_t)a0 * b1 + (middle & 0xffff), 16);
 }
 
-/* round(a b / 2^30) of cosines in Q1.30, |cosine| <= 1.0. By halves of 15 bits. */
+/* round(a b / 2^30) of cosines in Q1.30, |cosine| <= 1.0. halves_cosines() splits them at 15 bits. */
 static inline int32_t wide_cosines(int32_t a, int32_t b)
 {
     return mul_round(a, b, 30);
@@ -58,11 +58,11 @@ static inline int32_t halves_cosines(int32_t a, int32_t b)
 }
 
 /*
- * A row of a matrix, |m| < 2^29 a part, at most 2^29.01 long, times a vector of 16-bit parts: floor(sum / 2^14). By
- * halves m is 2^14 high + low, so that both products' sums stay below 2^31.
+ * A row of a matrix (components |m| < 2^29, length at most 2^29.01) times a vector of 16-bit components: floor(sum /
+ * 2^14). struct halves_row splits m into 2^14 high + low, so that the sums of both products stay below 2^31.
  */
 struct wide_row {
-    int32_t m[3]; /* 4 times */
+    int32_t m[3]; /* m times 4 */
 };
 
 struct halves_row {
@@ -80,7 +80,7 @@ static inline void halves_row_set(struct halves_row *row, int k, int32_t m)
     row->low[k] = m & 0x3fff;
 }
 
-/* The vector's parts times 2^16, so that the high word is what is wanted. */
+/* The vector is scaled by 2^16, so that the result is the sum's high word. */
 static inline int32_t wide_row_times(const struct wide_row *row, int32_t x, int32_t y, int32_t z)
 {
     x *= 1 << 16;

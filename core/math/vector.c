@@ -6,9 +6,8 @@
 #include "newton.h"
 
 /*
- * The vector is scaled by a power of two until its largest part lies in
- * [2^30, 2^31); then |v|^2 / 4 < 3 * 2^60 fits 64 bits and the reciprocal root
- * needs 32 of them.
+ * The vector is scaled by a power of two until its largest component lies in [2^30, 2^31); then |v|^2 / 4 < 3 * 2^60
+ * fits 64 bits, of which the reciprocal root needs only the highest 32.
  */
 int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3])
 {
@@ -22,7 +21,7 @@ int sheen_normalize_wide(const int64_t v[3], sheen_q30_t out[3])
     int32_t part[3];
     uint64_t square = 0;
     for (int k = 0; k < 3; k++) {
-        /* in [-2^31, 2^31), one of them 2^30 or more; -2^31 only where a floor made it */
+        /* in [-2^31, 2^31), the largest of magnitude 2^30 or more; -2^31 only if a floor made it */
         part[k] = (int32_t)(uint32_t)((uint64_t)v[k] << zeros >> 32);
         square += (uint64_t)((int64_t)part[k] * part[k]) >> 2;
     }
