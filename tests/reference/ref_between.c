@@ -1,5 +1,5 @@
 /*
- * ref_between.c - a mesh between two frames of it.
+ * ref_between.c - two frames of a mesh to a mesh between them.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -1,11 +1,9 @@
 /*
- * ref_compare.c - where a picture may be compared with the reference, and how well it does there.
+ * ref_compare.c - where a picture may be compared with the reference, and how close it is there.
  *
- * Snapping moves edges by a fraction of a pixel. Inside a smooth surface that
- * changes nothing that can be seen; at a crease, a silhouette or where surfaces
- * meet it does. So a pixel counts only where its 3x3 neighbourhood lies on one
- * smooth surface; and as a jump of light is an edge too, on one tread of a toon
- * ramp's stairs.
+ * The core snaps vertices and so moves edges by a fraction of a pixel. Inside a smooth surface that changes nothing
+ * visible; at a crease, at a silhouette or where surfaces meet it does. So a pixel counts only if its 3x3 neighbourhood
+ * lies on one smooth surface and, because a jump of light is an edge too, on one tread of a toon ramp's stairs.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -92,7 +90,7 @@ static bool equal_corners(const struct side *p, const struct side *q)
     return true;
 }
 
-/* surface[t]: equal for triangles joined through shared edges of triangles that are drawn. */
+/* surface[t]: equal for drawn triangles that are joined through shared edges; flat: for triangles of one polygon. */
 static int find_surfaces(const struct ref_picture *picture, const struct ref_scene *scene, uint32_t *surface)
 {
     const struct ref_mesh *mesh = scene->mesh;
@@ -116,7 +114,7 @@ static int find_surfaces(const struct ref_picture *picture, const struct ref_sce
     return 0;
 }
 
-/* What a neighbour's triangle would show here lies elsewhere in the texture: there is a seam between. */
+/* A seam: the neighbour's triangle, extended to this pixel, shows another place of the texture there. */
 static bool is_seam(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_pixel *pixel,
                     const struct ref_pixel *beside, double x, double y)
 {
@@ -183,7 +181,7 @@ static void judge(struct ref_score *score, const struct ref_scene *scene, const 
     }
 }
 
-/* 1 step where there is no texture. */
+/* Without a texture every pixel is settled, and *bound is 1 step. */
 static bool settled(const struct ref_scene *scene, const struct ref_picture *picture, const struct ref_pixel *pixel,
                     int x, int y, double *bound)
 {
@@ -192,7 +190,7 @@ static bool settled(const struct ref_scene *scene, const struct ref_picture *pic
            (!pixel->unsettled && ref_settled(scene, picture, &picture->pieces[pixel->piece], x + 0.5, y + 0.5, bound));
 }
 
-/* Nothing but transparent texels here and beside. */
+/* Nothing but transparent texels at this pixel and its eight neighbours. */
 static bool seen_through(const struct ref_picture *picture, int x, int y)
 {
     const struct ref_pixel *centre = &picture->pixels[y * picture->width + x];
@@ -208,7 +206,7 @@ static bool seen_through(const struct ref_picture *picture, int x, int y)
     return true;
 }
 
-/* By the pattern of a draw that leaves pixels out. */
+/* Whether the stipple pattern leaves this pixel out. */
 static bool is_left_out(const struct ref_scene *scene, int x, int y)
 {
     return scene->left_out > 0 && ref_bayer8((x + scene->phase) & 7, y & 7) >= 64 - scene->left_out;

@@ -5,8 +5,9 @@
  *   I_specular        = sum Ip ks max(0, R.V)^n min(1, 8 max(0, L.N))
  *   R.V = 2 (L.N)(N.V) - L.V, V = (0, 0, 1)
  *
- * Each light's part and the ambient one are multiplied by their colour's channel. Of a point light at P, so d away from
- * the point p: L = (P - p) / d (N where d = 0), and both parts are multiplied by max(0, 1 - d^2 / radius^2)^2.
+ * Each light's part and the ambient part are multiplied by their colour's channel. A point light at P lights a point p
+ * at the distance d with L = (P - p) / d (L = N if d = 0); both its parts are multiplied by max(0, 1 - d^2 /
+ * radius^2)^2.
  */
 #include <string.h>
 
@@ -15,7 +16,7 @@
 
 #define GAMMA 2.2
 
-/* An entry of the table, x = i / 128 - 1. */
+/* Entry i of the ramp's table, for L.N = i / 128 - 1. */
 static double ramp_entry(const struct ref_scene *scene, int i)
 {
     double x = 2.0 * i / REF_RAMP_STEPS - 1, lit = ref_max(0, x), a = scene->ambient, d = scene->diffuse;
@@ -40,7 +41,7 @@ double ref_ramp(const struct ref_scene *scene, double x)
     return ramp_entry(scene, i) * (i + 1 - at) + ramp_entry(scene, i + 1) * (at - i);
 }
 
-/* L, and how much of light i is left. */
+/* Finds L of light i; returns the factor by which distance attenuates the light. */
 static double to_light(const struct ref_scene *scene, int i, const double at[3], const double normal[3], double to[3])
 {
     double radius = scene->radius[i];

@@ -1,6 +1,6 @@
 /*
- * ref_mesh.c - polygons as a file lists them -> what is drawn: fitted positions,
- * Newell normals, corner normals, triangles.
+ * ref_mesh.c - polygons as a file lists them -> the mesh that is drawn: fitted positions, Newell normals, corner
+ * normals, triangles.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,8 +10,8 @@
 #include "reference.h"
 
 /*
- * Positions meet as 32-bit floats, -0 counting as 0; on an axis where the bounding box's centre is more than 16
- * of its longest sides from 0, as floats of the distance from the centre.
+ * Two positions are the same point if they are equal as 32-bit floats (-0 equals 0). On an axis on which the bounding
+ * box's centre is more than 16 times the box's longest side from 0, distances from the centre are compared instead.
  */
 struct weld_key {
     float at[3];
@@ -73,7 +73,7 @@ static int weld(struct ref_mesh *mesh)
     return 0;
 }
 
-/* Minus the centre of the bounding box, then the farthest position to distance 1. -1: no extent. */
+/* Move the bounding box's centre to 0, then scale the farthest position to distance 1. -1 if there is no extent. */
 static int fit(struct ref_mesh *mesh)
 {
     double low[3], high[3], far = 0;
@@ -101,8 +101,8 @@ static int fit(struct ref_mesh *mesh)
 }
 
 /*
- * Newell: the sum over the edges, the last one closing to the first corner, taken from the first corner so that
- * a small polygon far from the origin keeps its digits. Zero where |N| is below rounding of its own terms.
+ * Newell's sum over all edges, with coordinates relative to the first corner, so that a small polygon far from the
+ * origin keeps its digits. Zero if |N| is below the rounding of its own terms.
  */
 void ref_newell(const double (*position)[3], size_t count, double normal[3])
 {
@@ -124,7 +124,7 @@ void ref_newell(const double (*position)[3], size_t count, double normal[3])
     ref_normalize(normal);
 }
 
-/* Corners of the mesh ordered by weld, so that those around one vertex stand together. */
+/* A corner of the mesh; sorted by weld, so that all corners at one point are neighbours. */
 struct around {
     uint32_t weld, corner, polygon;
     double angle;
@@ -137,7 +137,7 @@ static int around_order(const void *a, const void *b)
     return p->weld != q->weld ? (p->weld < q->weld ? -1 : 1) : p->corner < q->corner ? -1 : p->corner > q->corner;
 }
 
-/* The interior angle of corner c of a polygon of corners first..end-1; 0 where an edge has no length. */
+/* The interior angle at corner c of the polygon with the corners first..end-1; 0 if an edge at c has no length. */
 static double interior_angle(const struct ref_mesh *mesh, const double normal[3], uint32_t first, uint32_t c,
                              uint32_t end)
 {
@@ -150,7 +150,7 @@ static double interior_angle(const struct ref_mesh *mesh, const double normal[3]
         u[k] = after[k] - here[k];
         v[k] = before[k] - here[k];
     }
-    ref_cross(u, v, cross); /* along the normal where the corner turns left */
+    ref_cross(u, v, cross); /* along the normal if the corner turns left */
     double angle = atan2(ref_length(cross), ref_dot(u, v));
     return ref_dot(cross, normal) < -1e-12 * ref_length(u) * ref_length(v) ? 2 * acos(-1) - angle : angle;
 }
@@ -165,7 +165,7 @@ static void average(struct ref_mesh *mesh, const struct around *group, size_t co
         double *sum = mesh->normal[group[i].corner];
 
         if (ref_length(sum) > 0)
-            continue; /* the file's own */
+            continue; /* the file's own normal */
         for (size_t j = 0; j < count; j++) {
             const double *other = mesh->polygon_normal[group[j].polygon];
             if (crease >= 0 && ref_dot(own, other) < cos(crease * acos(-1) / 180) - 1e-12)
@@ -173,7 +173,7 @@ static void average(struct ref_mesh *mesh, const struct around *group, size_t co
             for (int k = 0; k < 3; k++)
                 sum[k] += other[k] * (options->equal_weights ? 1 : group[j].angle);
         }
-        if (ref_length(sum) < 1e-9) /* opposite unit normals cancel but for rounding */
+        if (ref_length(sum) < 1e-9) /* opposite unit normals cancel except for rounding */
             memcpy(sum, own, 3 * sizeof *sum);
         ref_normalize(sum);
     }
@@ -206,7 +206,7 @@ static int corner_normals(struct ref_mesh *mesh, const struct ref_polygons *from
 
 static int split_all(struct ref_mesh *mesh, const struct ref_polygons *from)
 {
-    mesh->triangles = malloc(mesh->corner_count * sizeof *mesh->triangles); /* a polygon has corners - 2 */
+    mesh->triangles = malloc(mesh->corner_count * sizeof *mesh->triangles); /* a polygon has at most its corners - 2 */
     if (!mesh->triangles)
         return -1;
     for (size_t p = 0; p < from->polygon_count; p++) {

@@ -1,5 +1,5 @@
 /*
- * ref_pixel.c - an unrounded colour to what a panel's memory holds.
+ * ref_pixel.c - an unrounded colour to the value in a panel's memory.
  */
 #include "ref_vector.h"
 #include "reference.h"
@@ -21,7 +21,7 @@ int ref_bayer8(int x, int y)
     return entry;
 }
 
-/* max_level * c + up in whole steps, clamped; c itself is clamped, then goes to a fog's level by its share. */
+/* c, clamped to 0..1, as a level: mixed with the fog's level by its share, plus `up`, rounded down, clamped. */
 static int to_level(double c, int max_level, double fog_level, double share, double up)
 {
     double fogged = max_level * clamp01(c) * (1 - share) + fog_level * share;
@@ -63,7 +63,7 @@ double ref_fog_share(const struct ref_scene *scene, double z)
     return clamp01((1 / from - weight) / (1 / from - 1 / to));
 }
 
-/* Draws that leave pixels out take the matrix with its digits to base 4 reversed. */
+/* The dither threshold. Stippled draws use the matrix with the base-4 digits of its entries reversed. */
 static double threshold(const struct ref_scene *scene, int x, int y)
 {
     int b = ref_bayer8(x & 7, y & 7);

@@ -1,5 +1,5 @@
 /*
- * ref_project.c - scenes, and the way of a triangle from the model to the screen.
+ * ref_project.c - scenes, and a triangle's path from model space to the screen.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,7 @@ void ref_scene_default(struct ref_scene *scene, const struct ref_mesh *mesh)
     ref_scene_orbit(scene, 30, 20, 0, 3);
 }
 
-/* A corner on its way through near plane and, for slerp, guard band: everything in it is linear in space. */
+/* A corner while its triangle is clipped; clipping interpolates all of its fields linearly in space. */
 struct corner {
     double eye[3], normal[3], uv[2], color[3];
     struct ref_lit lit;
@@ -88,7 +88,7 @@ static int cut(struct corner *polygon, int count, const double plane[4])
         if (da >= 0)
             kept[made++] = *a;
         if ((da < 0) != (db < 0)) {
-            /* From the inner end outwards, so that both neighbours cut a shared edge at the same point. */
+            /* From the end inside to the end outside, so that both neighbours cut a shared edge at the same point. */
             kept[made++] = da >= 0 ? between(a, b, da / (da - db)) : between(b, a, db / (db - da));
         }
     }
@@ -106,9 +106,12 @@ static int cut_all(const struct ref_scene *scene, struct corner *polygon)
     double near_plane[4] = {0, 0, -1, -scene->near};
     int count = cut(polygon, 3, near_plane);
 
-    /* Beyond the guard band nothing is seen; a cut changes no shading but slerp's, whose arcs go between corners. */
+    /*
+     * Nothing outside the guard band is visible, so clipping there would not matter, except to slerp: its arcs run
+     * between corners, so its shading depends on where a triangle is cut.
+     */
     for (int side = 0; scene->shading == REF_SLERP && side < 4 && count >= 3; side++) {
-        /* guard * m +- f * coordinate >= 0, m = -z or under ortho the constant distance */
+        /* guard * m +- f * coordinate >= 0, where m = -z or, under ortho, the constant distance */
         double plane[4] = {0, 0, -REF_GUARD_PX, 0};
         if (scene->ortho) {
             plane[2] = 0;
@@ -151,7 +154,7 @@ static void turn_normal(const struct ref_scene *scene, const double model[3], bo
     }
 }
 
-/* The eye is behind the plane of the triangle, whatever part of it the planes leave. */
+/* Whether the eye is behind the triangle's plane. Decided on the whole triangle, before it is clipped. */
 static bool is_back(const struct ref_scene *scene, const struct corner *c)
 {
     double u[3], v[3], n[3], to_eye[3];

@@ -1,6 +1,6 @@
 /*
- * ref_raster.c - the triangle seen at each pixel centre, on real coordinates:
- * nothing is snapped. Nearest in 16-bit depth; on a tie the first drawn.
+ * ref_raster.c - which triangle is seen at each pixel centre: the nearest in 16-bit depth; of equal ones the first
+ * drawn. Coordinates are not snapped.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -8,20 +8,20 @@
 #include "ref_vector.h"
 #include "reference.h"
 
-/* A side of a piece, always from the same end, so that both its triangles round alike. */
+/* A side of a piece, stored from the same end for both pieces that share it, so that rounding is the same in both. */
 struct side {
     double x, y, dx, dy;
-    bool turned; /* the piece goes from the other end */
-    bool owned;  /* a top one (horizontal, interior below) or a left one (interior to its right) */
+    bool turned; /* the piece's outline runs along this side in the other direction */
+    bool owned;  /* centres on it belong to the piece: a top side (interior below) or a left side (interior right) */
 };
 
 /* Side k goes from corner k to the next one. */
 struct outline {
     struct side side[3];
-    double area; /* twice; > 0: clockwise as it is seen, as y runs down */
+    double area; /* twice the signed area; > 0: clockwise as seen, because y runs down */
 };
 
-/* Twice the signed area of the side and the point. */
+/* Twice the signed area of the triangle between the side and the point. */
 static double side_at(const struct side *side, double x, double y)
 {
     double e = side->dx * (y - side->y) - side->dy * (x - side->x);
@@ -43,14 +43,14 @@ static void outline_of(struct outline *outline, const struct ref_piece *p)
     outline->area = side_at(&outline->side[0], p->x[2], p->y[2]);
     for (int k = 0; k < 3; k++) {
         struct side *side = &outline->side[k];
-        /* Walked clockwise as seen, a left side goes up and a top one to the right. */
+        /* Walking clockwise as seen, a left side leads up and a top side to the right. */
         bool against = side->turned != (outline->area < 0);
         double dx = against ? -side->dx : side->dx, dy = against ? -side->dy : side->dy;
         side->owned = dy < 0 || (dy == 0 && dx > 0);
     }
 }
 
-/* Inside, or on a side that is owned; then e is what side_at gives. */
+/* Whether a point is inside, or on an owned side; then e[k] is side_at() of side k. */
 static bool inside(const struct outline *outline, double x, double y, double e[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -81,13 +81,13 @@ double ref_side_distance(const struct ref_piece *p, int side, double x, double y
     return hypot(p->x[a] + t * dx - x, p->y[a] + t * dy - y);
 }
 
-/* Of what the corners have, at the point of e. */
+/* Interpolates the corners' values `at` to the point that inside() computed e for. */
 static double screen_linear(const struct outline *outline, const double e[3], const double at[3])
 {
     return (e[1] * at[0] + e[2] * at[1] + e[0] * at[2]) / outline->area;
 }
 
-/* Whole steps, 0 far. */
+/* z in whole steps of depth, 0 being far. */
 static int steps(double z)
 {
     return (int)(REF_STEPS * ref_min(ref_max(z, 0), 1) + 0.5);
@@ -126,7 +126,7 @@ static struct box box_of(const struct ref_picture *picture, const struct ref_pie
                         .y1 = end_pixel(ref_max(p->y[0], ref_max(p->y[1], p->y[2])), picture->height)};
 }
 
-/* The first pixel of row y, from x on, that is inside; x1 where none is. e is there. */
+/* The first pixel of row y, from x on, that is inside, with its e; x1 if there is none. */
 static int next_inside(const struct outline *outline, int x, int x1, int y, double e[3])
 {
     while (x < x1 && !inside(outline, x + 0.5, y + 0.5, e))
@@ -144,7 +144,7 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
     outline_of(&outline, p);
     for (int y = box.y0; y < box.y1; y++) {
         int x = next_inside(&outline, box.x0, box.x1, y, e);
-        for (; x < box.x1 && inside(&outline, x + 0.5, y + 0.5, e); x++) { /* of a row a piece has one run */
+        for (; x < box.x1 && inside(&outline, x + 0.5, y + 0.5, e); x++) { /* a piece covers one run of a row */
             double depth = screen_linear(&outline, e, p->depth), z = screen_linear(&outline, e, p->z);
             double m = scene->ortho ? -depth : 1 / depth;
             int *best = &nearest[y * picture->width + x];
@@ -162,7 +162,7 @@ static void draw(struct ref_picture *picture, int *nearest, const struct ref_sce
     }
 }
 
-/* What lies in front of what is seen is transparent there: is that for sure? */
+/* Marks pixels at which a transparent part of the piece lies in front of what is seen, and whether that is certain. */
 static void look_through(struct ref_picture *picture, const int *nearest, const struct ref_scene *scene, uint32_t index)
 {
     const struct ref_piece *p = &picture->pieces[index];
@@ -217,7 +217,7 @@ void ref_raster(struct ref_picture *picture, const struct ref_scene *scene)
     if (!nearest)
         abort();
     for (size_t i = 0; i < count; i++)
-        nearest[i] = 0; /* what is held to far is not seen */
+        nearest[i] = 0; /* so a depth that was clamped to far, 0 steps, is not drawn */
     for (size_t i = 0; i < picture->piece_count; i++)
         draw(picture, nearest, scene, (uint32_t)i);
     for (size_t i = 0; i < picture->piece_count && scene->texture && scene->texture->keyed; i++)

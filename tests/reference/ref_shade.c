@@ -1,8 +1,8 @@
 /*
  * ref_shade.c - the four shadings at a point of the screen.
  *
- * "Linear in space" on the screen: with screen-linear weights b of the corners
- * and w = 1/m there, the space-linear ones are b w / sum(b w) (Blinn's I/m over 1/m).
+ * To interpolate linearly in space: if b are the corners' barycentric coordinates on the screen and w = 1/m at the
+ * corners, the coordinates in space are b w / sum(b w) (Blinn's I/m over 1/m).
  */
 #include <string.h>
 
@@ -38,7 +38,7 @@ void ref_slerp(const double a[3], const double b[3], double t, double out[3])
         out[k] = (sin((1 - t) * angle) * a[k] + sin(t * angle) * b[k]) / sine;
 }
 
-/* Where the scan line crosses an edge: x, weight and normal there. */
+/* Where the scanline crosses an edge: x, weight and normal there. */
 struct crossing {
     double x, w, normal[3];
 };
@@ -55,14 +55,14 @@ static void cross_edge(const struct ref_scene *scene, const struct ref_piece *p,
 
     memcpy(na, p->normal[a], sizeof na);
     memcpy(nb, p->normal[b], sizeof nb);
-    ref_normalize(na); /* a corner made by a plane is not of unit length */
+    ref_normalize(na); /* at a corner made by clipping it is shorter */
     ref_normalize(nb);
     out->x = (1 - t) * p->x[a] + t * p->x[b];
     out->w = (1 - t) * p->w[a] + t * p->w[b];
     ref_slerp(na, nb, in_space(scene, t, p->w[a], p->w[b]), out->normal);
 }
 
-/* The normal by great arcs along two edges, then along the row. */
+/* Interpolates the normal along great arcs: along two edges, then along the row. */
 static void slerp_normal(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double normal[3])
 {
     struct crossing side[2] = {{.x = 0}, {.x = 0}};
@@ -86,7 +86,7 @@ static void slerp_normal(const struct ref_scene *scene, const struct ref_piece *
     ref_slerp(left->normal, right->normal, in_space(scene, t, left->w, right->w), normal);
 }
 
-/* At the pixel, of unit length, or zero: phong and slerp. */
+/* Phong's and slerp's normal at a point of the screen: of unit length, or zero. */
 static void normal_at(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, double normal[3])
 {
     double b[3];
@@ -119,7 +119,7 @@ void ref_color(const struct ref_scene *scene, const struct ref_piece *p, double 
 
 void ref_shade(const struct ref_scene *scene, const struct ref_piece *p, double x, double y, struct ref_lit *lit)
 {
-    static const double anywhere[3] = {0, 0, 0}; /* no point lights here */
+    static const double anywhere[3] = {0, 0, 0}; /* Phong and slerp have no point lights */
     double b[3], normal[3], color[3];
 
     if (scene->shading == REF_FLAT || scene->shading == REF_GOURAUD) {

@@ -1,6 +1,6 @@
 /*
- * ref_split.c - a polygon in the plane of its Newell normal: a fan where it is
- * convex, else ears, the first valid one in vertex order each time.
+ * ref_split.c - splits a polygon in the plane of its Newell normal: into a fan if it is convex, otherwise by cutting
+ * ears, each time the first valid one in vertex order.
  */
 #include <stdbool.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ struct point2 {
     double x, y;
 };
 
-/* Twice the signed area of a, b, c: > 0 where they turn left. */
+/* Twice the signed area of a, b, c: > 0 if they turn left. */
 static double turn(struct point2 a, struct point2 b, struct point2 c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -38,7 +38,7 @@ static void flatten(const double (*position)[3], size_t count, const double norm
     }
 }
 
-/* No turn to the right, and once around: a star of five points turns left at every corner, but twice around. */
+/* No corner turns right, and all turns add up to one revolution: a five-pointed star turns left only, but twice. */
 static bool is_convex(const struct point2 *p, size_t count, double straight)
 {
     double angle = 0;
@@ -54,7 +54,7 @@ static bool is_convex(const struct point2 *p, size_t count, double straight)
     return angle < 3 * acos(-1); /* 2 pi, not 4 pi */
 }
 
-/* An ear: a turn to the left, and none of the other corners in the triangle or on its boundary. */
+/* An ear: its corner turns left, and no other corner lies in the triangle or on its boundary. */
 static bool is_ear(const struct point2 *p, const uint32_t *left, size_t count, size_t i, double straight)
 {
     struct point2 a = p[left[(i + count - 1) % count]], b = p[left[i]], c = p[left[(i + 1) % count]];
@@ -82,7 +82,7 @@ static size_t cut_ears(const struct point2 *p, size_t count, double straight, ui
         while (ear < count && !is_ear(p, left, count, ear, straight))
             ear++;
         if (ear == count)
-            ear = 0; /* none, as in a polygon that crosses itself: the first corner is cut */
+            ear = 0; /* no ear, as in a polygon that crosses itself: cut the first corner */
         out[made][0] = left[(ear + count - 1) % count];
         out[made][1] = left[ear];
         out[made++][2] = left[(ear + 1) % count];

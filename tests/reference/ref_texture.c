@@ -1,5 +1,5 @@
 /*
- * ref_texture.c - texels at a point of the screen, and whether they are settled there.
+ * ref_texture.c - texels at a point of the screen, and whether they are settled there (ref_settled).
  */
 #include <math.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "ref_vector.h"
 #include "reference.h"
 
-#define BROAD 1024.0 /* texels over the mesh from which on the coordinates' own rounding counts */
+#define BROAD 1024.0 /* if the mesh spans more texels than this, rounding of its uv exceeds 1/16 texel */
 
 static int address(int i, int size, bool clamp)
 {
@@ -28,7 +28,7 @@ static void colour_of(uint16_t value, double color[3])
     color[2] = (value & 31) / 31.0;
 }
 
-/* 0..1 across and down the picture of a sphere that has this normal. */
+/* Where the picture of a sphere shows this normal: 0..1 across and down. */
 static void on_sphere(const double normal[3], double uv[2])
 {
     uv[0] = (1 + normal[0]) / 2;
@@ -44,7 +44,7 @@ static void matcap_point(const struct ref_scene *scene, const struct ref_piece *
             normal[k] += b[i] * piece->normal[i][k];
     if (scene->texels == REF_TEXELS_NORMAL && ref_normalize(normal) < 1e-12)
         normal[0] = normal[1] = normal[2] = 0;
-    on_sphere(normal, uv); /* of corners' normals linear between is the same, x and y being linear in it */
+    on_sphere(normal, uv); /* linear in x and y, so this also interpolates the corners' coordinates */
     for (int i = 0; i < 2; i++)
         uv[i] = fmin(fmax(uv[i], 0), 1);
 }
@@ -69,7 +69,7 @@ static uint16_t nearest(const struct ref_texture *t, const double at[2])
     return ref_texel(t, (int)floor(at[0]), (int)floor(at[1]));
 }
 
-/* The four texels of a bilinear look-up, transparent ones replaced, and the shares of the right and the lower ones. */
+/* The four texels of a bilinear look-up, transparent ones replaced, and the shares of the right and lower texels. */
 static void four(const struct ref_texture *t, const double at[2], uint16_t value[4], double share[2])
 {
     int first[2];
@@ -107,7 +107,7 @@ bool ref_texture_color(const struct ref_texture *t, const double at[2], double c
     return true;
 }
 
-/* |dU/dx| + |dU/dy| and the same of V. */
+/* |dU/dx| + |dU/dy|, and the same for V. */
 static void slopes(const struct ref_scene *scene, const struct ref_piece *piece, double x, double y, double slope[2])
 {
     const double h = 1e-3;
@@ -121,7 +121,7 @@ static void slopes(const struct ref_scene *scene, const struct ref_piece *piece,
         slope[i] = (fabs(at[1][i] - at[0][i]) + fabs(at[3][i] - at[2][i])) / (2 * h);
 }
 
-/* Of the channel where they differ most, in its steps; on greys their channels' differences as one step's. */
+/* The largest difference between these texels in one channel, in its steps; on grey targets in grey levels. */
 static double largest_difference(const struct ref_scene *scene, const uint16_t *value, int count)
 {
     static const double steps[3] = {31, 63, 31}, weight[3] = {0.2126, 0.7152, 0.0722};

@@ -1,10 +1,10 @@
-/* ref_vector.h - one double, three doubles, for the reference's stages. */
+/* ref_vector.h - arithmetic on one double and on three doubles, for the reference's stages. */
 #ifndef REF_VECTOR_H
 #define REF_VECTOR_H
 
 #include <math.h>
 
-/* fmin and fmax of numbers, without a call. */
+/* fmin and fmax without a call, for arguments that are not NaN. */
 static inline double ref_min(double a, double b)
 {
     return a < b ? a : b;
@@ -25,7 +25,7 @@ static inline double ref_length(const double a[3])
     return sqrt(ref_dot(a, a));
 }
 
-/* a to unit length; a zero vector stays zero. Returns the length before. */
+/* Scale a to unit length; a zero vector stays zero. Returns the length before. */
 static inline double ref_normalize(double a[3])
 {
     double length = ref_length(a);
