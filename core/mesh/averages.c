@@ -1,5 +1,5 @@
 /*
- * averages.c - the normals of vertices: averages over the polygons around them (at load or when a mesh moves).
+ * averages.c - vertex normals: averages over the polygons around each vertex (run at load or when a mesh moves).
  */
 #include "../math/fixed.h"
 #include "../math/vector.h"
@@ -24,7 +24,10 @@ int sheen_polygons_around(const struct sheen_polygon_list *list, uint32_t *aroun
             return SHEEN_ERR_ARGUMENT;
         begin[list->corners[c]]++;
     }
-    /* Counts become ends; filled from the last corner back, ends become beginnings, lists in the corners' order. */
+    /*
+     * The running sum turns each point's count into its list's end. Filling the lists from the last corner backwards
+     * turns ends into beginnings and leaves each list in the corners' order.
+     */
     for (uint32_t v = 1; v <= list->point_count; v++)
         begin[v] += begin[v - 1];
     for (uint32_t p = list->polygon_count, c = all; p-- > 0;)
@@ -46,12 +49,12 @@ void sheen_polygon_normals(const struct sheen_polygon_list *list, sheen_q30_t *n
 }
 
 /*
- * Cosines are compared with this slack, raw steps of Q1.30: two unit normals are off by at most 7 each (4 in each
- * part), the limit by 3, so that "within 60 degrees" keeps 60.
+ * Slack of cosine comparisons, in raw steps of Q1.30, so that "within 60 degrees" includes 60: the two unit normals
+ * are off by at most 7 each (4 in each part), the limit by 3.
  */
 #define CREASE_SLACK 18
 
-/* What the averages around all points have in common. */
+/* What the averages around all points share. */
 struct around {
     const uint32_t *begin, *polygons, *corners;
     const sheen_q30_t *normals; /* of the polygons */
@@ -66,7 +69,7 @@ static struct around set_around(const struct sheen_polygon_list *list, const uin
     return (struct around){around, polygons, polygons + list->corner_count, normals, weights};
 }
 
-/* Range: unit normals, so |a.b| * 2^60 < 2^61 and its rounding to Q1.30 fits. */
+/* 1 if a.b is at least `least`, Q1.30. Range: of unit normals |a.b| * 2^60 < 2^61, which fits Q1.30 when rounded. */
 static int is_within(const sheen_q30_t a[3], const sheen_q30_t b[3], int64_t least)
 {
     int64_t dot = (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
@@ -74,7 +77,7 @@ static int is_within(const sheen_q30_t a[3], const sheen_q30_t b[3], int64_t lea
     return round_shift64(dot, 30) >= least;
 }
 
-/* Weights are shifted by so much that those around point v add up to less than 2^32. */
+/* The right shift after which the weights around point v add up to less than 2^32. */
 static unsigned shift_of(const struct around *around, uint32_t v)
 {
     uint64_t sum = 0;
@@ -85,10 +88,11 @@ static unsigned shift_of(const struct around *around, uint32_t v)
 }
 
 /*
- * The average around point v, of those within the crease of the normal `own`, or of all where own is NULL. Zero
- * where the sum is not above its own rounding: 4 raw steps a normal, and of weights that are angles their bound.
- * Range: weights add up to less than 2^32 (without weights: 1 each, and there are fewer), a part of a normal is
- * at most 2^30 + 4, so the sum stays below 2^63; its rounding does with fewer than 2^28 polygons around a point.
+ * The average of the polygon normals around point v: of those whose cosine with the normal `own` is at least `least`,
+ * or of all if own is NULL. Zero if the sum does not exceed its own rounding error: 4 raw steps per normal and, for
+ * weights that are angles, SHEEN_ANGLE_ROUNDING per weight.
+ * Range: weights add up to less than 2^32 (without weights each counts 1, and there are fewer polygons), a part of a
+ * normal is at most 2^30 + 4, so the sum stays below 2^63; so does the error with fewer than 2^28 polygons at a point.
  */
 static void average(const struct around *around, uint32_t v, const sheen_q30_t *own, int64_t least, sheen_q30_t out[3])
 {
@@ -122,8 +126,8 @@ void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t 
 }
 
 /*
- * The first corner at corner c's point v whose polygon has the normal `own`: what is its average is c's too. c itself
- * where there is none before it: lists are in the corners' order, and c is in its own.
+ * The first corner at point v (corner c's) whose polygon has the normal `own`: its average is corner c's too. Returns
+ * c itself if no earlier corner has that normal; the loop ends there, because v's list is in order and contains c.
  */
 static uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3])
 {
@@ -137,7 +141,7 @@ static uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c,
     return around->corners[i];
 }
 
-/* The normal of corner c, at point v, of a polygon that faces `own`: an average, or where that is zero `own`. */
+/* The normal of corner c, at point v, of a polygon with the normal `own`: the average, or `own` if that is zero. */
 static void corner_average(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3], int64_t least,
                            sheen_q30_t *normals)
 {

@@ -1,5 +1,5 @@
 /*
- * corner_angles.c - interior angles of polygons, the weights of their normals (at load or when a mesh moves).
+ * corner_angles.c - interior angles of polygons: weights for vertex normals (run at load or when a mesh moves).
  */
 #include "../math/angle.h"
 #include "../math/fixed.h"
@@ -16,9 +16,9 @@ static uint64_t magnitude64(int64_t x)
 }
 
 /*
- * sqrt(x) = x / sqrt(x), within 2^-28 relative and 1.
- * With up even and f = x * 2^up / 2^64 in [1/4, 1) it is f / sqrt(f) * 2^(32 - up/2); the product below is
- * sqrt(f) * 2^63.
+ * sqrt(x), computed as x / sqrt(x); the error is at most 2^-28 relative plus 1.
+ * With `up` even and f = x * 2^up / 2^64 in [1/4, 1), sqrt(x) is f / sqrt(f) * 2^(32 - up/2); the product in the
+ * return statement is sqrt(f) * 2^63.
  */
 static uint32_t square_root(uint64_t x)
 {
@@ -31,12 +31,12 @@ static uint32_t square_root(uint64_t x)
 }
 
 /*
- * The angle between u and v, 0 .. half a turn, from |u x v| = |u||v| sin and u.v = |u||v| cos. 0 where one has no
- * length. Off by at most 16 raw steps and 2 of the arc sine, up to an eighth of a turn, and 4 of what it is taken
- * of, which is good to 6e-9.
- * Range: |u|, |v| <= 2^29 a part, so parts of the cross product and the dot product are at most 3 * 2^58. All
- * four are scaled together until the largest lies in [2^29, 2^30); their square |u|^2 |v|^2 is below 2^62 then,
- * the cross product's length below 2^31.
+ * The angle between u and v, 0 .. half a turn, from |u x v| = |u||v| sin and u.v = |u||v| cos. 0 if u or v has no
+ * length. The error in raw steps is at most 16 + 2 from the arc sine, whose result is at most an eighth of a turn,
+ * plus 4 from the arc sine's argument, which is good to 6e-9.
+ * Range: parts of u and v are at most 2^29, so parts of the cross product and the dot product are at most 3 * 2^58.
+ * All four are scaled together until the largest lies in [2^29, 2^30); then the sum of their squares, |u|^2 |v|^2, is
+ * below 2^62 and the cross product's length below 2^31.
  */
 static sheen_angle_t angle_between(const int32_t u[3], const int32_t v[3])
 {
@@ -60,7 +60,7 @@ static sheen_angle_t angle_between(const int32_t u[3], const int32_t v[3])
     uint32_t across = square_root(square);
     square += part[3] * part[3]; /* in [2^58, 2^62) */
 
-    /* x = square * 2^up / 2^64, up 2 or 4; a part / sqrt(square) = part * root / 2^(63 - up/2), here in Q1.30. */
+    /* root: of x = square * 2^up / 2^64, up 2 or 4; part / sqrt(square) = part * root / 2^(63 - up/2), here Q1.30. */
     unsigned up = clz64(square) & ~1u;
     uint64_t root = sheen_reciprocal_root((uint32_t)((square << up) >> 32)); /* UQ1.31 */
     uint32_t sine = (uint32_t)((across * root) >> (33 - up / 2));
@@ -86,7 +86,7 @@ void sheen_corner_angles(const struct sheen_polygon_list *list, const sheen_q30_
             for (int k = 0; k < 3; k++)
                 back[k] = -in[k];
             sheen_angle_t angle = angle_between(back, out);
-            *angles++ = sheen_turn(in, out, polygon_normals) < 0 ? 0u - angle : angle; /* to the right: beyond half */
+            *angles++ = sheen_turn(in, out, polygon_normals) < 0 ? 0u - angle : angle; /* right turn: > half */
         }
         corners += count;
     }

@@ -1,5 +1,5 @@
 /*
- * edges.c - the edges of a mesh: which triangles meet in them, and where it is sharp.
+ * edges.c - the edges of a mesh: which triangles meet at each edge, and which edges are sharp.
  */
 #include "../math/fixed.h"
 #include "../math/vector.h"
@@ -23,7 +23,10 @@ static uint32_t bucket_of(const int16_t *at, uint32_t buckets)
     return (hash ^ hash >> 15) % buckets;
 }
 
-/* weld[v]: the first vertex at v's place. chain: the next such first one in its bucket; head: a bucket's. */
+/*
+ * weld[v]: the first vertex at v's place. A hash table finds these first vertices: head[] starts each bucket's list,
+ * chain[v] is the vertex after v in the list.
+ */
 static void weld_vertices(const struct sheen_mesh *mesh, uint32_t *weld, uint32_t *head, uint32_t *chain)
 {
     const uint32_t count = mesh->vertices;
@@ -47,7 +50,7 @@ static uint32_t polygon_of(const struct sheen_mesh *mesh, uint32_t triangle)
     return mesh->polygons != NULL ? mesh->polygons[triangle] : triangle;
 }
 
-/* Farther apart than the crease's cosine, Q1.30. Range: parts of unit vectors, 3 * 2^30. */
+/* 1 if polygons a and b face farther apart than the crease, a cosine in Q1.30. Range: |dot| <= 3 * 2^30. */
 static int is_sharp(const struct sheen_mesh *mesh, uint32_t a, uint32_t b, sheen_q30_t crease)
 {
     const int16_t *m = mesh->polygon_normals + 3 * a, *n = mesh->polygon_normals + 3 * b;
@@ -55,10 +58,10 @@ static int is_sharp(const struct sheen_mesh *mesh, uint32_t a, uint32_t b, sheen
 
     for (int k = 0; k < 3; k++)
         dot += m[k] * n[k];
-    return dot < crease - 65536; /* what the normals' rounding may make of it: 3 * 32768 / 2, and 2^-14 of 1.0 */
+    return dot < crease - 65536; /* slack for the rounding of normals: 3 * 32768 / 2, and 2^-14 of 1.0 */
 }
 
-/* An edge's ends: places of half edge h, 3 a triangle. */
+/* The ends of half edge h, as welded vertices; a triangle has 3 half edges. */
 static void ends_of(const struct sheen_mesh *mesh, const uint32_t *weld, uint32_t h, uint32_t *from, uint32_t *to)
 {
     *from = weld[edge_corner(mesh, h)];
@@ -83,7 +86,7 @@ static void join(const struct sheen_mesh *mesh, struct sheen_triangle_edges *edg
     }
 }
 
-/* Half edges that wait for their other halves are listed by where they begin. */
+/* Joins each half edge to its opposite one. Those whose opposite has not come yet wait in a list per start vertex. */
 static void join_edges(const struct sheen_mesh *mesh, sheen_q30_t crease, const uint32_t *weld, uint32_t *head,
                        uint32_t *next, struct sheen_triangle_edges *edges)
 {
@@ -102,7 +105,7 @@ static void join_edges(const struct sheen_mesh *mesh, sheen_q30_t crease, const 
             if (*link != NOWHERE) {
                 join(mesh, edges, h, *link, crease);
                 *link = next[*link];
-            } else { /* last of its list: the first that waits is met first */
+            } else { /* append, so that of several opposite half edges the earliest is joined */
                 next[h] = NOWHERE;
                 for (link = &head[from]; *link != NOWHERE;)
                     link = &next[*link];

@@ -1,11 +1,11 @@
 /*
- * normals.c - the normals of polygons (at load, not in draw).
+ * normals.c - the normals of polygons (run at load, not while drawing).
  */
 #include "normals.h"
 #include "../math/fixed.h"
 #include "../sheen.h"
 
-/* The largest coordinate distance of a polygon's corners from its first, < 2^30. */
+/* The bitwise OR of all coordinate distances from a polygon's first corner: as many bits as the largest; < 2^30. */
 static uint32_t reach(const int32_t *points, const uint32_t *corners, unsigned count)
 {
     const int32_t *origin = points + 3 * (size_t)corners[0];
@@ -23,7 +23,7 @@ struct newell {
     unsigned drop; /* 0..31 */
 };
 
-/* The edge from p to q, seen from the first corner. */
+/* Adds the term of the edge from p to q, with `origin` as the origin. */
 static void add_edge(struct newell *sum, const int32_t *origin, const int32_t *p, const int32_t *q)
 {
     for (int k = 0; k < 3; k++) {
@@ -36,10 +36,10 @@ static void add_edge(struct newell *sum, const int32_t *origin, const int32_t *p
 }
 
 /*
- * Newell's sum is cyclic and does not depend on the origin; taken from the first
- * corner it needs the differences only.
- * Range: differences below 2^d (d <= 30), a term of two products below 2^(2d + 1),
- * count - 2 terms below 2^(2d + 1 + c): of each term, what exceeds 62 bits is summed apart.
+ * Newell's sum is cyclic and does not depend on the origin: with the first corner as the origin, the terms of the two
+ * edges at that corner vanish and only differences are needed.
+ * Range: differences are below 2^d (d <= 30), a term of two products below 2^(2d + 1), the sum of count - 2 terms
+ * below 2^(2d + 1 + c). If that exceeds 62 bits, the excess low bits of each term are summed separately.
  */
 int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigned count, sheen_q30_t normal[3])
 {
@@ -55,7 +55,10 @@ int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigne
         sum.low[k] &= ((int64_t)1 << sum.drop) - 1;
         large |= (uint64_t)(sum.high[k] < 0 ? ~sum.high[k] : sum.high[k]);
     }
-    /* Below 2^31 the whole sum fits 62 bits, down to an area of exactly zero; above, the low part is under 2^-30. */
+    /*
+     * If the high parts are below 2^31, the whole sum fits 62 bits and is used, so that an area of exactly zero is
+     * seen; otherwise the low part is less than 2^-30 of the sum and is dropped.
+     */
     if (large >> 31 == 0) {
         for (int k = 0; k < 3; k++)
             sum.high[k] = sum.high[k] * ((int64_t)1 << sum.drop) + sum.low[k];
@@ -64,8 +67,8 @@ int sheen_polygon_normal(const int32_t *points, const uint32_t *corners, unsigne
 }
 
 /*
- * Range: |u|, |v| <= 2^29 a part, so a part of the cross product is at most 2^59. Split at bit 29 its high part
- * times 2^30 is at most 2^60, its low part times 2^30 below 2^59, and three of either fit 62 bits.
+ * Range: parts of u and v are at most 2^29, so a part of the cross product is at most 2^59. It is split at bit 29: its
+ * high part times 2^30 is at most 2^60, its low part times 2^30 below 2^59, and three of either fit 62 bits.
  */
 int sheen_turn(const int32_t u[3], const int32_t v[3], const sheen_q30_t normal[3])
 {

@@ -1,32 +1,32 @@
 /*
- * polygons.c - polygons to triangles, seen along their Newell normal (at load, not in draw).
+ * polygons.c - cuts polygons into triangles, seen along their Newell normal (run at load, not while drawing).
  *
  * Every test is the sign of an exact number, so a fan is a fan on every machine and an
  * ear never depends on rounding. Only the direction of view, the unit normal, is rounded
- * (4 raw steps a part): a plane polygon's corners stay straight where they are straight.
+ * (4 raw steps per part): a plane polygon's straight corners stay straight.
  */
 #include "../math/fixed.h"
 #include "../sheen.h"
 #include "normals.h"
 
-/* A polygon that loses its ears: a ring in the corners' order. */
+/* A polygon while its ears are clipped: a ring in the corners' order. */
 struct ring {
     const int32_t *points;
     const uint32_t *corners;
     const sheen_q30_t *normal;
-    uint32_t *next, *before; /* next[i] == i: i is gone */
-    uint32_t *blocker;       /* of a corner that is no ear: a corner inside it, or itself if it does not turn left */
+    uint32_t *next, *before; /* next[i] == i: corner i is cut off */
+    uint32_t *blocker;       /* per corner: see find_blocker */
     uint32_t head, count;
 };
 
-#define UNKNOWN UINT32_MAX /* a blocker: the corner is to be looked at */
+#define UNKNOWN UINT32_MAX /* a blocker: not searched for yet, or there is none */
 
 static const int32_t *point(const struct ring *ring, uint32_t i)
 {
     return ring->points + 3 * (size_t)ring->corners[i];
 }
 
-/* An edge seen along the normal: exact coordinates in the plane of two axes, all times the normal's largest part. */
+/* An edge projected along the normal onto the plane of two axes: exact, times the normal's largest part. */
 struct seen {
     int64_t x, y; /* at most 2^60 */
 };
@@ -41,7 +41,7 @@ static struct seen see(const int32_t edge[3], const sheen_q30_t normal[3])
                          (int64_t)edge[y] * normal[m] - (int64_t)edge[m] * normal[y]};
 }
 
-/* Half of all directions: those of y > 0, and +x. */
+/* 1 for half of all directions: those with y > 0, and +x. */
 static int is_up(struct seen e)
 {
     return e.y > 0 || (e.y == 0 && e.x > 0);
@@ -49,16 +49,16 @@ static int is_up(struct seen e)
 
 /*
  * Convex: no corner turns right, and the edges' direction goes around once (a five-pointed star turns left
- * everywhere, but goes around twice). A corner that turns straight back counts as half a round: the other half
- * has no way to close the polygon but by turning right, or with no area. An edge between two points that are
- * seen at one place has no direction and is passed over.
+ * everywhere, but goes around twice). A corner that turns straight back counts as half a round: the other half round
+ * can close the polygon only by turning right, or without area. An edge between two points that are seen at one
+ * place has no direction and is skipped.
  */
 static int is_convex(const struct ring *ring)
 {
-    int32_t last[3] = {0, 0, 0}; /* the edge before */
+    int32_t last[3] = {0, 0, 0}; /* the previous edge */
     int was_up = 0, rounds = 0;
 
-    for (uint32_t i = 0; i < 2 * ring->count; i++) { /* the first time around finds the last edge */
+    for (uint32_t i = 0; i < 2 * ring->count; i++) { /* the first round only finds the last edge */
         uint32_t a = i < ring->count ? i : i - ring->count, b = a + 1 < ring->count ? a + 1 : 0;
         int32_t edge[3];
         sheen_subtract(point(ring, b), point(ring, a), edge);
@@ -77,7 +77,7 @@ static int is_convex(const struct ring *ring)
     return rounds <= 1;
 }
 
-/* Whether point q lies in or on the triangle, other than at a corner of it. */
+/* 1 if point q lies in or on the triangle, but not at one of its corners. */
 static int is_inside(const int32_t *const triangle[3], const int32_t *q, const sheen_q30_t normal[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -92,10 +92,13 @@ static int is_inside(const int32_t *const triangle[3], const int32_t *q, const s
     return 1;
 }
 
-/* The first corner of the ring in or on the triangle at corner i, itself where that does not turn left, or UNKNOWN. */
+/*
+ * What keeps corner i from being an ear: the corner itself if it does not turn left, else the first corner of the ring
+ * in or on its triangle; UNKNOWN if it is an ear.
+ */
 static uint32_t find_blocker(const struct ring *ring, uint32_t i)
 {
-    /* The cut first: of its three sides it is the one that most corners are beyond. */
+    /* The side of the cut is tested first, because most corners lie beyond it and are ruled out at once. */
     const int32_t *const triangle[3] = {point(ring, ring->next[i]), point(ring, ring->before[i]), point(ring, i)};
     int32_t in[3], out[3];
 
@@ -112,7 +115,7 @@ static uint32_t find_blocker(const struct ring *ring, uint32_t i)
     return UNKNOWN;
 }
 
-/* The first ear, or the head. A corner is looked at again only when a neighbour or what blocked it is gone. */
+/* The first ear, or the head. A corner is tested again only after a neighbour or its blocker was cut off. */
 static uint32_t find_ear(struct ring *ring)
 {
     uint32_t i = ring->head;
@@ -128,7 +131,7 @@ static uint32_t find_ear(struct ring *ring)
     return ring->head;
 }
 
-/* Every turn cuts one corner off, so it ends. */
+/* Ear clipping: every iteration cuts one corner off, so the loop ends. */
 static void cut_ears(struct ring *ring, uint32_t *triangles)
 {
     for (uint32_t i = 0; i < ring->count; i++) {

@@ -1,5 +1,5 @@
 /*
- * warp.c - how far the triangles of a mesh lie off their polygons' normals.
+ * warp.c - how far the triangles of a mesh deviate from their polygons' normals and planes.
  */
 #include "../math/bend.h"
 #include "../math/fixed.h"
@@ -34,9 +34,12 @@ static int unit_normal(const int16_t *const corner[3], sheen_q30_t normal[3])
     return sheen_normalize_wide(cross, normal) == SHEEN_OK;
 }
 
-#define FLAT 2 /* what a plane polygon's triangles are off by at most; 1: nothing but rounding */
+#define FLAT 2 /* the largest warp_of of a plane polygon's triangles; 1: nothing but rounding */
 
-/* Of one triangle, rounded up. `at`: where its polygon begins, a distance of 56,756 raw units counts as 1.0. */
+/*
+ * The warp of one triangle, rounded up: how far its normal is off, plus the distance of its plane from `at`, the first
+ * corner of its polygon; 56,756 raw units count as 1.0.
+ */
 static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_normal[3], const int16_t at[3])
 {
     sheen_q30_t normal[3];
@@ -53,13 +56,14 @@ static uint8_t warp_of(const int16_t *const corner[3], const int16_t polygon_nor
         distance += (int64_t)normal[k] * (corner[0][k] - at[k]);
     }
     uint32_t away = (uint32_t)asr64(distance < 0 ? -distance : distance, 30) + 1;
-    uint32_t warp = whole_root(square) + 8 + away * 18919; /* Q.30: 2^30 / 56756 = 18918.6; 8: rounded parts */
+    uint32_t warp = whole_root(square) + 8 + away * 18919; /* Q.30: 2^30 / 56756 = 18918.6; 8 for rounded parts */
     return (uint8_t)(warp >> 20 < SHEEN_WARP_UNKNOWN - 1 ? (warp >> 20) + 1 : SHEEN_WARP_UNKNOWN);
 }
 
 /*
- * Whether a mesh's normals are linear over the two triangles of a fan: corner 3's is what corners 0, 1, 2 make of it,
- * within LINEAR steps. Range: differences < 2^16.01, areas < 2^33.1, products < 2^51.
+ * 1 if triangles t and t + 1 are a fan of corners 0 to 3 over which vertex normals are linear: corner 3's normal is
+ * the one that corners 0, 1, 2 extrapolate to, within LINEAR steps. Range: differences < 2^16.01, areas < 2^33.1,
+ * products < 2^51.
  */
 #define LINEAR 6
 
@@ -78,7 +82,7 @@ static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
             d[k][i] = mesh->positions[3 * corner[k + 1] + i] - mesh->positions[3 * corner[0] + i];
             n[k][i] = mesh->normals[3 * corner[k + 1] + i] - mesh->normals[3 * corner[0] + i];
         }
-    for (int k = 0; k < 3; k++) { /* on the plane that is seen largest; of corners 012, 013, 023 */
+    for (int k = 0; k < 3; k++) { /* twice the areas of 012, 013, 032 along the axis where 012 is largest */
         const int u = k == 2 ? 0 : k + 1, v = k == 0 ? 2 : k - 1;
         const int64_t base = d[0][u] * d[1][v] - d[0][v] * d[1][u];
         if ((base < 0 ? -base : base) <= (area[0] < 0 ? -area[0] : area[0]))
@@ -87,9 +91,9 @@ static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
         area[1] = d[0][u] * d[2][v] - d[0][v] * d[2][u];
         area[2] = d[2][u] * d[1][v] - d[2][v] * d[1][u];
     }
-    if (area[0] == 0) /* corners 0, 1, 2 say nothing of what is beside their line, nor 0, 1, 3 of corner 2 */
+    if (area[0] == 0) /* corners 0, 1, 2 say nothing about what is beside their line, nor 0, 1, 3 about corner 2 */
         return 0;
-    for (int i = 0; i < 3; i++) { /* corner 3 is area[2] / area[0] of corner 1 and area[1] / area[0] of corner 2 */
+    for (int i = 0; i < 3; i++) { /* from corner 0, corner 3 is (area[2] * corner 1 + area[1] * corner 2) / area[0] */
         const int64_t off = n[2][i] * area[0] - n[0][i] * area[2] - n[1][i] * area[1];
         if ((off < 0 ? -off : off) > LINEAR * (area[0] < 0 ? -area[0] : area[0]))
             return 0;
@@ -97,7 +101,7 @@ static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
     return 1;
 }
 
-/* What the warp of a plane polygon is at least, by the triangles t and t + 1. */
+/* The least warp that triangles t and t + 1 leave a plane polygon: how far apart their corners' normals are. */
 static uint8_t plane_warp(const struct sheen_mesh *mesh, uint32_t t)
 {
     const uint32_t order[4] = {0, 1, 2, 5};
