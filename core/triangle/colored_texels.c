@@ -1,10 +1,10 @@
 /*
- * colored_texels.c - rows of texels with colours, by blocks: exact at their ends and middles, linear in between.
+ * colored_texels.c - rows of coloured texels, drawn in parts: exact at a part's ends and middle, linear in between.
  */
 #include "colored_texels.h"
 #include "../math/inverse.h"
 
-/* Range: differences below 2^31 and shares that sum to 1.0. */
+/* Range: differences are below 2^31, and shares sum to 1.0. */
 void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
 {
     const int32_t first = at->f[0], d1 = at->f[1] - first, d2 = at->f[2] - first;
@@ -17,12 +17,15 @@ void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
 }
 
 /*
- * What steps are off by along a part, and quotients, must not take a channel below 0; 24 of 2^24 levels, times 31 or 63
- * at the most, are nothing.
+ * Added to channels so that the rounding of quotients, and of steps along a part, cannot take a channel below 0;
+ * 24 / 2^24 level, times 31 or 63 at most, does not show.
  */
 #define CHANNEL_BIAS 24
 
-/* With the draw's fraction; the light over the levels of a whole texel, 31 or 63. color: NULL: white. */
+/*
+ * Channels at corner k, with the draw's fraction: the light divided by the levels of a full texel, 31 or 63, and the
+ * highlight. color: the vertex's; NULL: white. Returns 0 if there is no highlight.
+ */
 static APART uint32_t color_corner(struct texel_corners *c, uint32_t k, const struct glow *glow, const uint8_t *color)
 {
     static const uint32_t one_level[3] = {0x08421085u, 0x04104105u, 0x08421085u}; /* 2^32 / 31, 63 */
@@ -50,14 +53,14 @@ void sheen_color_corners(struct texel_corners *c, const struct shares_setup *s, 
         sheen_mix_corners(&c->channel[i], s);
 }
 
-/* A triangle's rows on their way. */
+/* What a triangle's rows are drawn with. */
 struct texel_rows {
     const struct shares_setup *s;
     const struct texel_corners *c;
     struct colored_run run;
 };
 
-/* Of corners 1 and 2 at pixel (x, y) of the triangle, Q3.28: quotients (lecture, "Fixing Distortion"). */
+/* The perspective-correct shares of corners 1 and 2 at pixel (x, y), Q3.28 (lecture, "Fixing Distortion"). */
 static inline void corner_shares(const struct shares *p, int32_t x, int32_t y, int32_t share[2])
 {
     const struct inverse i = inverse_of(plane_at(&p->weight, x, y) | 1u);
@@ -66,21 +69,21 @@ static inline void corner_shares(const struct shares *p, int32_t x, int32_t y, i
         share[j] = over(i, (int32_t)(plane_at(&p->part[j], x, y) << (i.up - 2)));
 }
 
-/* f, linear in space. share: UQ1.15. */
+/* A channel, linear in space. share: UQ1.15. */
 static inline uint32_t channel_between(const struct at_corners *f, const int32_t share[2])
 {
     return (uint32_t)f->f[0] +
            2u * (uint32_t)(mul_16_32(share[0], f->f[1] - f->f[0]) + mul_16_32(share[1], f->f[2] - f->f[0]));
 }
 
-/* Of texel coordinates. share: Q3.28. Range: differences < 2^29. */
+/* The same for a texel coordinate. share: Q3.28. Range: differences < 2^29. */
 static inline uint32_t texels_between(const struct at_corners *f, const int32_t share[2])
 {
     return (uint32_t)f->f[0] + 4u * (uint32_t)(PRODUCT_FORM(high)(share[0] * 4, f->f[1] - f->f[0]) +
                                                PRODUCT_FORM(high)(share[1] * 4, f->f[2] - f->f[0]));
 }
 
-/* At pixel (x, y) of the triangle, exactly. */
+/* The exact values at pixel (x, y) of the triangle. */
 static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t y, uint32_t value[TEXEL_VALUES])
 {
     const struct texel_corners *c = r->c;
@@ -105,7 +108,7 @@ static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t
     c->texel_of(r->s->s.draw->tint.texture, n, value);
 }
 
-#define LONGEST_PART 32 /* px; a quarter by normals, which may turn to both sides: a part's middle does not tell */
+#define LONGEST_PART 32 /* px; a quarter for normals: they may bend both ways, which a part's middle may not show */
 
 /* (to - from) / count, count 1..LONGEST_PART. */
 static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
@@ -120,8 +123,8 @@ static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
 }
 
 /*
- * 1 where in a part's middle linear is off by more than 1/8 texel, by normals 1/32, or 1/8 of a 64th of 1.0: in its
- * halves it is off by a quarter of that.
+ * 1 if linear interpolation between a part's ends is off in its middle by more than 1/8 texel (1/32 for normals) or by
+ * more than 1/8 of a 64th of 1.0. Over each half by itself the error is a quarter of that.
  */
 static int bends(const struct texel_rows *r, const uint32_t from[], const uint32_t middle[], const uint32_t end[],
                  int32_t half, int32_t count)
@@ -136,7 +139,7 @@ static int bends(const struct texel_rows *r, const uint32_t from[], const uint32
     return 0;
 }
 
-/* Pixels up to before the end, `count` farther on; `from` is used up. */
+/* Draws `count` pixels, up to the one before `end`; `from` is overwritten. */
 static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[], int32_t count)
 {
     struct colored_run *run = &r->run;
@@ -153,7 +156,7 @@ static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[]
     run->z += (uint32_t)count * run->dz;
 }
 
-/* The row's last part ends in its last pixel: beyond, weights may be none. */
+/* The row's last part ends at its last pixel, because beyond the triangle weights may be invalid. */
 static APART void colored_row(struct texel_rows *r, int32_t left)
 {
     uint32_t value[3][TEXEL_VALUES], *from = value[0], *middle = value[1], *end = value[2];

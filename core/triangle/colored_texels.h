@@ -1,5 +1,5 @@
 /*
- * colored_texels.h - private: texels whose light, or colour, has channels of its own at each corner.
+ * colored_texels.h - private: textured triangles whose corners have light, or a colour, of three channels each.
  */
 #ifndef SHEEN_COLORED_TEXELS_H
 #define SHEEN_COLORED_TEXELS_H
@@ -8,22 +8,23 @@
 #include "shares.h"
 #include "texels.h"
 
-/* What a draw's texels come from is d->tint.texture. Of a triangle's corners, in the mesh's order: */
+/* What a triangle has at its corners, in the mesh's order. Its texture is the draw's tint.texture. */
 struct texel_corners {
-    struct at_corners channel[6]; /* what a level of a texel is multiplied by, then the highlight; see color_corner */
-    unsigned channels;            /* 3: there is no highlight, and nothing to clamp */
-    struct at_corners place[3]; /* U and V, as sheen_texels_of has them; or unit normals before the eye, Q0.15, for: */
-    void (*texel_of)(const struct sheen_texture *t, const uint32_t normal[3], uint32_t at[]); /* parts: Q1.30 */
+    struct at_corners channel[6]; /* 3 that multiply a texel's levels, 3 of the highlight: see color_corner */
+    unsigned channels;            /* 6, or 3: there is no highlight, and nothing to clamp */
+    struct at_corners place[3];   /* U and V as of sheen_texels_of; with texel_of unit normals in eye space, Q0.15 */
+    /* U and V of a normal, whose parts are Q1.30; NULL: U and V are linear in space. */
+    void (*texel_of)(const struct sheen_texture *t, const uint32_t normal[3], uint32_t at[]);
 };
 
-/* Numbers of the mesh's corners become those of a piece's, where it is one. */
+/* If the triangle is a piece, turns values at the mesh's corners into values at the piece's corners. */
 void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s);
-/* Channels: light at the mesh's corners, of their vertices or of the polygon, times vertices' colours. */
+/* Fills in the channels. glow: at the mesh's corners, of vertices or of the polygon; vertex colours multiply it. */
 void sheen_color_corners(struct texel_corners *c, const struct shares_setup *s, const struct glow glow[3]);
-/* Rows of a struct shares_setup. */
+/* Draws the rows of a struct shares_setup. */
 void sheen_colored_texels(const struct tile *t, const struct setup *s, const struct texel_corners *c);
 
-/* A run of pixels along which all is linear: values at the first, and what the next one has more. */
+/* A run of pixels along which all values are linear: `from` at the first pixel, `step` per pixel. */
 #define TEXEL_VALUES 8 /* U, V, channels */
 
 struct colored_run {
@@ -31,10 +32,10 @@ struct colored_run {
     const struct draw *d;
     uint32_t offset; /* of its first pixel in the tile */
     int32_t x, y, count;
-    unsigned values; /* 5: there is no highlight, and nothing to clamp */
+    unsigned values; /* 8, or 5: there is no highlight, and nothing to clamp */
     unsigned plain;  /* 1: see plain_colored */
     uint32_t z, dz;
-    uint32_t *from; /* values, which may be stepped */
+    uint32_t *from; /* may be overwritten */
     const uint32_t *step;
 };
 

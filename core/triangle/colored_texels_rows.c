@@ -1,10 +1,10 @@
 /*
- * colored_texels_rows.c - any texture and target, light and highlight by channel.
+ * colored_texels_rows.c - runs of texels with light and highlight per channel, for any texture and target.
  */
 #include "colored_texels.h"
 #include "fog.h"
 
-/* texel: spread, in levels / 2^down. Range: a light times a whole texel is below 2^31. */
+/* texel: spread, its channels in levels / 2^down. Range: light times a full texel is below 2^31. */
 SPECIALISED void put_colored(const struct colored_run *r, uint32_t at, int32_t x, uint32_t z, uint32_t texel,
                              unsigned down, const uint32_t value[TEXEL_VALUES])
 {
@@ -45,7 +45,10 @@ static APART void any_colored_run(const struct colored_run *r)
 
 #if FAST_LOOPS
 
-/* Texels of 565 that repeat, nearest and without key, on 565 of LOOP_FRACTION, no fog. Matt: no channel exceeds 1.0. */
+/*
+ * For 565 textures that repeat, nearest and without key, on 565 targets with LOOP_FRACTION and without fog. If not
+ * glossy, no channel exceeds 1.0.
+ */
 SPECIALISED void plain_colored(const struct colored_run *r, unsigned glossy)
 {
     const struct sheen_texture *t = r->d->tint.texture;

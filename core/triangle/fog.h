@@ -1,5 +1,5 @@
 /*
- * fog.h - private: colours that go over to a fog's with the depth.
+ * fog.h - private: colours that blend into a fog's colour with the depth.
  */
 #ifndef SHEEN_FOG_H
 #define SHEEN_FOG_H
@@ -7,39 +7,40 @@
 #include "triangle.h"
 
 /*
- * A view's fog, a frame long. At z, UQ16.16 of z16, its share of a colour is (start - (z >> shift)) / reach, held at 0
- * and 1. Channels are in levels, with level_bits less than 16 fraction bits, so that all are below 2^16.
+ * A view's fog, for one frame. At z, UQ16.16 of z16, its share of a colour is (start - (z >> shift)) / reach, clamped
+ * to 0..1. Channels are in levels with 16 - level_bits fraction bits, so that all are below 2^16.
  */
 struct fog_terms {
     const struct sheen_fog_mixer *mixer;
     int32_t start;
     uint16_t reach;    /* from start to end: 2^15..2^16 - 1 */
     uint16_t scale;    /* 2^30 / reach, rounded up */
-    uint16_t level[3]; /* of its colour, whole ones; greys: the first alone */
+    uint16_t level[3]; /* the fog's colour, whole levels; on grey targets the first alone */
     uint8_t shift;     /* 9..31 */
-    uint8_t is_565;    /* the target's pixels are */
+    uint8_t is_565;    /* 1: the target's pixels are 565 */
 };
 
 struct texel_run;
 struct texel_at;
 struct normal_run;
 
-/* What a struct sheen_fog points to, so that it is linked where there is one. */
+/* Functions that a struct sheen_fog points to, so that only programs with fog link them. */
 struct sheen_fog_mixer {
-    /* SHEEN_ERR_ARGUMENT where start and end are not in order or less than 256 steps of z16 apart. */
+    /* SHEEN_ERR_ARGUMENT if start and end are not in order or are less than 256 steps of z16 apart. */
     int (*begin)(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
                  const struct pixel_format *format);
-    void (*draw)(struct draw *d, const struct fog_terms *terms); /* makes *d one that is fogged */
-    void (*setup)(struct setup *s);                              /* after its shading's: its rows */
-    /* In place of general_run, sheen_normal_run and any_run, with a ramp or without. */
+    void (*draw)(struct draw *d, const struct fog_terms *terms); /* turns *d into a draw under fog */
+    /* Called after the shading's set-up, to have fog in its rows. */
+    void (*setup)(struct setup *s);
+    /* Called in place of general_run, sheen_normal_run and any_run, with a ramp or without. */
     void (*shaded_run)(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                        struct shaded_run *run, unsigned second);
     void (*normal_run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                        const struct normal_run *run);
     void (*texel_run)(const struct texel_run *r, const struct texel_at *from);
     /*
-     * A line's pixel, as it stands in a tile, goes over to the fog at z, which is Q16.8 of z16 and grows by z_step;
-     * returns how many of the next `steps`, 1 or more, have the same pixel.
+     * Blends *pixel, a line's pixel as stored in a tile, with the fog at z, which is Q16.8 of z16 and grows by z_step
+     * per pixel; returns how many of the next `steps` pixels get the same value, 1 or more.
      */
     int32_t (*line_run)(const struct fog_terms *fog, const struct pixel_format *format, int32_t z, int32_t z_step,
                         int32_t steps, uint16_t *pixel);
@@ -51,7 +52,7 @@ void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t
                              const struct normal_run *run);
 void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from);
 
-/* UQ2.14. Range: 2^16 * 2^15. */
+/* The fog's share at z, UQ2.14. Range: 2^16 * 2^15. */
 SPECIALISED int32_t fog_share(const struct fog_terms *fog, uint32_t z)
 {
     const int32_t deep = fog->start - (int32_t)(z >> fog->shift);
@@ -59,13 +60,13 @@ SPECIALISED int32_t fog_share(const struct fog_terms *fog, uint32_t z)
     return (int32_t)((uint32_t)min32(max32(deep, 0), fog->reach) * fog->scale >> 16);
 }
 
-/* Range: |level - channel| < 2^16. */
+/* A channel blended with the fog's level by the fog's share. Range: |level - channel| < 2^16. */
 SPECIALISED uint32_t fogged(uint32_t channel, uint32_t level, int32_t share)
 {
     return channel + (uint32_t)asr32(((int32_t)level - (int32_t)channel) * share, 14);
 }
 
-/* The one rounding of channels with 16 - level_bits fraction bits, each at most 1.0; threshold in 1/128. */
+/* Fog, then the one rounding: channels have 16 - level_bits fraction bits and are at most 1.0; threshold in 1/128. */
 SPECIALISED void put_fogged(const struct tile *t, const struct fog_terms *fog, uint32_t at, uint32_t z, uint32_t r,
                             uint32_t g, uint32_t b, uint32_t threshold, unsigned grey)
 {
@@ -83,7 +84,7 @@ SPECIALISED void put_fogged(const struct tile *t, const struct fog_terms *fog, u
     ((uint16_t *)t->pixels)[at] = fast_pixel(r, g, b, 10, t->format->swap);
 }
 
-/* The same of channels with the draw's fraction, clamped here. */
+/* The same for channels with the draw's fraction, which are clamped here. */
 SPECIALISED void put_fogged_terms(const struct tile *t, const struct draw *d, uint32_t at, uint32_t z, uint32_t r,
                                   uint32_t g, uint32_t b, uint32_t threshold, unsigned grey)
 {

@@ -1,5 +1,5 @@
 /*
- * fog_rows.c - pixels under fog: of each unrounded colour a share that is linear in z16 goes over to the fog's.
+ * fog_rows.c - pixels under fog: unrounded colours are blended with the fog's, by a share that is linear in z16.
  */
 #include "fogged_light.h"
 #include "normal_rows.h"
@@ -8,25 +8,25 @@
 #include "quotient.h"
 #include "textured.h"
 
-/* ---- colours linear on the screen, or one ---- */
+/* ---- colours that are constant or linear on the screen ---- */
 
 /*
- * Along a run: `left` is what of the colour is left, UQ2.30, and `apart` what the fog's level has more than a channel,
- * with the draw's fraction, as int32_t; unsigned, as the step behind a run's last pixel may leave these.
+ * Stepped along a run: `left` is the share of the colour that the fog leaves, UQ2.30, `apart` the fog's level minus a
+ * channel, with the draw's fraction, read as int32_t. Unsigned, because the step after a run's last pixel may overflow.
  */
 struct fog_at {
     uint32_t z, left, apart[3];
 };
 
-#if FAST_LOOPS && defined(__ARM_ARCH_6M__) /* from any register it adds, but does not subtract */
+#if FAST_LOOPS && defined(__ARM_ARCH_6M__) /* it adds any register, but subtracts only low ones */
 #define FOG_ADDS 1
 #else
 #define FOG_ADDS 0
 #endif
 
 /*
- * A channel under fog, 24 fraction bits; adds: share is negated. Range: |apart| < 2^16 with 10 fraction bits, so the
- * product is below 2^30.
+ * A channel under fog, 24 fraction bits. share: what the fog leaves, UQ2.14; adds: share is negated. Range: |apart| <
+ * 2^16 with 10 fraction bits, so the product is below 2^30.
  */
 SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share, unsigned adds)
 {
@@ -35,7 +35,7 @@ SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share, un
     return adds ? level + gone : level - gone;
 }
 
-/* 565, nothing to clamp. even: of one colour; adds: as in under_fog. */
+/* A run on 565 with nothing to clamp. even: it has one colour; adds: as in under_fog. */
 SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
                            const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap, unsigned even,
                            unsigned adds)
@@ -71,13 +71,13 @@ SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t 
     } while (++depth != end);
 }
 
-/* Both in 0..most: what is linear between then is, too. */
+/* 1 if a and b are in 0..most; then what is linear between them is, too. */
 static inline int within(uint32_t a, uint32_t b, uint32_t most)
 {
     return a <= most && b <= most;
 }
 
-#define FOG_MARGIN 4 /* of 2^15: more than 640 steps are off by, 2^-23 each */
+#define FOG_MARGIN 4 /* of 2^15: more than the error of 640 steps, 2^-23 each */
 
 static void fog_steps(const struct linear_setup *l, struct fog_at *step)
 {
@@ -90,7 +90,7 @@ static void fog_steps(const struct linear_setup *l, struct fog_at *step)
         step->apart[k] = 0u - l->channel[k].dx;
 }
 
-/* From (x, y) on; 1 where neither fog's share nor a channel has to be held in its range over `last` px more. */
+/* *at: at (x, y). Returns 1 if neither the fog's share nor a channel has to be clamped there or in `last` px more. */
 static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t last, struct fog_at *at)
 {
     const struct draw *d = l->s.draw;
@@ -200,7 +200,7 @@ void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t
 
 /* ---- lines ---- */
 
-/* Levels of a pixel as it stands in a tile, with level_bits less than 16 fraction bits. */
+/* Levels of a pixel as stored in a tile, with 16 - level_bits fraction bits. */
 static void levels_of(uint16_t level[3], const struct pixel_format *format, uint32_t pixel)
 {
     const unsigned fraction = 16u - format->level_bits;
@@ -238,14 +238,14 @@ static int32_t fogged_line_run(const struct fog_terms *fog, const struct pixel_f
     return run;
 }
 
-/* ---- what is fogged ---- */
+/* ---- the mixers ---- */
 
 static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, const struct projection *p,
                           const struct pixel_format *format)
 {
     if (fog->start <= 0 || fog->end <= fog->start)
         return SHEEN_ERR_ARGUMENT;
-    /* from 2^-14 of near on what starts still nearer differs by less than 2^-14 */
+    /* a start before 2^-14 of near is moved there, which makes a difference of less than 2^-14 */
     const int64_t start = sheen_depth_beyond(p, max32(fog->start, max32(p->near >> 14, 1)));
     const int64_t reach = start - sheen_depth_beyond(p, fog->end);
     if (reach < (int64_t)256 << 16)
@@ -254,7 +254,7 @@ static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, 
     const int64_t from = asr64(start, shift), most = 1 << 30;
     terms->mixer = fog->mixer;
     terms->is_565 = !format->grey;
-    terms->shift = (uint8_t)min32((int32_t)shift, 31); /* z is nothing there */
+    terms->shift = (uint8_t)min32((int32_t)shift, 31); /* from there on z makes no difference */
     terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
     terms->reach = (uint16_t)asr64(reach, shift);
     terms->scale = (uint16_t)((sheen_reciprocal((uint32_t)terms->reach << 16) >> 17) + 1);
@@ -293,6 +293,6 @@ const struct sheen_fog_mixer sheen_fog_mixer = {.begin = fog_begin,
                                                 .texel_run = sheen_fogged_texel_run,
                                                 .line_run = fogged_line_run};
 
-/* Draws stay without fog, so that of theirs nothing else is called. */
+/* Fog on lines alone: line_fog_draw leaves draws without fog, so the other functions are never called. */
 const struct sheen_fog_mixer sheen_line_fog_mixer = {
     .begin = fog_begin, .draw = line_fog_draw, .line_run = fogged_line_run};

@@ -1,8 +1,8 @@
 /*
- * fogged_blocks.c - runs of texels under fog, in parts along which light and fog may be linear.
+ * fogged_blocks.c - runs of texels under fog, in parts along which light and fog are nearly linear.
  *
- * (texel * light + highlight) * (1 - share) + fog * share: a pixel takes a lit texel's product with the light that is
- * left, what is left of the highlight, and the fog's share.
+ * A pixel is (texel * light + highlight) * (1 - share) + fog * share; what is stepped is light * (1 - share),
+ * highlight * (1 - share) and share.
  */
 #include "fog.h"
 #include "textured.h"
@@ -12,7 +12,7 @@ static const uint16_t one_of[TEXEL_PART] = {0,    0,    32768, 21845, 16384, 131
                                             5958, 5461, 5041,  4681,  4369,  4096,  3855,  3641, 3449, 3277, 3121,
                                             2979, 2849, 2731,  2621,  2521,  2427,  2341,  2260, 2185, 2114};
 
-/* (to - from) / count, 1..TEXEL_PART - 1. Range: shares of 1.0 with LIGHT_BITS. */
+/* (to - from) / count, count 1..TEXEL_PART - 1. Range: from and to are shares of 1.0, with LIGHT_BITS. */
 static uint32_t part_of_share(uint32_t from, uint32_t to, uint32_t count)
 {
     const int32_t difference = (int32_t)(to - from);
@@ -20,12 +20,12 @@ static uint32_t part_of_share(uint32_t from, uint32_t to, uint32_t count)
     return (uint32_t)(count == 1 ? difference : mul_16_32(one_of[count], difference));
 }
 
-/* At a pixel: the fog's share, and what that leaves of light and highlight; with LIGHT_BITS. */
+/* At a pixel: the fog's share, and what the fog leaves of light and highlight; all with LIGHT_BITS. */
 struct fog_shares {
     uint32_t fogged, left, gloss;
 };
 
-/* Range: UQ1.15 times UQ1.14. */
+/* What a fog of this share, UQ1.14, leaves of light. Range: UQ1.15 times UQ1.14. */
 static uint32_t left_of(uint32_t light, uint32_t share)
 {
     return (not_negative(light) >> (LIGHT_BITS - 15)) * ((1u << 14) - share) >> (29 - LIGHT_BITS);
@@ -41,8 +41,8 @@ SPECIALISED struct fog_shares fog_shares_at(const struct fog_terms *fog, uint32_
 }
 
 /*
- * 1 where linear between two pixels is off by more than 1/8 level: their product bends where fog and light change, and
- * fog may begin or end there. change: the light's, and the highlight's.
+ * 1 if linear interpolation between two pixels is off by more than 1/8 level: the product of light and fog bends if
+ * both change, and fog may begin or end in between. change: the light's plus the highlight's.
  */
 static int is_bent(uint32_t fogged, uint32_t fogged_end, uint32_t change)
 {
@@ -52,25 +52,25 @@ static int is_bent(uint32_t fogged, uint32_t fogged_end, uint32_t change)
            (change >> 12) * (magnitude32((int32_t)(fogged_end - fogged)) >> 12) > 1u << 17;
 }
 
-/* A part on its way: light and highlight, and in `at` what fog leaves of them. */
+/* The part being drawn: light and highlight, and in `at` what the fog leaves of them. */
 struct fogged_part {
     struct texel_part part;
     struct texel_at at, step;
     uint32_t light, specular;
 };
 
-/* What has to be clamped before there is fog. */
+/* 1 if light and highlight have to be clamped before the fog is applied. */
 SPECIALISED int is_bright(uint32_t light, uint32_t specular)
 {
     return specular != 0 && not_negative(light) + not_negative(specular) > 1u << LIGHT_BITS;
 }
 
-/* Where a part of `left` px at the most ends; its steps. Returns 1 where light has to be clamped in it. */
+/* Finds the length of a part, at most `left` px, and its steps. Returns 1 if light has to be clamped in it. */
 static int fogged_steps(const struct texel_run *r, int32_t left, struct fogged_part *p)
 {
     const struct fog_terms *fog = r->d->fog;
     const struct fog_shares first = fog_shares_at(fog, p->at.z, p->light, p->specular);
-    uint32_t light = 0, specular = 0; /* what they have more in the end */
+    uint32_t light = 0, specular = 0; /* their change over the part */
     int32_t count = min32(left, TEXEL_PART);
 
     p->at.light = first.left;
@@ -96,7 +96,7 @@ static int fogged_steps(const struct texel_run *r, int32_t left, struct fogged_p
     return is_bright(p->light, p->specular) || (count > 1 && is_bright(p->light + light, p->specular + specular));
 }
 
-/* Any texels of a part. */
+/* A part whose light has to be clamped: drawn by the general loop. before: pixels of the run before the part. */
 static APART void bright_part(const struct texel_run *r, struct fogged_part *p, int32_t before)
 {
     struct texel_run run = *r;
@@ -133,7 +133,7 @@ static APART void fogged_run(const struct texel_run *r, const struct texel_at *f
 
 #define ALL_FOG (1 << 14)
 
-/* Up to where the share is linear; returns how many pixels, `left` at the most. */
+/* Makes a part along which the fog's share is linear; returns its pixels, at most `left`. */
 static int32_t faded_steps(const struct texel_run *r, int32_t left, struct texel_part *p)
 {
     const struct fog_terms *fog = r->d->fog;
@@ -149,7 +149,7 @@ static int32_t faded_steps(const struct texel_run *r, int32_t left, struct texel
         if (last == first)
             break;
         if (first == 0 || last == 0 || first == ALL_FOG || last == ALL_FOG)
-            continue; /* it begins or ends there */
+            continue; /* fog begins or ends in between */
         p->fog_step = (uint32_t)asr32((first - last) * (int32_t)(n == 1 ? 1u << 16 : one_of[n]), 30 - LIGHT_BITS);
         break;
     }

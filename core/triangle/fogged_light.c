@@ -1,21 +1,22 @@
 /*
- * fogged_light.c - light that is quadratic along a run, under fog: on 565 colours are exact at the ends of blocks and
- * linear between. Two blocks of n px are tried at a time; where the three ends are not in a line, shorter ones.
+ * fogged_light.c - light that is quadratic along a run, under fog: on 565, colours are exact at the ends of blocks and
+ * linear in between. Two blocks of n px are tried at a time, then shorter ones if their three ends are not in a line.
  */
 #include "fogged_light.h"
 #include "quadric_rows.h"
 
 /*
- * What the middle of three ends may be off the others' line, 1/2048 level: each block is off by 1/16 level then; both
- * drawn as one, by 1/25. Where light or fog begins or ends within a block it is up to 1/4.
+ * Limits of bend_of, in 1/2048 level. Up to MOST_BENT each of the two blocks is off by at most 1/16 level. Up to
+ * NEARLY_STRAIGHT both are drawn as one, which is off by at most 1/25 level. If light or fog begins or ends within a
+ * block, the error is up to 1/4 level.
  */
 #define MOST_BENT 1024
 #define NEARLY_STRAIGHT 160
 
-/* px, at the most, of a block in highlights; LONGEST in others. */
+/* The most px of a block with a highlight; LONGEST without one. */
 #define LONGEST_SHINY 8
 
-/* Apart: it has the registers that it takes. */
+/* Apart, so that it has the registers that it needs. */
 static APART void colour_here(struct fogged_colour *c, const struct draw *d, const struct shaded_run *at,
                               enum second second)
 {
@@ -42,7 +43,7 @@ static void run_on(struct shaded_run *at, uint32_t n)
     at->du += n * at->ddu;
 }
 
-/* Of three colours, what the middle one is off, of the channel where that is most. */
+/* How far the middle one of three colours is off the others' line, times 2, for the channel where that is most. */
 static uint32_t bend_of(const struct fogged_colour c[3])
 {
     uint32_t most = 0;
@@ -55,11 +56,11 @@ static uint32_t bend_of(const struct fogged_colour c[3])
 }
 
 #define FADES (1 << 27)        /* L.N, Q1.30, below which the highlight fades: 1/8 */
-#define NEARLY_FADES (3 << 26) /* what sinks between two ends, where it may, does so by less than 1/16 */
+#define NEARLY_FADES (3 << 26) /* 1/16 more: if L.N dips between two ends, it does so by less than that */
 
 /*
- * Whether light begins or ends between three ends where f is L.N, or comes and goes, or goes and comes back; or a
- * highlight begins to fade: it then has a bend that three ends may not show.
+ * 1 if light begins or ends between three ends, whose L.N is f, or comes and goes, or goes and comes back, or if a
+ * highlight begins to fade: light then has a bend that the three ends may not show.
  */
 static int is_edge_of_light(const int32_t f[3], const struct shaded_run *from, const struct shaded_run *to,
                             enum second second)
@@ -82,7 +83,10 @@ static int32_t longest_of(const struct shaded_run *run, enum second second)
     return bend < 1u << 24 ? LONGEST_SHINY : bend < 1u << 26 ? LONGEST_SHINY / 2 : 1;
 }
 
-/* Range: a run may be looked at one pixel beyond its end; what has no colour there is no line. */
+/*
+ * Range: a colour may be made one pixel beyond the run's end; if the light there is invalid, the three ends are not in
+ * a line, and shorter blocks are tried.
+ */
 static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shaded_run *at, int32_t left,
                         enum second second)
 {
@@ -91,7 +95,7 @@ static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shade
     struct shaded_run end;
     int32_t f[3];
     uint32_t bend;
-    int first = 0; /* of the colours that are not known yet */
+    int first = 0; /* the first of the three colours that is not known yet */
 
     for (int32_t n; left > 0; left -= 2 * n) {
         for (n = min32(longest, left >> 1);; n >>= 1) {
@@ -129,7 +133,7 @@ void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_
     uint16_t *depth = t->depth + at;
     struct fogged_run r = {t, depth, DITHER_ROW(t, depth - x, y), run->dz};
 
-    /* stippled, thresholds are others than packed channels take */
+    /* stippled draws have other thresholds than those that packed channels are dithered with */
     if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
         sheen_fogged_any_run(t, d, at, x, x1, y, run, second);
     else

@@ -6,9 +6,9 @@
 
 #include "quadric.h"
 
-#define LONGEST 16 /* px of a block, at the most */
+#define LONGEST 16 /* the most px of a block */
 
-/* A run on its way. */
+/* The run being drawn. */
 struct fogged_run {
     const struct tile *t;
     uint16_t *depth;
@@ -16,15 +16,15 @@ struct fogged_run {
     uint32_t dz;
 };
 
-/* Levels in 1/2048. */
+/* Channels in 1/2048 level. */
 struct fogged_colour {
     int32_t channel[3];
 };
 
-/* From a colour to before another, n px, and `twice` 1: 2 n. */
+/* Draws n px (twice 1: 2 n px) from one colour to just before the other. */
 void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
                         const struct fogged_colour *to, int32_t n, unsigned twice);
-/* Any target, by a ramp or without. */
+/* Draws a run on any target, with a ramp or without. */
 void sheen_fogged_any_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                           struct shaded_run *run, unsigned second);
 

@@ -1,5 +1,5 @@
 /*
- * glow.c - light with colours at vertices and polygons, and point lights.
+ * glow.c - light with colours, and from point lights, at vertices and polygons.
  */
 #include "glow.h"
 #include "morph.h"
@@ -19,13 +19,13 @@ static APART void tinted_light(const struct draw *d, const int16_t at[3], const 
 {
     const struct colour_terms *terms = &d->colour;
     struct tinted lit;
-    int32_t place[3]; /* raw / 2^15 * Q7.24, less 4 bits */
+    int32_t place[3]; /* Q11.20: raw / 2^15 times reach, Q7.24, less 4 bits */
 
     for (int i = 0; i < 3; i++)
         place[i] = sheen_mul_round(at[i], d->tint.reach, 19);
     sheen_light_tinted(&d->light, &d->power, &d->tint, place, normal, &lit);
     for (int i = 0; i < 3; i++) {
-        const uint32_t low = mul_high(d->tint.low[i], lit.low[i] << 16) * 2; /* 15 bits, up to 1.0 */
+        const uint32_t low = mul_high(d->tint.low[i], lit.low[i] << 16) * 2; /* lit.low: UQ1.15, up to 1.0 */
         glow->base[i] = terms->a[i] + low + terms->b[i] * lit.diffuse[i];
         glow->highlight[i] = terms->c[i] * lit.specular[i];
     }
@@ -59,7 +59,10 @@ void sheen_vertex_glow(const struct draw *d, ptrdiff_t place, int back, struct g
     glow_light(d, position_of(d, d->mesh->positions + place, store), seen, glow);
 }
 
-/* What lights have; ambient light as its colour has it, apart from what a ramp's low makes of the lights. */
+/*
+ * Collects what lights have in d->tint. Ambient light is multiplied by its colour, except for what a ramp's low added
+ * to it, which counts as the lights'.
+ */
 COLD void sheen_glow_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                            const struct sheen_object *object, const struct sheen_pose *view)
 {

@@ -8,15 +8,17 @@
 
 struct worker;
 
-/* What a struct sheen_morph points to, so that it is linked where there is one. Vectors are of the draw's mesh. */
+/* Functions that a struct sheen_morph points to, so that only programs with morphs link them. */
 struct sheen_morpher {
-    int (*fits)(const struct sheen_object *object); /* 0: the other frame is none of its mesh, or the weight wrong */
+    /* 0: the other mesh is no frame of the object's mesh, or the weight is out of range. */
+    int (*fits)(const struct sheen_object *object);
+    /* first: the vector in the draw's mesh, which is the first frame. */
     void (*position)(const struct draw *d, const int16_t *first, int16_t out[3]);
     void (*normal)(const struct draw *d, const int16_t *first, int16_t out[3]);
-    void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: the first frame's */
-    /* Normals of an entry's corners, where its set-up reads them; they stand until it is made. */
+    void (*facet)(const struct draw *d, uint32_t triangle, int16_t normal[3]); /* normal: at first the first frame's */
+    /* Morphs the normals of an entry's corners, if its set-up reads them; they stay valid until that is made. */
     void (*corners)(const struct draw *d, struct corners *c, const struct worker *w);
-    /* Points and normals of a triangle that is cut; these are in `store`. */
+    /* Makes the morphed points and normals of a triangle that is cut; the normals are kept in `store`. */
     void (*cut)(const struct draw *d, const struct clip_job *job, uint32_t triangle, const int16_t *normal[3],
                 int16_t store[3][3]);
 };
@@ -37,7 +39,7 @@ static inline const int16_t *normal_of(const struct draw *d, const int16_t *firs
     return store;
 }
 
-/* lit.c: unit normal of the polygon that a triangle of `mesh` is of, in a frame of it; zero where it has no area. */
+/* lit.c: the unit normal, in one frame of `mesh`, of the polygon of a triangle; zero if it has no area. */
 void sheen_frame_normal(const struct sheen_mesh *mesh, const struct sheen_mesh *frame, uint32_t triangle,
                         int16_t normal[3]);
 

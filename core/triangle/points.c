@@ -1,10 +1,10 @@
 /*
- * points.c - point lights: where they are from a mesh, and how they fall.
+ * points.c - point lights: their place relative to a mesh, and how their light falls.
  */
 #include "../math/pose.h"
 #include "morph.h"
 
-/* A place by a pose, which is not zero; an error leaves it. */
+/* Moves a place by a pose, which is not all zero; on an error the place is unchanged. */
 static APART int move_by(const struct sheen_pose *pose, int32_t place[3])
 {
     struct sheen_pose moved = {.translation = {place[0], place[1], place[2]}};
@@ -16,8 +16,8 @@ static APART int move_by(const struct sheen_pose *pose, int32_t place[3])
 }
 
 /*
- * Point light i from where the mesh's origin stands, along the model's axes, Q11.20. Range: both are within 128 units
- * of the eye, or there is no light.
+ * Stores the place of point light i relative to the posed mesh's origin, along the model's axes, Q11.20. Range: both
+ * are within 128 units of the eye; otherwise the light's radius is 0.
  */
 static void place_point(struct draw *d, const struct sheen_light *light, const struct sheen_pose *pose,
                         const struct sheen_pose *view, unsigned i)
@@ -31,7 +31,7 @@ static void place_point(struct draw *d, const struct sheen_light *light, const s
         apart[k] = offset[k];
     }
     if ((!light->with_eye && !sheen_pose_is_zero(view) && move_by(view, at) < 0) || move_by(pose, apart) < 0) {
-        at[0] = at[1] = at[2] = 0; /* nothing of it reaches the mesh */
+        at[0] = at[1] = at[2] = 0; /* no light reaches the mesh */
         return;
     }
     for (int k = 0; k < 3; k++)
@@ -46,7 +46,7 @@ static COLD void points_place(struct draw *d, const struct sheen_object *object,
 
     d->tint.reach = 0;
     if (sheen_pose_place(view, &object->pose, &pose) < 0)
-        return; /* it was placed before */
+        return; /* never: it was placed before without an error */
     for (unsigned i = 0; i < d->light.count; i++)
         if (object->lights[i].radius > 0) {
             place_point(d, &object->lights[i], &pose, view, i);
@@ -60,7 +60,7 @@ static int of_polygon(const struct sheen_mesh *mesh, uint32_t triangle, uint32_t
     return triangle < mesh->triangles && mesh->polygons != NULL && mesh->polygons[triangle] == polygon;
 }
 
-/* Mean of the vertices of a polygon, whose triangles follow each other: of each one once. Range: 2^15 times 2^16. */
+/* The mean of a polygon's vertices, each counted once; its triangles follow each other. Range: 2^15 times 2^16. */
 static void points_middle(const struct draw *d, uint32_t triangle, int16_t middle[3])
 {
     const struct sheen_mesh *mesh = d->mesh;
@@ -89,7 +89,7 @@ static void points_middle(const struct draw *d, uint32_t triangle, int16_t middl
         middle[i] = (int16_t)(sum[i] / count);
 }
 
-/* v / |v|, Q1.30. Range: square = |v|^2 < 2^60, not 0, so that the product < 2^62. */
+/* v / |v|, Q1.30. Range: square = |v|^2 is below 2^60 and not 0, so the product is below 2^62. */
 static void unit_along(const int32_t v[3], uint64_t square, sheen_q30_t to[3])
 {
     const unsigned up = clz64(square) & ~1u; /* |v| = sqrt(x) 2^(32 - up / 2), x in [1/4, 1) */
@@ -99,7 +99,7 @@ static void unit_along(const int32_t v[3], uint64_t square, sheen_q30_t to[3])
         to[k] = (int32_t)round_shift64(v[k] * (int64_t)root, 33 - up / 2);
 }
 
-/* Range: parts of `at` < 2^27, of the light < 2^29, see place_point, so the squares' sum < 2^62. */
+/* Range: parts of `at` are below 2^27, of the light's place below 2^29, see place_point: the square is below 2^62. */
 static void points_beam(const struct lighting *l, unsigned i, const int32_t at[3], const int16_t normal[3],
                         struct beam *beam)
 {

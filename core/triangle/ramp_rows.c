@@ -1,5 +1,5 @@
 /*
- * ramp_rows.c - pixels lit by a ramp: their normals, or L.N and 1 - R.V, are stepped.
+ * ramp_rows.c - runs of pixels lit by a ramp, along which normals, or L.N and 1 - R.V, are stepped.
  */
 #include "normal_rows.h"
 #include "quadric_rows.h"

@@ -1,12 +1,12 @@
 /*
- * ramps.c - the ramps that have names, and what reads them.
+ * ramps.c - the ramps that sheen.h names, and the functions that read any ramp.
  */
 #include "normal.h"
 #include "quadric.h"
 
-#define MOST_LIGHT (4 << 16) /* the most that a material's own are */
+#define MOST_LIGHT (4 << 16) /* the most that a material's ambient and diffuse light may be */
 
-/* x y, held at +-4.0; x: 0..4.0. */
+/* x y, clamped to +-4.0; x: 0..4.0. */
 static int32_t held_product(sheen_q16_t x, sheen_q16_t y)
 {
     const int64_t product = asr64((int64_t)x * y + (1 << 15), 16);
@@ -14,7 +14,7 @@ static int32_t held_product(sheen_q16_t x, sheen_q16_t y)
     return product > MOST_LIGHT ? MOST_LIGHT : product < -MOST_LIGHT ? -MOST_LIGHT : (int32_t)product;
 }
 
-/* `low` is there wherever there are lights: 16.0 of four. */
+/* Adds the ramp's low to the ambient light, because it does not depend on L.N: up to 16.0 with four lights. */
 static COLD const struct sheen_material *begin_by_ramp(struct draw *d, const struct sheen_material *m,
                                                        struct sheen_material *by, int at_pixels)
 {

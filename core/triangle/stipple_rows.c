@@ -1,12 +1,13 @@
 /*
- * stipple_rows.c - opacity without blending: of a draw's pixels some are left out, by an ordered pattern. While its
- * rows are drawn nothing is nearer than what stands at those; then their depth is put back. Any shading's rows do.
+ * stipple_rows.c - opacity without blending: some of a draw's pixels are left out, in an ordered pattern. While its
+ * rows are drawn, the depths of the pixels left out are saved and set to NEAREST, so that they fail the depth test;
+ * then they are restored. This works with the rows of any shading.
  */
 #include "stipple.h"
 
 #define NEAREST 65535 /* nothing is nearer */
 
-/* A depth is kept and covered, or put back. */
+/* Saves a depth in *kept and sets it to NEAREST, or restores it. */
 SPECIALISED void swap_depth(uint16_t *depth, uint16_t *kept, int back)
 {
     if (back) {
@@ -25,12 +26,12 @@ SPECIALISED void swap_four(uint16_t *depth, uint16_t *kept, int32_t apart, int b
     swap_depth(depth + 3 * apart, kept + 3, back);
 }
 
-/* Of what lies before `end` from *depth on every pixel that is `apart` px from the one before. */
+/* swap_depth of every `apart`-th pixel from *depth to before `end`; returns where the next depth is kept. */
 SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, const uint16_t *end, int32_t apart, int back)
 {
     if (FAST_LOOPS && apart == 2)
         for (; depth < end - 15 * apart; depth += 16 * apart, kept += 16) {
-            OPAQUE(depth); /* one address for all */
+            OPAQUE(depth); /* so that one address serves all */
             OPAQUE(kept);
             swap_four(depth, kept, apart, back);
             swap_four(depth + 4 * apart, kept + 4, apart, back);
@@ -49,7 +50,7 @@ SPECIALISED uint16_t *swap_every(uint16_t *depth, uint16_t *kept, const uint16_t
     return kept;
 }
 
-/* Of a half: every second pixel, those at odd columns where `odd` is. */
+/* If half of the pixels are left out: every second one, those at odd columns if `odd` is odd. */
 SPECIALISED uint16_t *swap_second(uint16_t *line, uint16_t *kept, struct span span, uint32_t odd, int back)
 {
     const int32_t x = span.x0 + (int32_t)(((uint32_t)span.x0 + odd) & 1u);
@@ -57,13 +58,13 @@ SPECIALISED uint16_t *swap_second(uint16_t *line, uint16_t *kept, struct span sp
     return swap_every(line + x, kept, line + span.x1, 2, back);
 }
 
-/* left_out: a bit a column. */
+/* left_out: a bit per column, x & 7. */
 SPECIALISED uint16_t *swap_any(uint16_t *line, uint16_t *kept, struct span span, uint32_t left_out, int back)
 {
     const int32_t turn = span.x0 & 7, width = span.x1 - span.x0;
     uint16_t *depth = line + span.x0;
 
-    left_out = (left_out | left_out << 8) >> turn & 0xffu; /* from the first pixel on, again and again */
+    left_out = (left_out | left_out << 8) >> turn & 0xffu; /* bit 0: the span's first pixel, then every 8th */
     if (width > 16) {
         const uint16_t *end = depth + width;
         for (; left_out != 0; depth++, left_out >>= 1)
@@ -104,7 +105,7 @@ SPECIALISED void swap_rows(struct stippled_rows *r, const struct tile *t, const 
     SHEEN_TAP(HIDDEN, back ? 0 : kept - r->depth);
 }
 
-/* Columns at a time: rows of them have room, and of cells some. */
+/* A strip's width: the depths of one of its rows fit KEPT_DEPTHS, and for cells those of several rows. */
 static int32_t strip_of(const struct setup *s)
 {
     const int32_t half = s->draw->stippled != STIPPLED_MORE;
@@ -112,7 +113,10 @@ static int32_t strip_of(const struct setup *s)
     return s->way == SHEEN_WAY_PHONG_CELLS ? 16 << half : KEPT_DEPTHS << half;
 }
 
-/* The next rows of the columns x to before x1, one below the other, as many as there is room for; returns how many. */
+/*
+ * Takes the next rows of columns x to before x1, as many as there is room for; returns how many. half: 1 if at most
+ * half of a row's pixels are left out.
+ */
 SPECIALISED unsigned take_rows(struct stippled_rows *r, struct tile *t, const struct draw *d, int32_t x, int32_t x1,
                                int32_t half)
 {
@@ -178,7 +182,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
     return 1;
 }
 
-/* Columns, a bit each, that a row leaves out. */
+/* left_out: per row a bit for each column that it leaves out. */
 static COLD int stipple_begin(struct draw *d, const struct sheen_object *o)
 {
     if (o->transparency > 64 || o->phase > 7)

@@ -1,9 +1,12 @@
 /*
- * texels.c - where in a texture a triangle's corners lie.
+ * texels.c - texel coordinates of a triangle's corners.
  */
 #include "texels.h"
 
-/* Moved by less than they lie apart, a corner stays the least or the most of the three. */
+/*
+ * Moves f inwards if it lies on a border and is the least or the most of the three. It stays the least or the most,
+ * because it moves by less than the corners lie apart.
+ */
 static inline void keep_corner(int32_t *f, int32_t a, int32_t b, int32_t by)
 {
     if ((uint16_t)*f != BORDER_BIAS)
@@ -24,7 +27,7 @@ void sheen_keep_within(struct at_corners at[2], int32_t by)
     }
 }
 
-/* Near 0 quotients are fine. */
+/* If the texture repeats, coordinates are brought near 0, because quotients of small numbers are finer. */
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
                      const struct corners *c, int i)
 {

@@ -1,31 +1,37 @@
 /*
- * texels.h - private: where a texture's coordinates lie, and its texels there.
+ * texels.h - private: texel coordinates of a triangle's corners, and a texture's texels at coordinates.
  */
 #ifndef SHEEN_TEXELS_H
 #define SHEEN_TEXELS_H
 
 #include "triangle.h"
 
-/* What rounding takes off a coordinate that lies on a border must not show the texel on its other side. */
+/* Added to coordinates so that rounding cannot take one that lies on a border to the texel on its other side. */
 #define BORDER_BIAS 64 /* 1/1024 texel */
 
-/* Of an attribute, in the order of the gradients. */
+/* An attribute at the corners, in the order of the gradients. */
 struct at_corners {
     int32_t f[3];
 };
 
-/* Of u (i = 0) or v, which the corners have as their normals, texels, Q15.16: what repeats is brought near 0. */
+/*
+ * The texel coordinates U (i = 0) or V (i = 1), Q15.16, from the u and v that corners have in place of normals; brought
+ * near 0 if the texture repeats.
+ */
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
                      const struct corners *c, int i);
 
 /*
- * Corners that lie on a border between texels are moved by `by` to the triangle's inside, for by so much what is made
- * of them at pixels may be off: a triangle that ends where a texel does must not show the next one, which may be that
- * of the picture's other side. Coordinates are those of sheen_texels_of.
+ * Moves corners that lie on a border between texels towards the triangle's inside by `by`, which is how far coordinates
+ * at pixels may be off: a triangle that ends where a texel ends must not show the next texel, which may be the one at
+ * the picture's other side. at: of sheen_texels_of.
  */
 void sheen_keep_within(struct at_corners at[2], int32_t by);
 
-/* Channels in 1/32 level, of a 565 value or a sum of several by shares of 32: green at bit 21, red at 11, blue at 0. */
+/*
+ * A 565 value spread out: green at bit 21, red at 11, blue at 0. Sums of such values by shares of 32 fit, too; their
+ * channels are in 1/32 level.
+ */
 #define SPREAD 0x07e0f81fu
 
 SPECIALISED uint32_t spread(uint32_t texel)
@@ -33,10 +39,10 @@ SPECIALISED uint32_t spread(uint32_t texel)
     return (texel | texel << 16) & SPREAD;
 }
 
-/* From a texel's edge to its middle, and half a share. */
+/* For bilinear: coordinates from texels' middles rather than edges, and half a share for its rounding. */
 #define TO_MIDDLE (0x400u - 0x8000u)
 
-/* 0..mask: held there, or what is left of a division. */
+/* i brought into 0..size - 1: clamped, or modulo the size. */
 SPECIALISED uint32_t address(int32_t i, unsigned size_log2, unsigned clamp)
 {
     const int32_t most = (1 << size_log2) - 1;
@@ -61,7 +67,7 @@ SPECIALISED uint32_t texel_value(const struct sheen_texture *t, int32_t i, int32
                                address(i, t->width_log2, t->clamp_u));
 }
 
-/* The four texels about (u, v) by their shares; those that are transparent count as `nearest`. */
+/* The sum of the four texels around (u, v), spread, by their shares; transparent ones count as `nearest`. */
 SPECIALISED uint32_t any_mixed(const struct sheen_texture *t, uint32_t u, uint32_t v, uint32_t nearest)
 {
     const int32_t i = asr32((int32_t)u, 16), j = asr32((int32_t)v, 16);

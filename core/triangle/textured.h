@@ -1,16 +1,20 @@
 /*
- * textured.h - private: triangles that show texels, from their coordinates and light at the corners.
+ * textured.h - private: textured triangles, from texel coordinates and light at their corners.
  */
 #ifndef SHEEN_TEXTURED_H
 #define SHEEN_TEXTURED_H
 
 #include "texels.h"
 
-/* What a pixel takes: all give what the first, which takes everything, would. */
+/*
+ * Which loop draws the pixels. TEXTURED_ANY draws everything. The others give the same pixels, but on 565 only, if the
+ * texture repeats (or no coordinate comes near its edges) and light and highlight have no hue and are at most 1.0.
+ * Texels are nearest up to OTHER, and 565 without key up to GLOSSY.
+ */
 enum textured_pixels {
     TEXTURED_ANY,
-    TEXTURED_UNLIT, /* the others: texels that repeat, on 565, light and highlight of 1.0 at the most and no hue; */
-    TEXTURED_LIT,   /* here no highlight; to OTHER nearest, to GLOSSY 565 without key */
+    TEXTURED_UNLIT,
+    TEXTURED_LIT, /* no highlight */
     TEXTURED_GLOSSY,
     TEXTURED_OTHER,
     TEXTURED_BILINEAR, /* 565 without key, unlit */
@@ -19,10 +23,10 @@ enum textured_pixels {
 };
 
 /*
- * Linear on the screen: U and V in texels, Q15.16 modulo 2^32, light, specular intensity. Else these times weight over
- * `weight`, U and V times 2^up / 2^31, the others over 2.
- * Light: alike in all channels: as such; else the diffuse intensity. specular: the highlight, where it is white; else
- * the specular intensity. All with LIGHT_BITS of fraction.
+ * Linear on the screen: u and v are in texels, Q15.16 modulo 2^32. Otherwise all four are times weight / 2^31, u and v
+ * times 2^up besides; `weight` is UQ0.32.
+ * light: if it is alike in all channels, the light itself; else the diffuse intensity. specular: if it is white, the
+ * highlight itself; else the specular intensity. Both have LIGHT_BITS of fraction.
  */
 struct textured_setup {
     struct setup s; /* fast: enum textured_pixels; detail: up, 0..30 */
@@ -34,22 +38,22 @@ struct texel_at {
     uint32_t z, u, v, light, specular;
 };
 
-/* Pixels of a row, from (x, y) on, which stands at `depth` in the tile: these are given. */
+/* A run of pixels in a row. */
 struct texel_run {
-    uint16_t *depth;
+    uint16_t *depth; /* of the first pixel, (x, y), in the tile; set by the caller, as are these: */
     int32_t x, y, count;
-    const struct tile *t; /* of sheen_textured_begin */
+    const struct tile *t; /* set by sheen_textured_begin, as are these: */
     const struct draw *d;
     unsigned pixels;        /* enum textured_pixels */
-    uint32_t columns, rows; /* what coordinates are masked with, see textured_rows.c */
-    struct texel_at step;   /* of sheen_textured_step */
+    uint32_t columns, rows; /* masks of coordinates, see textured_rows.c */
+    struct texel_at step;   /* set by sheen_textured_step, as are these: */
     uint32_t packed, mend;
 };
 
 /*
- * As near to a picture's edges, texels in Q16.16, a coordinate may come so that neither steps along a run, which are
- * off by less than TEXEL_EDGE, packed or not, nor a bilinear neighbour show the other side (its share is rounded, by
- * more than steps that are not packed are off).
+ * How near to a picture's edges, in texels, Q16.16, a coordinate may come without showing the other side: steps along a
+ * run, packed or not, are off by less than TEXEL_EDGE; a bilinear neighbour is half a texel away (the rounding of its
+ * share hides the error of steps that are not packed, which is smaller).
  */
 #define TEXEL_EDGE 1280
 
@@ -58,7 +62,7 @@ static inline int32_t texel_edge(const struct sheen_texture *t)
     return t->bilinear ? 1 << 15 : TEXEL_EDGE;
 }
 
-/* Light at a diffuse intensity, UQ1.15, as it is stepped. */
+/* The light at a diffuse intensity, UQ1.15, as struct textured_setup has it. */
 static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
 {
     if (!t->alike)
@@ -66,34 +70,34 @@ static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
     return (int32_t)((t->a[0] + t->b[0] * diffuse) >> (t->fraction - LIGHT_BITS));
 }
 
-/* The cheapest pixels that give what any would. at: as of sheen_setup_textured. */
+/* The cheapest loop that gives the same pixels as TEXTURED_ANY. at: as for sheen_setup_textured. */
 enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4]);
 
 /*
- * at: U and V in texels, Q15.16, and light and specular intensity as struct textured_setup has them. straight: light
- * may be linear on the screen. U and V are used up.
+ * at: U and V in texels, Q15.16, and light and specular as struct textured_setup has them; U and V are overwritten.
+ * straight: light may be linear on the screen.
  */
 void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
                           struct at_corners at[4], int straight);
 
-/* Pixels of a run, TEXEL_PART at the most, from its numbers on. */
+/* A part of a run, at most TEXEL_PART pixels; `from`: the values at its first pixel. */
 struct texel_part {
     uint16_t *depth;
     int32_t count;
     const struct texel_at *from, *step;
-    uint32_t fog, fog_step; /* in fog its share, UQ0.24; of sheen_faded_part what it leaves, and 2^-12 */
+    uint32_t fog, fog_step; /* the fog's share, UQ0.24; for sheen_faded_part what the fog leaves, plus 2^-12 */
 };
 
 #define TEXEL_PART 32 /* px */
 
-/* Once a triangle in a tile; where the step is another; then a run from its first pixel's numbers on. */
+/* Called once per triangle in a tile; whenever the step changes; then for each run, at: values at its first pixel. */
 void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struct setup *s);
 void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
 
 /*
- * Texels under fog. TEXTURED_FOGGED: of a part, light and specular are what the fog leaves of them, together at most
- * 1.0 with its share; or nearest ones, unlit. Else any.
+ * Texels under fog. For TEXTURED_FOGGED: nearest texels, unlit; texels whose light and specular are what the fog leaves
+ * of them, at most 1.0 together with its share. Then any others.
  */
 void sheen_faded_part(const struct texel_run *r, const struct texel_part *part);
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part);

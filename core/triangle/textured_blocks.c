@@ -1,10 +1,11 @@
 /*
- * textured_blocks.c - rows of textured triangles, in perspective by blocks of 8 px or less whose ends are exact.
+ * textured_blocks.c - rows of textured triangles; in perspective, blocks of 8 px or less are exact at their ends and
+ * linear in between.
  */
 #include "../math/inverse.h"
 #include "textured.h"
 
-/* An attribute's quotient; up: of texel coordinates, see struct textured_setup; 1 for the others. */
+/* An attribute at (x, y), divided by the weight there. up: as in struct textured_setup; 0 for light and specular. */
 static inline uint32_t quotient_of(struct inverse i, const struct plane *p, int32_t x, int32_t y, unsigned up)
 {
     int32_t half = over(i, (int32_t)(plane_at(p, x, y) << i.up));
@@ -12,7 +13,7 @@ static inline uint32_t quotient_of(struct inverse i, const struct plane *p, int3
     return up > 0 ? (uint32_t)asr32(half, up - 1) : (uint32_t)half * 2;
 }
 
-/* At pixel (x, y), exactly; *weight is what lies below. */
+/* Exact values at pixel (x, y); *weight: what they were divided by. */
 static APART struct inverse quotients_at(const struct textured_setup *s, int32_t x, int32_t y, struct texel_at *at,
                                          uint32_t *weight)
 {
@@ -41,8 +42,8 @@ static uint32_t change_of(uint32_t from, uint32_t to, unsigned shift)
 }
 
 /*
- * How far linear is off between two ends, 2^-21 texel / 4: what changes most times what 1/m changes by, over 4. Light
- * counts as 256 texels for 1.0, so that 1/32 texel is 1/8192.
+ * How far linear interpolation between two ends is off: the largest change of a value times the relative change of 1/m,
+ * over 4; returned in 2^-21 texel / 4. Light of 1.0 counts as 256 texels, so that 1/32 texel is 1/8192.
  */
 static uint32_t off_by(const struct texel_at *from, const struct texel_at *to, uint32_t weight, uint32_t next_weight,
                        struct inverse i, struct inverse next)
@@ -62,10 +63,10 @@ static uint32_t off_by(const struct texel_at *from, const struct texel_at *to, u
     return most * (((change << more.up) >> 16) * more.seed >> 16);
 }
 
-/* A block on its way. */
+/* The block being drawn. */
 struct block {
-    struct texel_at at, step, end; /* end: exact where the next block begins */
-    struct inverse inverse;        /* of weight, there too */
+    struct texel_at at, step, end; /* end: exact values where the next block begins */
+    struct inverse inverse;        /* of weight, at the same pixel */
     uint32_t weight;
 };
 
@@ -89,8 +90,8 @@ static void block_steps(struct block *b, uint32_t count)
 #define OFF_LIMIT (1u << 18) /* 1/32 texel, see off_by */
 
 /*
- * The block that begins in pixel (x, y), where b->end is exact: returns its pixels, `left` at the most. The row's last
- * one ends in its last pixel: beyond, weights may be none.
+ * Makes the block that begins at pixel (x, y), whose exact values are in b->end; returns its pixels, at most `left`.
+ * The row's last block ends at the row's last pixel, because beyond the triangle weights may be invalid.
  */
 static APART int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
 {

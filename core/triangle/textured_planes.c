@@ -1,13 +1,13 @@
 /*
- * textured_planes.c - texel coordinates and light at the corners to planes, linear on the screen where that is good
- * enough, else as quotients (lecture, "Fixing Distortion").
+ * textured_planes.c - makes planes of texel coordinates and light at the corners: linear on the screen if that is good
+ * enough, else for quotients (lecture, "Fixing Distortion").
  */
 #include "fog.h"
 #include "textured.h"
 
 SETUP_FITS(struct textured_setup);
 
-/* What corner k has more than corner 0, over 2^shift, shift >= 1. */
+/* Corner k's value minus corner 0's, over 2^shift, shift >= 1. */
 static int32_t more_at(const struct at_corners *at, int k, unsigned shift)
 {
     return asr32(at->f[k] - at->f[0] + (1 << (shift - 1)), shift);
@@ -18,13 +18,13 @@ static uint32_t reach_of(const struct at_corners *at)
     return magnitude32(at->f[1] - at->f[0]) | magnitude32(at->f[2] - at->f[0]);
 }
 
-/* 1 where linear on the screen is within 1/32 texel. */
+/* 1 if coordinates that are linear on the screen are off by at most 1/32 texel. */
 static int texels_straight(const struct surface_corners *c, const struct at_corners *at)
 {
     return reach_of(at) < 1u << 26 && sheen_straight(c, more_at(at, 1, 12), more_at(at, 2, 12), 2);
 }
 
-/* Linear on the screen; coarse: 15 bits of the differences are enough. */
+/* The plane of what is linear on the screen. coarse: 15 bits of the differences are enough. */
 static struct plane screen_plane(const struct gradients *g, const struct at_corners *at, int coarse)
 {
     uint32_t reach = reach_of(at);
@@ -37,7 +37,7 @@ static struct plane screen_plane(const struct gradients *g, const struct at_corn
     return p;
 }
 
-/* The attribute, below 2^(30 - up), times weight: twice the product's high word. */
+/* The plane of an attribute, below 2^(30 - up), times weight: it holds twice the product's high word. */
 static struct plane numerator_plane(const struct gradients *g, const struct surface_corners *c,
                                     const struct at_corners *at, unsigned up)
 {
@@ -73,7 +73,7 @@ static APART void textured_quotients(struct textured_setup *t, struct surface_co
     t->weight = sheen_gradient_plane(g, half, 1);
 }
 
-/* Too flat for gradients: the mean. */
+/* For triangles too flat for gradients: the corners' mean. */
 static struct plane mean_plane(const struct at_corners *at)
 {
     struct plane p = {(uint32_t)(at->f[0] + (at->f[1] - at->f[0]) / 3 + (at->f[2] - at->f[0]) / 3), 0, 0};
@@ -81,7 +81,7 @@ static struct plane mean_plane(const struct at_corners *at)
     return p;
 }
 
-/* 1 where a coordinate may come near the picture's edges, where what is held there differs from what repeats. */
+/* 1 if a coordinate may come so near to the picture's edges that clamping and repeating differ. */
 static int nears_edges(const struct at_corners *at, unsigned size, int32_t edge)
 {
     unsigned near = 0;
@@ -91,7 +91,7 @@ static int nears_edges(const struct at_corners *at, unsigned size, int32_t edge)
     return near != 0;
 }
 
-/* Where fog or a pattern has them general loops, draws do not say so themselves. */
+/* 1 if loops for 565 may draw the texels. Under fog d->is_565 is 0 (take_general_loops), so the fog's is asked. */
 static int shows_565(const struct draw *d)
 {
     return d->is_565 || (d->fog != NULL && d->fog->is_565 && !d->stippled);
@@ -120,7 +120,7 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
     return terms->unlit ? TEXTURED_UNLIT : highlight != 0 ? TEXTURED_GLOSSY : TEXTURED_LIT;
 }
 
-/* 2^-16 texel that nearest ones may be off by along 8 px and along 32, packed. */
+/* How far packed coordinates of nearest texels may be off along 8 px and along 32 px, in 2^-16 texel. */
 #define BLOCK_BIAS 320
 #define RUN_BIAS 1088
 
@@ -130,7 +130,7 @@ void sheen_setup_textured(struct setup *s, struct surface_corners *c, const stru
     struct textured_setup *t = (struct textured_setup *)s;
     struct plane *plane[4] = {&t->u, &t->v, &t->light, &t->specular};
 
-    t->light = (struct plane){(uint32_t)at[2].f[0], 0, 0}; /* unlit it is the same everywhere */
+    t->light = (struct plane){(uint32_t)at[2].f[0], 0, 0}; /* if unlit, it is the same everywhere */
     t->specular = (struct plane){0, 0, 0};
     s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
     s->rows = sheen_textured_blocks;

@@ -1,26 +1,26 @@
 /*
- * textured_rows.c - texels in the place of a base colour.
+ * textured_rows.c - runs of texels, which take the place of a base colour.
  */
 #include "fog.h"
 #include "texels.h"
 #include "textured.h"
 
 /*
- * Coordinates as they are stepped. Packed, for small pictures that repeat: V above U in one word, both with PACKED_BITS
- * of fraction; what U carries over is 2^-PACKED_BITS of a texel of V. After every RUN px, along which steps are off by
- * 2^-6 texel at the most, it is mended. Else U and V as they are.
+ * How coordinates are stepped. For small pictures that repeat they are packed: V above U in one word, both with
+ * PACKED_BITS of fraction; a carry out of U adds only 2^-PACKED_BITS texel to V. Along RUN px, packed steps are off by
+ * at most 2^-6 texel; after every RUN px that is mended. Otherwise U and V are stepped as they are.
  */
 #define PACKED_BITS 10
 #define RUN TEXEL_PART
 
-/* Held to -width/2 .. width/2: a step to the left must not carry. */
+/* U's step is brought into -width/2 .. width/2, because a step to the left must not carry into V. */
 static uint32_t packed_step(uint32_t du, uint32_t dv, unsigned width)
 {
     return (uint32_t)asr32((int32_t)((du + 32) << (16 - width)), 22 - width) +
            ((dv + 32) >> 6 << (PACKED_BITS + width));
 }
 
-/* What a step lacks, -32..31 / 2^16 texel, RUN times. */
+/* What RUN packed steps lack: each one -32..31 / 2^16 texel. */
 static uint32_t packed_rest(uint32_t d)
 {
     return (uint32_t)asr32((int32_t)((d + 32) & 63u) - 31, 1);
@@ -57,7 +57,7 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 
 /* ---- any texture, light and target ---- */
 
-/* Of channel k, with `fraction` bits. */
+/* The light on channel k, with `fraction` bits. */
 SPECIALISED uint32_t channel_light(const struct texel_terms *terms, uint32_t light, int k, unsigned fraction)
 {
     if (terms->alike)
@@ -112,7 +112,7 @@ SPECIALISED void put_fogged_texel(const struct texel_run *r, uint32_t at, uint32
                channel[2] >> (fraction - 10), threshold, 0);
 }
 
-/* A channel in 1/32 level under light. Where that may exceed 1.0 it has 4 bits less. */
+/* A channel, in 1/32 level, times light. If light may exceed 1.0, 4 of its bits are cut so that the product fits. */
 SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, uint32_t light)
 {
     if (r->pixels == TEXTURED_ANY)
@@ -120,7 +120,7 @@ SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, ui
     return r->d->texel.texture->bilinear ? channel * (light >> 5) : (channel >> 5) * light;
 }
 
-/* A pixel's texels are `nearest` or about (u, v). */
+/* Draws a pixel: its texel is `nearest`, or bilinear a mix of the four around (u, v). */
 SPLIT void any_colour(const struct texel_run *r, uint32_t offset, uint32_t threshold, const struct texel_at *at,
                       uint32_t nearest, int is_fogged)
 {
@@ -175,33 +175,36 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
     any_loop(r, from, 0);
 }
 
-/* ---- loops of their own: 565 that repeats on 565, light and highlight 1.0 at the most and without a hue ---- */
+/* ---- specialised loops: on 565, no coordinate to clamp, light and highlight at most 1.0 and without a hue ---- */
 
-/* Where the processor holds a number in its range as it shifts it. */
+/* 1 if the processor shifts and saturates in one instruction. */
 #ifdef __ARM_FEATURE_SAT
 #define SATURATES 1
 #else
 #define SATURATES 0
 #endif
 
-/* The fog's levels, blue 2^16 and red, and green; and with 11 fraction bits, the half of the one rounding in them. */
+/*
+ * The fog's levels: 2^16 blue + red, and green; and the same with 11 fraction bits, in which the half of the one
+ * rounding is included.
+ */
 struct faded_fog {
     uint32_t blue_red, green, blue_red_mist, green_mist;
 };
 
-/* All but the last ones are constant. */
+/* How a run is drawn. In specialised loops the fields before `fog` are compile-time constants. */
 struct way {
     unsigned packed, lit, glossy, dither, swap;
-    uint8_t other;                 /* palettes, and a colour that is transparent */
+    uint8_t other;                 /* the texture has a palette or a transparent colour */
     uint8_t fogged;                /* light and highlight are what the fog leaves of them */
-    uint8_t faded;                 /* unlit: in place of the fog's share what it leaves is stepped */
-    uint32_t fog[3];               /* its levels */
-    intptr_t to_pixel;             /* bytes from a pixel's depth */
-    const threshold_t *thresholds; /* of the row, where something dithers */
-    uint32_t half;                 /* of rounding, with LIGHT_BITS */
-    uint32_t spread;               /* the mask of three channels in 1/32 level */
+    uint8_t faded;                 /* unlit: what the fog leaves is stepped in place of its share */
+    uint32_t fog[3];               /* the fog's levels */
+    intptr_t to_pixel;             /* bytes from a pixel's depth to its colour */
+    const threshold_t *thresholds; /* of the row, if it is dithered */
+    uint32_t half;                 /* the half of the one rounding, with LIGHT_BITS */
+    uint32_t spread;               /* SPREAD */
     const struct sheen_texture *texture;
-    struct faded_fog mist; /* of what is faded */
+    struct faded_fog mist; /* if faded */
 };
 
 SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
@@ -216,7 +219,7 @@ SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
     way->texture = r->d->texel.texture;
     way->half = 1u << (LIGHT_BITS - 1);
     way->spread = SPREAD;
-    OPAQUE(way->half); /* else they are made at every pixel */
+    OPAQUE(way->half); /* else the compiler makes these constants at every pixel */
     OPAQUE(way->spread);
     way->to_pixel = r->t->to_pixel;
     way->thresholds = DITHER_ROW(r->t, r->depth - r->x, r->y);
@@ -227,7 +230,7 @@ SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
     return way->dither ? threshold_pair(way->thresholds, depth) << (LIGHT_BITS - 11) : way->half;
 }
 
-/* Of channels, with LIGHT_BITS, to which the threshold was added; glossy: they may exceed the highest level. */
+/* 565 from channels with LIGHT_BITS and their threshold added; glossy: they may exceed the highest level. */
 SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned glossy)
 {
     if (glossy && SATURATES) {
@@ -247,12 +250,12 @@ SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned 
     return (r << 6 | g) << 5 | b;
 }
 
-/* What is stepped. u: U, or both packed; v: V, of nearest texels times the width. */
+/* What is stepped along a run. u: U, or U and V packed; v: V, for nearest texels times the width. */
 struct stepped {
     uint32_t z, light, specular, fog, u, v;
 };
 
-/* What is added to channels: a threshold; a white highlight; a share of the fog. */
+/* What is added to channels: a threshold, and if there are any, a white highlight and the fog's share. */
 struct added {
     uint32_t red, green, blue;
 };
@@ -281,7 +284,7 @@ SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, struct added more
                          (texel & 31u) * light + more.blue, glossy);
 }
 
-/* Reads a texel by its number, or by its place in bytes of 565. */
+/* Reads a texel; n is its number if `other`, else its offset in bytes. */
 SPECIALISED uint32_t texel_at(const uint8_t *texels, uint32_t n, const struct way *way)
 {
     return way->other ? texel_number(way->texture, n) : *(const uint16_t *)(const void *)(texels + n);
@@ -296,7 +299,7 @@ SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const s
 {
     at->z += step->z;
     at->u += step->u;
-    OPAQUE(at->z); /* else gcc multiplies for what they are at the end */
+    OPAQUE(at->z); /* else gcc multiplies to get the values at the run's end */
     OPAQUE(at->u);
     if (!way->packed) {
         at->v += step->v;
@@ -316,13 +319,13 @@ SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const s
     }
 }
 
-/* The part of a run up to which nothing is mended. */
+/* The end of the next part of a run, within which nothing is mended. */
 SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last, const struct way *way)
 {
     return (way->packed || way->dither) && last - depth > RUN ? depth + RUN : last;
 }
 
-/* 2^16 blue and red. */
+/* 2^16 blue + red. */
 SPECIALISED uint32_t blue_red_of(uint32_t texel)
 {
     uint32_t blue = texel << 27;
@@ -331,7 +334,7 @@ SPECIALISED uint32_t blue_red_of(uint32_t texel)
     return (blue >> 11) + (texel >> 11);
 }
 
-/* On M0+, where a mask takes a register, by shifts. */
+/* By shifts on an M0+, where a mask would need a register. */
 SPECIALISED uint32_t green_of(uint32_t texel)
 {
     uint32_t green = texel << 21;
@@ -342,7 +345,7 @@ SPECIALISED uint32_t green_of(uint32_t texel)
     return green >> 26;
 }
 
-/* Of channels with 11 fraction bits a 565 value, and above it what is cut. */
+/* 565 from channels with 11 fraction bits; bits above the low 16 are left for the caller to cut off. */
 SPECIALISED uint32_t packed_levels(uint32_t blue_red, uint32_t green)
 {
 #if defined(__ARM_ARCH_6M__)
@@ -352,7 +355,10 @@ SPECIALISED uint32_t packed_levels(uint32_t blue_red, uint32_t green)
 #endif
 }
 
-/* fog + (texel - fog) * left: two products, and no channel exceeds the larger of both. left: UQ1.11, at most 1.0. */
+/*
+ * fog + (texel - fog) * left, in two products; no channel exceeds the larger of the fog's and the texel's. left:
+ * UQ1.11, at most 1.0.
+ */
 SPECIALISED uint32_t faded_texel(const uint16_t *depth, uint32_t texel, uint32_t left, const struct way *way)
 {
     uint32_t blue_red = (blue_red_of(texel) - way->mist.blue_red) * left + way->mist.blue_red_mist;
@@ -417,11 +423,11 @@ SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part,
     }
 }
 
-/* Channels of 1/32 level are rounded where they stand. */
+/* Rounds channels in 1/32 level, each in its place in the word. */
 SPECIALISED uint32_t unlit_mixed(uint32_t sum, const struct way *way, uint32_t threshold)
 {
     sum = (sum + (way->dither ? (threshold >> (LIGHT_BITS - 5)) * 0x00200801u : 0x02008010u)) >> 5 & way->spread;
-    return sum >> 16 | sum; /* above 565 something is left */
+    return sum >> 16 | sum; /* bits are left above the 565 value */
 }
 
 SPECIALISED uint32_t lit_mixed(uint32_t sum, uint32_t light, struct added more, unsigned glossy)
@@ -431,7 +437,7 @@ SPECIALISED uint32_t lit_mixed(uint32_t sum, uint32_t light, struct added more, 
                          (sum & 1023u) * light + more.blue, glossy);
 }
 
-/* What the four texels of a pixel are read by, as texel_at does. */
+/* How the four texels of a pixel are addressed; in the units of texel_at. */
 struct bilinear_at {
     const uint8_t *texels;
     uint32_t columns, rows;
@@ -440,8 +446,9 @@ struct bilinear_at {
 };
 
 /*
- * Four texels, spread, as pixels in a row mix them: 32 * first + a * right + b * below + ab / 32 * both, modulo 2^32.
- * u, v: where that was, less half a texel.
+ * Four neighbouring texels, spread, as terms of a mix, kept for all pixels of a row between them. With shares a and b
+ * in 1/32 the mix is 32 * first texel + a * right + b * below + ab / 32 * both, modulo 2^32; `first` is 32 times the
+ * texel. u, v: coordinates for which the texels were read, less half a texel.
  */
 struct texel_cell {
     uint32_t u, v, first, right, below, both;
@@ -450,7 +457,7 @@ struct texel_cell {
 SPECIALISED int in_texel_cell(const struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
                               const struct way *way)
 {
-    if (way->packed) /* what is not fraction */
+    if (way->packed) /* all bits but the fractions */
         return ((c->u ^ at->u) & ~(((1u << PACKED_BITS) - 1) * ((1u << (PACKED_BITS + b->width)) + 1))) == 0;
     return ((c->u ^ at->u) | (c->v ^ at->v)) >> 16 == 0;
 }
@@ -541,7 +548,7 @@ SPLIT struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned
     return way;
 }
 
-/* Of unlit texels: a part's fog is what is left of them, and half of what UQ1.11 of it cuts. */
+/* For unlit texels: a part's fog is then what the fog leaves of them, plus half a step of UQ1.11 for its rounding. */
 SPECIALISED void fade(struct way *way)
 {
     const uint32_t half = way->dither ? 0 : 1u << 10; /* of the one rounding */
@@ -557,7 +564,7 @@ static int is_glossy(const struct texel_part *part)
     return (part->from->specular | part->step->specular) != 0;
 }
 
-/* Texels under light and fog that are linear along the part; faded: see fade. */
+/* For any texels, with light and fog linear along the part; faded: see fade. */
 SPLIT struct way any_fogged_way(const struct texel_run *r, const struct texel_part *part, int faded)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
@@ -580,7 +587,7 @@ static APART void any_fogged_nearest(const struct texel_run *r, const struct tex
     nearest_part(r, *part, any_fogged_way(r, part, faded));
 }
 
-/* Two functions: the stack of one alone. */
+/* Two functions, so that only the stack of one is used. */
 SPLIT void any_fogged_part(const struct texel_run *r, const struct texel_part *part, int faded)
 {
     if (r->d->texel.texture->bilinear)
@@ -650,7 +657,7 @@ void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *f
     any_loop(r, from, 1);
 }
 
-/* ---- which ---- */
+/* ---- which loop ---- */
 
 #if FAST_LOOPS
 
