@@ -166,7 +166,7 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
         w->by_way[s->way]++;
     }
     draw_rows(f, w, t, rows, s);
-    if (s->end_row <= t->rect.y1 - f->screen.again) {
+    if (s->end_row <= t->rect.y1 - f->screen.shared_rows) {
         if (carried)
             move_slot(w, place, &w->first_free);
         return 0;

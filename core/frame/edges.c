@@ -90,7 +90,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
     if (list.lines > list.max_lines)
         return refuse(f, SHEEN_ERR_CAPACITY, SHEEN_ABOUT_MAX_EDGES, list.lines + noted);
     f->edges = d->edges;
-    f->screen.again = 2 * LINE_APRON;
+    f->screen.shared_rows = 2 * LINE_APRON;
     f->used = list.used;
     f->stats.edges = list.lines;
     d->end_line = (uint16_t)list.lines;
@@ -210,7 +210,7 @@ static void edges_draw(const struct sheen_frame *f, struct worker *w, struct til
     draw_all_lines(f, w, t, rect.y0, rect.y1);
     if (rect.y1 != strip_end) /* set-ups go on right below these rows, not at the next band */
         w->last_band = -2;
-    const int32_t again = max32(t->rect.y1 - f->screen.again, t->rect.y0); /* a tile of one row has no apron */
+    const int32_t again = max32(t->rect.y1 - f->screen.shared_rows, t->rect.y0); /* a tile of one row has no apron */
     for (unsigned slot = w->first_carried; slot != f->config.max_carried; slot = slot_of(w, slot)->next)
         sheen_spans_back(slot_of(w, slot), again);
     t->depth += above;

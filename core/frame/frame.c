@@ -88,7 +88,7 @@ static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct s
     screen->weight_offset = p->weight_offset;
     screen->weight_shift = (uint8_t)p->weight_shift;
     screen->flat_weight = view->affine || p->orthographic != 0;
-    screen->again = 0;
+    screen->shared_rows = 0;
     return SHEEN_ABOUT_NOTHING;
 }
 
@@ -298,8 +298,8 @@ static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sh
         m = m->ramp->reader->begin(d, m, &by_ramp, d->shader->at_pixels);
     sheen_colour_begin(&d->colour, &f->format, m, d->light.diffuse_sum, d->light.specular_sum);
     d->shades = NULL;
-    if (d->shader->shades != NULL)
-        d->shades = d->shader->shades(d, f->shades, f->config.max_shades, &f->shaded_colors);
+    if (d->shader->find_shades != NULL)
+        d->shades = d->shader->find_shades(d, f->shades, f->config.max_shades, &f->shaded_colors);
     sheen_power_end(&d->power, &d->colour, &f->format, d->dither);
     if (d->shader->begin != NULL)
         d->shader->begin(d, m, &f->format, object, &f->view.pose);

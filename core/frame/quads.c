@@ -20,7 +20,7 @@ static uint8_t most_warp(const struct sheen_frame *f, const struct draw *d)
         return 0;
     if (taken == QUADS_LIT)
         return d->light.count == 1 && d->light.ramp == NULL ? SHEEN_WARP_PLANE - 1 : 0;
-    return sheen_most_bend(d, taken == QUADS_CLOSE ? CLOSE_ARCS : (uint32_t)d->widest << 21);
+    return sheen_most_bend(d, taken == QUADS_CLOSE ? CLOSE_ARCS : (uint32_t)d->most_apart << 21);
 }
 
 /* The corners of triangles i and i + 1, in struct quad's order; 0 if they are not a fan of one polygon. */

@@ -148,6 +148,6 @@ const struct sheen_shader sheen_gouraud = {.begin = gouraud_begin,
                                            .light = gouraud_light,
                                            .setup = gouraud_setup,
                                            .quads = QUADS_LIT,
-                                           .shades = sheen_shades_of,
+                                           .find_shades = sheen_shades_of,
                                            .needs_normals = 1,
                                            .corners = OF_MESH(normals)};

@@ -10,7 +10,7 @@ static void phong_colored_setup(struct setup *s, struct surface_corners *c, cons
 {
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces have shares in place of normals */
 
-    if (g == NULL || piece || !sheen_setup_tinted_quadrics(s, c, g, (uint32_t)s->draw->widest << 21))
+    if (g == NULL || piece || !sheen_setup_tinted_quadrics(s, c, g, (uint32_t)s->draw->most_apart << 21))
         sheen_setup_tinted(s, c, g);
 }
 

@@ -38,7 +38,7 @@ enum quads_taken {
  *   and have in place of normals; NULL: pieces have normals.
  * setup: chooses the cheapest way whose error stays below what a level shows; sets way, rows and, if that way reads it,
  *   fast; fills in what follows *s. g: NULL if the triangle is too flat for gradients.
- * shades: sheen_shades_of, or NULL for a shading that uses no shades and so does not link that function.
+ * find_shades: sheen_shades_of, or NULL for a shading that uses no shades and so does not link that function.
  * takes: 0 if the shading cannot show the material's texture, which may be NULL. `takes` is NULL if it needs none.
  */
 struct sheen_shader {
@@ -48,7 +48,7 @@ struct sheen_shader {
     void (*carry)(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3]);
     void (*setup)(struct setup *s, struct surface_corners *c, const struct gradients *g);
     int (*takes)(const struct sheen_texture *texture);
-    const struct shades *(*shades)(const struct draw *d, struct shades *store, unsigned count, unsigned *taken);
+    const struct shades *(*find_shades)(const struct draw *d, struct shades *store, unsigned count, unsigned *taken);
     const struct sheen_light *axes; /* two lights that replace the object's; NULL: the object's own */
     uint8_t needs_normals;          /* 1: the mesh has to have vertex normals */
     uint8_t reads_normals;          /* 1: set-ups read normals of front faces too, not only what vertices keep */

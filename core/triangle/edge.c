@@ -209,7 +209,7 @@ unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans
             e->at = halves_of(columns(whole_of(e->at), whole_of(e->step), rows, right & 1 ? &span->x1 : &span->x0));
     }
     s->row = (int16_t)end;
-    if (s->beyond)
+    if (s->needs_clipping)
         sheen_clip_spans(spans, (unsigned)(end - row), rect);
     return (unsigned)(end - row);
 }

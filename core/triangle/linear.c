@@ -27,14 +27,14 @@ int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint
         return 1;
     most = most > second ? most : second;
     most = most > third ? most : third;
-    uint32_t least = c->at.v[0]->z + (uint32_t)min32(0, min32(z1, z2)) + weight_beyond(screen);
+    uint32_t least = c->at.v[0]->z + (uint32_t)min32(0, min32(z1, z2)) + z16_weight_offset(screen);
     return most >> 6 <= (least >> 6) * unit;
 }
 
 /* 1 if steps with 11 fraction bits suffice: they do for 64 px, as corners may lie on both sides of corner 0. */
 static int packable(const struct gradients *g)
 {
-    return g->bits <= SUBPIXEL_BITS + COLUMN_BITS;
+    return g->bits <= SUBPIXEL_BITS + PACKED_RUN_BITS;
 }
 
 void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)

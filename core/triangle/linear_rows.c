@@ -123,7 +123,7 @@ SPECIALISED void long_run(const struct tile *t, uint16_t *depth, int32_t count, 
     packed_run(t, depth, count, *at, *step, way, DITHER_ROW(t, line, y));
 }
 
-/* Wide triangles: channels are packed again every COLUMN px. */
+/* Wide triangles: channels are packed again every PACKED_RUN px. */
 SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l, unsigned dither, unsigned swap)
 {
     const struct plane *c = l->channel;
@@ -139,7 +139,7 @@ SPECIALISED void column_rows(const struct tile *t, const struct linear_setup *l,
         struct packed_at at = {plane_at(&l->s.depth, x, y), {0, 0}};
         uint16_t *depth = t->depth + tile_offset(t, x, y);
         const uint16_t *line = depth - x;
-        for (int32_t n = COLUMN - (x & (COLUMN - 1)); left > 0; left -= n, n = COLUMN) {
+        for (int32_t n = PACKED_RUN - (x & (PACKED_RUN - 1)); left > 0; left -= n, n = PACKED_RUN) {
             n = min32(n, left);
             at.colour = pack_channels(channel, fraction);
             long_run(t, depth, n, &at, &step, line, y, dither, swap);

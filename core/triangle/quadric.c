@@ -141,7 +141,7 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
     lean[0] = lean[1] = lean[2] = 0;
     if (screen->flat_weight)
         return 1;
-    const int32_t mean = (int32_t)(third + weight_beyond(screen));
+    const int32_t mean = (int32_t)(third + z16_weight_offset(screen));
     if (mean < LEAST_MEAN)
         return 0;
     unsigned zeros = clz32((uint32_t)mean);

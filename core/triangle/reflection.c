@@ -40,7 +40,7 @@ COLD void sheen_reflection_begin(struct draw *d, const struct sheen_material *ma
                                  const struct sheen_pose *view)
 {
     sheen_loop_begin(d, material, format, object, view);
-    d->widest = sheen_widest_diffuse(&d->colour);
+    d->most_apart = sheen_widest_diffuse(&d->colour);
 }
 
 void sheen_keep_cosines(const struct draw *d, const int16_t normal[3], uint16_t kept[2])
@@ -130,8 +130,8 @@ int sheen_reflects_whole(const struct screen *screen, const struct quad *q)
         most = max32(most, z);
     }
     const unsigned bits = 32 - clz32(extent);
-    const uint32_t weight = (uint32_t)(first->z + least) + weight_beyond(screen);
-    return bits <= MAGNIFIED && quadric_fits_area(bits, (uint32_t)q->area[0]) &&
+    const uint32_t weight = (uint32_t)(first->z + least) + z16_weight_offset(screen);
+    return bits <= MOST_HIGHLIGHT_BITS && quadric_fits_area(bits, (uint32_t)q->area[0]) &&
            (screen->flat_weight || (weight > LEAST_MEAN && 9 * (uint32_t)(most - least) <= weight));
 }
 
@@ -155,13 +155,13 @@ int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, con
         sheen_setup_constant(s, &dark);
         return 1;
     }
-    if (f->apart > (uint32_t)s->draw->widest << 21 >> (s->draw->by_ramp >> 1) ||
+    if (f->apart > (uint32_t)s->draw->most_apart << 21 >> (s->draw->by_ramp >> 1) ||
         !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
         return 0;
     angle_excesses(&e, f);
     light_excesses(&e, f);
     int highlight = has_highlight(&e, f, s->draw, 0);
-    if ((highlight && (g->bits > MAGNIFIED || too_sharp(&e, f, s->draw))) || !sheen_quadric_steps(&steps, g))
+    if ((highlight && (g->bits > MOST_HIGHLIGHT_BITS || too_sharp(&e, f, s->draw))) || !sheen_quadric_steps(&steps, g))
         return 0;
     s->way = SHEEN_WAY_PHONG_QUADRATIC;
     sheen_take_quadric_rows(s, g, highlight ? SECOND_POWER : SECOND_NONE);

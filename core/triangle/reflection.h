@@ -23,7 +23,7 @@ struct facing {
 /* The largest |Ni - Nj|^2, UQ.9, for which diffuse light is taken as a quadric, by how many levels it spans. */
 uint8_t sheen_widest_diffuse(const struct colour_terms *t);
 
-/* sheen_loop_begin, and fills in d->widest by sheen_widest_diffuse. */
+/* sheen_loop_begin, and fills in d->most_apart by sheen_widest_diffuse. */
 void sheen_reflection_begin(struct draw *d, const struct sheen_material *material, const struct pixel_format *format,
                             const struct sheen_object *object, const struct sheen_pose *view);
 

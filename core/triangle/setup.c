@@ -141,14 +141,15 @@ unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rec
     }
     int32_t end_row = min32(bottom, screen->viewport.y1);
     const struct edge_rows to = {max32(top, rect.y0), min32(end_row, rect.y1),
-                                 top >= rect.y0 && bottom <= rect.y1 - screen->again, fourth != NULL};
+                                 top >= rect.y0 && bottom <= rect.y1 - screen->shared_rows, fourth != NULL};
     s->row = (int16_t)to.end;
     s->end_row = (int16_t)end_row;
     if (to.row >= to.end)
         return 0;
     s->right = right_edges(sheen_edges_begin(s->edge, at, &to, spans), to.quad);
-    s->beyond = ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0 || screen->again > 0;
-    if (s->beyond)
+    s->needs_clipping =
+        ((c->at.v[0]->flags | c->at.v[1]->flags | c->at.v[2]->flags) & OFF_VIEW) != 0 || screen->shared_rows > 0;
+    if (s->needs_clipping)
         sheen_clip_spans(spans, (unsigned)(to.end - to.row), rect);
     c->flat = !sheen_gradients(g, at[1].x, at[1].y);
     depth_plane(s, c, g, c->flat);

@@ -79,7 +79,7 @@ COLD void sheen_tinted_quadrics_begin(struct draw *d, const struct sheen_materia
 {
     sheen_glow_begin(d, material, format, object, view);
     add_low(d);
-    d->widest = sheen_widest_diffuse(&d->colour);
+    d->most_apart = sheen_widest_diffuse(&d->colour);
 }
 
 /* Finds the lights that need quadrics; returns 0 if a highlight is too much for quadrics, or too many are needed. */
@@ -97,7 +97,7 @@ static int choose_lights(struct tinted_quadrics_setup *q, const struct surface_c
         if (dark || !has_highlight(e, f, d, i))
             continue;
         shines |= 1u << i;
-        if (g->bits > MAGNIFIED || too_sharp(e, f, d))
+        if (g->bits > MOST_HIGHLIGHT_BITS || too_sharp(e, f, d))
             return 0;
     }
     q->lit = (uint8_t)lit;

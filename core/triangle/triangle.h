@@ -32,7 +32,7 @@ struct draw {
     uint8_t left_out[8]; /* stippled draws: bit x & 7 of entry y & 7 is set if pixel (x, y) is left out */
     uint8_t forced;      /* 1 + the enum sheen_way that a test forces wherever it is accurate enough, or 0 */
     uint8_t quads;       /* the highest warp of a polygon whose triangles may be listed as quads; 0: no quads */
-    uint8_t widest;      /* largest |Ni - Nj|^2 for which L.N may be a quadric, UQ.9; see sheen_widest_diffuse */
+    uint8_t most_apart;  /* largest |Ni - Nj|^2 for which L.N may be a quadric, UQ.9; see sheen_widest_diffuse */
     int16_t depth_bias;  /* steps of z16, -4096..4095 */
     const struct sheen_mesh *mesh;
     const struct sheen_morph *morph; /* NULL: the mesh as it is */
@@ -83,12 +83,12 @@ struct screen {
     int32_t centre_x, centre_y; /* the viewport's centre on the target, 1/64 px: the origin of struct vertex */
     int32_t weight_offset;      /* as in struct projection */
     uint8_t weight_shift;
-    uint8_t flat_weight; /* affine or orthographic: all weights are equal */
-    uint16_t again;      /* how many of a tile's last rows the next tile contains too */
+    uint8_t flat_weight;  /* affine or orthographic: all weights are equal */
+    uint16_t shared_rows; /* how many of a tile's last rows the next tile contains too */
 };
 
 /* The offset for which z16 + offset is proportional to 1/m; at least -DEPTH_FAR. */
-static inline uint32_t weight_beyond(const struct screen *screen)
+static inline uint32_t z16_weight_offset(const struct screen *screen)
 {
     return (uint32_t)asr32(screen->weight_offset, screen->weight_shift);
 }
@@ -135,13 +135,13 @@ struct quadric {
  */
 struct setup {
     uint16_t entry;
-    uint8_t next;         /* the next slot in the worker's list */
-    uint8_t way;          /* enum sheen_way */
-    int16_t row, end_row; /* the next row to draw; one past the last */
-    uint8_t right;        /* one bit per edge from bit 0 on, 1 if it bounds the right; a final 1 marks the end */
-    uint8_t beyond;       /* 1: spans may leave the tile's columns, so they are clipped */
-    uint8_t fast;         /* 1: loops need not clamp; some ways define it otherwise */
-    uint8_t detail;       /* each way defines it */
+    uint8_t next;           /* the next slot in the worker's list */
+    uint8_t way;            /* enum sheen_way */
+    int16_t row, end_row;   /* the next row to draw; one past the last */
+    uint8_t right;          /* one bit per edge from bit 0 on, 1 if it bounds the right; a final 1 marks the end */
+    uint8_t needs_clipping; /* 1: spans may leave the tile's columns, so they are clipped */
+    uint8_t fast;           /* 1: loops need not clamp; some ways define it otherwise */
+    uint8_t detail;         /* each way defines it */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
     struct plane depth; /* z16 as UQ16.16 */
@@ -306,7 +306,7 @@ static inline uint8_t right_edges(unsigned right, int quad)
 /*
  * sheen_spans fills in the spans of a triangle's next rows inside the tile and moves s->row past them; spans[0] is the
  * old s->row. Returns the number of rows. sheen_spans_back moves s->row back up to `row`, by at most the screen's
- * `again` rows, so that the next tile can draw these once more.
+ * shared_rows, so that the next tile can draw these once more.
  */
 void sheen_spans_back(struct setup *s, int32_t row);
 unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans);
@@ -331,9 +331,9 @@ struct linear_setup {
     struct plane channel[3]; /* with the draw's fraction bits; s.fast: 565, and no corner exceeds 1.0 */
 };
 
-/* Steps with 11 fraction bits are off by 2^-12 per pixel, which is accurate enough for COLUMN px. */
-#define COLUMN_BITS 5
-#define COLUMN (1 << COLUMN_BITS)
+/* Steps with 11 fraction bits are off by 2^-12 per pixel, which is accurate enough for PACKED_RUN px. */
+#define PACKED_RUN_BITS 5
+#define PACKED_RUN (1 << PACKED_RUN_BITS)
 
 static inline uint32_t pack_red_blue(uint32_t red, uint32_t blue, unsigned fraction)
 {
@@ -348,7 +348,7 @@ static inline struct packed pack_channels(const uint32_t channel[3], unsigned fr
     return (struct packed){pack_red_blue(channel[0], channel[2], fraction), channel[1] << (26 - fraction)};
 }
 
-/* Channels of a triangle within COLUMN px of corner 0: struct packed as planes; includes 1/2 unless dithered. */
+/* Channels of a triangle within PACKED_RUN px of corner 0: struct packed as planes; includes 1/2 unless dithered. */
 struct packed_setup {
     struct setup s;
     struct plane red_blue, green;
