@@ -349,7 +349,7 @@ struct sheen_morph {
      * read.
      */
     const struct sheen_mesh *mesh;
-    const struct sheen_morpher *morpher; /* &sheen_morpher; linked only if named */
+    const struct sheen_morpher *morpher; /* &sheen_morpher: linked only if named */
     uint16_t weight;                     /* k, UQ1.15: 0..32768 */
 };
 
@@ -411,7 +411,7 @@ extern const struct sheen_fog_mixer sheen_line_fog_mixer;
 struct sheen_fog {
     sheen_q24_t start, end;              /* m, units, 0 < start < end, at least 256 steps of depth apart */
     uint8_t color[3];                    /* r, g, b */
-    const struct sheen_fog_mixer *mixer; /* &sheen_fog_mixer or &sheen_line_fog_mixer; linked only if named */
+    const struct sheen_fog_mixer *mixer; /* &sheen_fog_mixer or &sheen_line_fog_mixer: linked only if named */
 };
 
 /* What the eye sees in one frame. */
