@@ -1,8 +1,8 @@
 /*
- * colour.c - intensities to channels of the target.
+ * colour.c - from intensities to the target's channels.
  *
- * A pixel is rounded once, from base * I_ad + highlight * I_s; a level's factors
- * carry 9 fraction bits on 565, one less for each doubling of the intensities above 2.
+ * A pixel is rounded once, from base * I_ad + highlight * I_s. On 565 the factors of a level carry 9 fraction bits, one
+ * less for each doubling of the intensities above 2.
  */
 #include "pixel.h"
 
@@ -12,8 +12,7 @@ static uint32_t max_u32(uint32_t a, uint32_t b)
 }
 
 /*
- * Highest levels; grey is y = 0.2126 r + 0.7152 g + 0.0722 b, the weights in
- * UQ0.16 and their sum exactly 1.0.
+ * Grey is y = 0.2126 r + 0.7152 g + 0.0722 b, with weights in UQ0.16 whose sum is exactly 1.0.
  */
 COLD void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target)
 {
@@ -36,7 +35,7 @@ static uint32_t colour_share(uint8_t colour)
     return colour * 257u + (colour >> 7);
 }
 
-/* The factor by which a level moves most. */
+/* The largest factor of a channel; on grey their sum. */
 static APART uint32_t most_of(const uint16_t factor[3], unsigned grey)
 {
     uint32_t most = 0;
@@ -46,13 +45,13 @@ static APART uint32_t most_of(const uint16_t factor[3], unsigned grey)
     return most;
 }
 
-/* The intensity, UQ1.15, at which the factor gives `level`, with the draw's fraction; 2047 at the most. */
+/* The intensity, UQ1.15, with which the factor gives `level`, which has the draw's fraction bits; at most 2047. */
 static uint16_t intensity_of(uint32_t level, uint32_t factor)
 {
     return (uint16_t)min32((int32_t)QUOTIENT(level, factor + 1), 2047);
 }
 
-/* Of diffuse intensities; hardly any where there are none. */
+/* Fills in low and high, unless there is no such range. */
 static void diffuse_range(struct colour_terms *t)
 {
     const uint32_t margin = 1u << (LOOP_FRACTION - 5);
@@ -83,17 +82,16 @@ void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *forma
 }
 
 /*
- * The headroom h is the number of bits by which the brightest sum exceeds 1.0;
- * fraction = 31 - level_bits - h keeps every sum below 2^31, and the factors of
- * UQ1.15 intensities, with 15 bits less, below 2^16.
- * Range: intensities <= 4 + 4 * 4 + 4 * 4 = 36, by a ramp 52, so h <= 6 and fraction >= 17; scale * colour * intensity
- * is 2^24 * 2^16 * 2^22.
+ * The headroom h is the number of bits by which the brightest sum exceeds 1.0; fraction = 31 - level_bits - h keeps
+ * every sum below 2^31, and the factors of UQ1.15 intensities, which have 15 bits less, below 2^16. Range: intensities
+ * <= 4 + 4 * 4 + 4 * 4 = 36, with a ramp 52, so h <= 6 and fraction >= 17; scale * colour * intensity is 2^24 * 2^16 *
+ * 2^22.
  */
 COLD void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                              sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)
 {
     static const uint8_t white[3] = {255, 255, 255};
-    const int none = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0; /* white then */
+    const int none = (m->highlight[0] | m->highlight[1] | m->highlight[2]) == 0; /* means white */
     const uint8_t *const colour[3] = {m->base, m->base, none ? white : m->highlight};
     const uint32_t intensity[3] = {(uint32_t)m->ambient, intensities(m->diffuse, diffuse_sum),
                                    intensities(m->specular, specular_sum)};
@@ -124,8 +122,8 @@ COLD void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *
 }
 
 /*
- * The power table's first entry with which a specular part of `most` gives less than `faint`; they fall.
- * Range: most < 2^16, grey's sum with 2^15 < 2^31.
+ * The first of the power table's falling entries with which a specular factor `most` gives less than `faint`.
+ * Range: most < 2^16; on grey, times 2^15, the sum is < 2^31.
  */
 static uint32_t faint_entry(const struct power *power, uint32_t most, uint32_t faint)
 {
@@ -176,7 +174,7 @@ uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned 
                        swap);
 }
 
-/* The thresholds 2 B + 1, B the 8x8 Bayer matrix built up from [[0, 2], [3, 1]]. */
+/* The thresholds 2 B + 1, B being the 8x8 Bayer matrix built from [[0, 2], [3, 1]]. */
 const uint8_t sheen_thresholds[9][8] = {
     {1, 65, 17, 81, 5, 69, 21, 85},       {97, 33, 113, 49, 101, 37, 117, 53},  {25, 89, 9, 73, 29, 93, 13, 77},
     {121, 57, 105, 41, 125, 61, 109, 45}, {7, 71, 23, 87, 3, 67, 19, 83},       {103, 39, 119, 55, 99, 35, 115, 51},
@@ -206,14 +204,14 @@ const threshold_t sheen_dither_rows[8][16] = {
 #if FAST_LOOPS
 void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8])
 {
-    uint32_t at = (uint32_t)t->rect.x0 - (uint32_t)((uintptr_t)t->depth >> 1); /* of column 0, modulo 8 */
+    uint32_t at = (uint32_t)t->rect.x0 - (uint32_t)((uintptr_t)t->depth >> 1); /* the entry for column 0, modulo 8 */
 
     for (uint32_t y = (uint32_t)t->rect.y0, end = y + 8; y != end; y++, at -= t->pitch)
         thresholds[y & 7u] = &sheen_dither_rows[y & 7u][at & 7u];
 }
 #endif
 
-/* Left to right from the high bits; a row ends on a whole byte. The write never overtakes the read. */
+/* From left to right, high bits first; a row ends on a whole byte. Writing never overtakes reading. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows)
 {
     const unsigned bits = format->pixel_bits;

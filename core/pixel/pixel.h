@@ -10,12 +10,12 @@
 #include "../math/newton.h"
 #include "../sheen.h"
 
-/* Builds that count pixels pay for it; pictures are the same. */
+/* 1: count pixels, which costs time; pictures are the same. */
 #ifndef SHEEN_STATS
 #define SHEEN_STATS 0
 #endif
 
-/* Loops of their own for 565; builds for size take the general ones, which give the same pixels. */
+/* 1: specialised loops for 565. Builds for size use only the general loops, which give the same pixels. */
 #ifndef FAST_LOOPS
 #ifdef __OPTIMIZE_SIZE__
 #define FAST_LOOPS 0
@@ -25,8 +25,8 @@
 #endif
 
 /*
- * Taps of a build that counts what its frames are made of: SHEEN_TAPS names the header that defines them
- * (host-sim/plan/taps.h). SHEEN_TAP_ROWS draws a set-up's rows in a tile; the others cost nothing.
+ * Taps for a build that counts what its frames consist of: SHEEN_TAPS names the header that defines them
+ * (host-sim/plan/taps.h). Without it SHEEN_TAP_ROWS just draws a set-up's rows in a tile, and the others do nothing.
  */
 #ifdef SHEEN_TAPS
 #include SHEEN_TAPS
@@ -38,22 +38,22 @@
 
 /* Intensities relative to the most that the draw's lights can give. */
 struct lit {
-    uint32_t diffuse, specular; /* UQ1.15, 0..32768; where rows look ahead beyond a triangle to 65535 */
+    uint32_t diffuse, specular; /* UQ1.15, 0..32768; up to 65535 where rows step beyond a triangle */
 };
 
 /*
- * A material's power table, ready for a loop. Its argument is u = 1 - s with 2^30 at the table's end, and an entry
- * more: what rounding takes below 0 finds the first entry once more.
+ * A material's power table, ready for a loop. Its argument is u = 1 - s, scaled so that 2^30 is the table's end, plus
+ * one entry (POWER_GUARD): a u that rounding takes below 0 still finds a copy of the first entry.
  */
 struct power {
     const uint32_t *table;
-    uint32_t limit;    /* u in Q2.29 from which on there is no highlight; 0: there is none at all */
+    uint32_t limit;    /* u in Q2.29 from which on there is no highlight; 0: no highlight at all */
     uint8_t up;        /* 1..4: the argument is u in Q2.29 << up, + POWER_GUARD */
     uint8_t shininess; /* n */
-    uint16_t faint;    /* u in Q2.13 from which on a highlight is at most 1/32 level; at most `limit` */
+    uint16_t faint;    /* u in Q2.13 from which on the highlight gives at most 1/32 level; not beyond `limit` */
 };
 
-#define POWER_STEP 22 /* of the argument, an entry is 2^22 */
+#define POWER_STEP 22 /* 2^22 of the argument is one entry */
 #define POWER_GUARD (1u << POWER_STEP)
 
 static inline struct power power_of(const struct sheen_shine *shine)
@@ -66,7 +66,7 @@ static inline struct power power_of(const struct sheen_shine *shine)
                           .shininess = shine != NULL ? shine->shininess : 1};
 }
 
-/* s^n, UQ1.15, of an argument before the table's end. Range: drop < 2^15, so the product fits 32 bits. */
+/* s^n, UQ1.15; `at`: the argument, before the table's end. Range: drop < 2^15, so the product fits 32 bits. */
 static inline uint32_t power_entry(const uint32_t *table, uint32_t at)
 {
     uint32_t entry = table[at >> POWER_STEP], drop = entry & 0xffffu;
@@ -83,11 +83,11 @@ static inline uint32_t power_at(struct power p, int32_t u)
     return at < p.limit ? power_entry(p.table, (at << p.up) + POWER_GUARD) : 0;
 }
 
-#define FADED (1 << 12) /* UQ1.15: at L.N = 1/8 and beyond a highlight is whole */
+#define FADED (1 << 12) /* UQ1.15: from L.N = 1/8 on a highlight has its full strength */
 
 /*
- * A light's highlight at L.N = ln > 0, UQ1.15: s^n times min(1, 8 L.N), so that it ends at
- * L.N = 0 without a jump. Range: 2^15 * 2^12.
+ * A light's highlight at L.N = ln > 0, UQ1.15: s^n times min(1, 8 L.N), so that it ends at L.N = 0 without a jump.
+ * Range: 2^15 * 2^12.
  */
 static inline uint32_t faded(uint32_t power, uint32_t ln)
 {
@@ -107,21 +107,24 @@ struct draw;
 struct normal_run;
 struct shaded_run;
 
-/* All that reads a ramp, which points to it: what is lit without one does not link it. */
+/* The code that reads ramps. Ramps point to it, so programs without ramps do not link it. */
 struct sheen_ramp_reader {
-    /* Once a draw: *m with ambient and diffuse light as low and span make them, at most 20.0 and 4.0. Returns by. */
+    /*
+     * Once per draw: makes *by from *m, with the ambient and diffuse light that result from low and span, at most 20.0
+     * and 4.0. Returns by.
+     */
     const struct sheen_material *(*begin)(struct draw *d, const struct sheen_material *m, struct sheen_material *by,
                                           int at_pixels);
-    /* In place of sheen_light_plainly; at a normal of length zero there is no light. */
+    /* Replaces sheen_light_plainly; a normal of length zero gets no light. */
     void (*light)(const struct lighting *l, const struct power *power, const int16_t normal[3], struct lit *out);
-    /* In place of sheen_normal_run, and of sheen_shaded_run's loops; f is L.N then. */
+    /* Replace sheen_normal_run and the loops of sheen_shaded_run; there f is L.N. */
     void (*normal_run)(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                        const struct normal_run *run);
     void (*shaded_run)(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                        struct shaded_run *run, unsigned second);
 };
 
-/* The response to light at L.N, Q0.15 and held at +-1.0: UQ1.15 of the ramp's span. Range: 2^16 * 2^8. */
+/* A ramp's response at L.N = ln, Q0.15, clamped to +-1.0: UQ1.15 of the ramp's span. Range: 2^16 * 2^8. */
 static inline uint32_t response_at(const struct sheen_ramp *ramp, int32_t ln)
 {
     const uint32_t at = (uint32_t)(min32(max32(ln, -32768), 32767) + 32768);
@@ -130,59 +133,60 @@ static inline uint32_t response_at(const struct sheen_ramp *ramp, int32_t ln)
     return (uint32_t)(value[0] * 256 + (value[1] - value[0]) * (int32_t)(at & 255u) + 128) >> 8;
 }
 
-/* s^n by repeated squaring, UQ0.32, 1.0 held as 0xffffffff; off by less than n * 2^-32. */
+/* s^n by repeated squaring, UQ0.32, with 1.0 as 0xffffffff; off by less than n * 2^-32. */
 uint32_t sheen_raised(uint32_t s, unsigned n);
 
 /* ---- colour: intensities -> channels of the target ---- */
 
 /*
- * What a target's pixels are made of. On 565 the channels are red, green, blue
- * in levels; on grey they are the shares of red, green and blue in the level.
+ * A target's pixel format. On 565 the channels are red, green and blue in levels; on grey they are the contributions of
+ * red, green and blue to the level.
  */
 struct pixel_format {
-    uint32_t scale[3];  /* levels that 1.0 of red, green, blue gives, UQ8.16 */
-    uint8_t level_bits; /* of the highest level: 6, 8, 4 or 1 */
-    uint8_t grey;       /* a byte a pixel while drawing, packed before the push */
+    uint32_t scale[3];  /* the level for 1.0 of red, green, blue, UQ8.16 */
+    uint8_t level_bits; /* bits of the highest level: 6, 8, 4 or 1 */
+    uint8_t grey;       /* 1: grey; a byte per pixel while drawing, packed before the push */
     uint8_t pixel_bits; /* in the target's memory */
-    uint8_t swap;       /* 565 bytes change places between this machine and the target */
+    uint8_t swap;       /* 1: this machine and the target have different byte orders of 565 */
 };
 
 /*
- * A channel before rounding: a + b * diffuse + c * specular, unsigned with
- * `fraction` fraction bits, below 2^31 whatever the lights (see colour.c).
+ * A channel before rounding is a + b * diffuse + c * specular, unsigned with `fraction` fraction bits, below 2^31
+ * whatever the lights (see colour.c).
  */
-#define NO_DIFFUSE 0xffffu /* of low and high, where there is none such */
+#define NO_DIFFUSE 0xffffu /* low and high if there is no such range */
 
 struct colour_terms {
     uint8_t fraction;
-    uint8_t clamp; /* some normal may give more */
-    uint8_t unit;  /* logarithm of a 64th of 1.0, with the fraction */
-    /* of sheen_colour_reach: */
-    uint16_t dim;    /* specular intensities, UQ1.15, that give at most 1/32 of a 64th of 1.0; see faint_highlight */
-    uint16_t eighth; /* a diffuse one that gives at most 1/8 of that */
-    uint16_t low;    /* from this diffuse one on to */
-    uint16_t high;   /* this one all channels of 565 are 1/32 level from 0, where they move, and from 1.0 */
+    uint8_t clamp; /* 1: with some normal a channel may exceed 1.0 */
+    uint8_t unit;  /* a 64th of 1.0 of a channel is 2^unit */
+    /* by sheen_colour_reach: */
+    uint16_t dim;    /* the specular intensity, UQ1.15, that gives at most 1/32 of a 64th of 1.0; see faint_highlight */
+    uint16_t eighth; /* the diffuse intensity that gives at most 1/8 of a 64th */
+    uint16_t low;    /* from this diffuse intensity to `high` all channels of 565 stay 1/32 level */
+    uint16_t high;   /* below 1.0 and, unless they are constant, above 0 */
     uint32_t a[3];
     uint16_t b[3], c[3];
-    uint32_t top[3]; /* a channel's value at 1.0, where it is clamped */
+    uint32_t top[3]; /* a channel's value at 1.0, to which it is clamped */
 };
 
 /*
- * The same for loops on 565, in the order in which they are loaded, for LOOP_FRACTION bits: by channel a and b, then c.
- * Where nothing dithers the half of the one rounding is in a.
+ * The same for the specialised loops on 565, with LOOP_FRACTION bits, in the order in which they are loaded: a and b of
+ * each channel, then the c. Without dither a includes the 1/2 of the one rounding.
  */
-#define LOOP_FRACTION 24 /* of 565 whose channels stay below 2.0 */
+#define LOOP_FRACTION 24 /* fraction bits of 565 channels that stay below 2.0 */
 
 struct loop_terms {
     uint32_t ab[6], c[3];
     uint32_t power_end;    /* the power table's argument from which on there is no highlight */
-    const uint32_t *power; /* the table */
-    uint8_t usable;        /* 1: the target and the colours are such */
+    const uint32_t *power; /* the power table */
+    uint8_t usable;        /* 1: the target is 565 and the colours have LOOP_FRACTION bits */
 };
 
 /*
- * Up to which a highlight is left out. Dithered, over an area of one colour 1/64 of its pixels change for each 1/64
- * level of each channel: 3/256 level of green and half of that of red and blue are 1.5 in 64.
+ * The specular intensity up to which a highlight is left out; least: `dim`. When an area of one colour is dithered,
+ * each 1/64 level of a channel changes 1/64 of its pixels: 3/256 level of green and half as much of red and blue change
+ * 1.5 in 64.
  */
 static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
 {
@@ -190,46 +194,46 @@ static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
 }
 
 /*
- * Light on texels, for draws with a texture: of channel k it is a + b * diffuse, in [0, 20], and c * specular is added
- * in levels of 565.
+ * Light on texels, for draws with a texture: channel k's light is a + b * diffuse, in [0, 20]; c * specular is added in
+ * levels of 565.
  */
-#define LIGHT_BITS 24  /* the light's fraction, and where it is 1.0 at most that of channels */
-#define BRIGHT_BITS 19 /* that of channels, where light may exceed 1.0 */
-#define GREY_BITS 11   /* a channel's fraction where levels of grey are made of it */
+#define LIGHT_BITS 24  /* fraction bits of light, and of channels if light is at most 1.0 */
+#define BRIGHT_BITS 19 /* fraction bits of channels if light may exceed 1.0 */
+#define GREY_BITS 11   /* fraction bits of channels from which grey levels are made */
 
 struct texel_terms {
     const struct sheen_texture *texture;
     uint32_t a[3];    /* with `fraction` bits; below 2^30 with b * 1.0 */
-    uint16_t b[3];    /* with 15 less, for diffuse in UQ1.15 */
+    uint16_t b[3];    /* with 15 bits less, for diffuse in UQ1.15 */
     uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(BRIGHT_BITS + c_shift) */
-    uint16_t gloss;   /* where the highlight is white: what 1.0 of specular gives, UQ1.15 */
-    uint16_t grey[3]; /* what a channel's level of 565 / 2^GREY_BITS is in the target's, with 31 - level_bits bits */
+    uint16_t gloss;   /* what 1.0 of specular gives if the highlight is white, UQ1.15 */
+    uint16_t grey[3]; /* a 565 level / 2^GREY_BITS of each channel in grey levels, with 31 - level_bits fraction bits */
     uint8_t fraction; /* 24..30 */
     uint8_t c_shift;
-    uint8_t alike;  /* all channels' light is one */
-    uint8_t white;  /* all channels' highlight is one, and 1.0 at the most */
-    uint8_t packed; /* the texture's coordinates go into one word: see textured_rows.c */
-    uint8_t unlit;  /* it is 1.0 everywhere, and there is no highlight */
+    uint8_t alike;  /* 1: light is the same in all channels */
+    uint8_t white;  /* 1: the highlight is the same in all channels, at most 1.0 */
+    uint8_t packed; /* 1: both texel coordinates fit one word: see textured_rows.c */
+    uint8_t unlit;  /* 1: light is 1.0 everywhere, and there is no highlight */
 };
 
 /* Colours of lights, for draws that read them. */
 struct tint_terms {
-    uint32_t low[3]; /* of channels, what a ramp's low gives of white lights: not in `a` then */
+    uint32_t low[3]; /* by channel, what a ramp's `low` gives with white lights; `a` does not include it */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
     uint8_t lights;   /* 1: lights have colours, or are points */
-    uint8_t is_point; /* a bit a light: it is a point */
-    int32_t reach;    /* of the mesh as it stands: units that raw 32768 is, Q7.24; read where there are points */
-    const struct sheen_points *points;   /* NULL: there are none */
-    const struct sheen_texture *texture; /* of shadings with one */
+    uint8_t is_point; /* a bit per light: it is a point light */
+    int32_t reach;    /* units that raw 32768 of the posed mesh stands for, Q7.24; read if there are point lights */
+    const struct sheen_points *points;   /* NULL: no point lights */
+    const struct sheen_texture *texture; /* of shadings that have one */
 };
 
-/* A material's intensity times its lights', UQ.16; at most 4.0 and 16.0. */
+/* A material's intensity, at most 4.0, times the sum of its lights' intensities; UQ.16, at most 16.0. */
 static inline uint32_t intensities(sheen_q16_t of_material, sheen_q16_t of_lights)
 {
     return mul_high((uint32_t)of_material << 12, (uint32_t)of_lights << 4);
 }
 
-/* x times a byte that is 1.0 at 255. */
+/* x times a byte of colour, 255 = 1.0. */
 static inline uint32_t by_colour(uint32_t x, uint8_t colour)
 {
     return colour == 255 ? x : mul_high(x, colour * 0x01010101u);
@@ -255,7 +259,7 @@ static inline uint16_t pixel_order(uint32_t value, unsigned swap)
 #endif
 }
 
-/* The same of a value in the high half of a word: all four bytes turn in one instruction, where there is one. */
+/* The same for a value in the high half of a word; where one instruction swaps all four bytes it needs no shift. */
 static inline uint16_t high_order(uint32_t value, unsigned swap)
 {
 #if defined(__GNUC__) && (defined(__arm__) || defined(__x86_64__))
@@ -266,22 +270,22 @@ static inline uint16_t high_order(uint32_t value, unsigned swap)
 }
 
 /*
- * What is added before the one rounding: thresholds (B + 1/2) / 64 of the 8x8
- * Bayer matrix, in 1/128, row y mod 8; the ninth row is 1/2 throughout, no dither.
+ * What is added before the one rounding, by row y mod 8 and column x mod 8: the thresholds (B + 1/2) / 64 of the 8x8
+ * Bayer matrix, in 1/128. The ninth row is 1/2 throughout: no dither.
  */
 #define NO_DITHER 8
 extern const uint8_t sheen_thresholds[9][8];
 
 /*
- * With B's digits to base 4 reversed: of draws that leave pixels out by B itself. Where B is low, all of its thresholds
- * are.
+ * The same with B's base-4 digits reversed, for draws that leave out pixels by B itself: the pixels that are left have
+ * low B only, so B's thresholds would all be low.
  */
 extern const uint8_t sheen_reversed_thresholds[9][8];
 
 /*
- * For channels with 11 fraction bits in both halves of a word: a row of the thresholds in 1/2048, twice over. Shifted
- * to 24 bits the high half's is gone. Loops that count no columns find a pixel's by where its depth stands, from an
- * entry on that holds for the row of a tile.
+ * Thresholds in 1/2048 for channels with 11 fraction bits: each word has its threshold in both halves (shifting it to
+ * 24 fraction bits drops the high one), each row is stored twice over. Loops that do not count columns find a pixel's
+ * threshold by the address of its depth, relative to an entry that is chosen for each row of a tile (DITHER_ROW).
  */
 #if FAST_LOOPS
 typedef uint32_t threshold_t;
@@ -304,17 +308,18 @@ static inline uint32_t threshold_pair(const threshold_t *row, const uint16_t *de
 }
 
 /*
- * Channels in two words: 2^16 red + blue, each UQ5.11, as an exact sum, so that what blue borrows red gives back; green
- * is UQ6.26.
+ * Channels in two words. red_blue is 2^16 red + blue, each UQ5.11, as an exact sum: what blue borrows when it goes
+ * below 0, it gives back later. green is UQ6.26.
  */
 struct packed {
     uint32_t red_blue, green;
 };
 
 /*
- * Of a 565 target over the diffuse intensity, without highlight. Finished pixels: entry i + SHADES_GUARD is the middle
- * of i / 2^SHADES_BITS and the next; the guards take what rounding puts below 0 or above 1. Or, dithered, the channels
- * where segment i of 2^-SEGMENT_BITS begins, and what every 2^-SEGMENT_STEPS_BITS of it adds; there are two more.
+ * A colour on a 565 target over the diffuse intensity, without highlight. Without dither, finished pixels: entry i +
+ * SHADES_GUARD is for the middle between i / 2^SHADES_BITS and the next; the guard entries catch what rounding puts
+ * below 0 or above 1. With dither, segments of width 2^-SEGMENT_BITS, two of them to spare: the channels where a
+ * segment begins, and what each 2^-SEGMENT_STEPS_BITS of it adds.
  */
 #define SHADES_BITS 10
 #define SHADES_GUARD 8
@@ -324,54 +329,54 @@ struct packed {
 #define SEGMENT_STEPS_BITS 5
 #define SEGMENTS ((1 << SEGMENT_BITS) + 2)
 
-struct shade_segment { /* of struct packed, in the order in which they are loaded */
+struct shade_segment { /* as struct packed, in the order in which loops load them */
     uint32_t red_blue, red_blue_step;
     uint32_t green, green_step;
 };
 
 struct shades {
     union {
-        uint16_t pixel[SHADES_PIXELS]; /* in the target's order */
+        uint16_t pixel[SHADES_PIXELS]; /* in the target's byte order */
         struct shade_segment segment[SEGMENTS];
     };
-    uint32_t a[3]; /* what it was made from, of struct colour_terms */
+    uint32_t a[3]; /* the struct colour_terms that the table was made from */
     uint16_t b[3];
     uint8_t fraction; /* 0: not made yet */
     uint8_t dither;   /* 1: segments */
 };
 
-/* Channels, at most 1.0, rounded to what stands in a tile: 565 in the target's order, or a grey level. */
+/* Channels, at most 1.0, rounded to a tile's pixel: 565 in the target's byte order, or a grey level. */
 uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned swap, const uint32_t channel[3]);
 
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* For set-ups that ask how much of an intensity shows: dim, eighth, low and high. */
+/* Fills in dim, eighth, low and high, for set-ups that ask whether an intensity shows. */
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
-/* Ends the power table where a highlight gives less than faint_highlight. */
+/* Sets the power table's limits: where a highlight gives less than faint_highlight. */
 void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
                      unsigned dither);
-/* What sheen.h says of a texture; t: NULL too. */
+/* Whether a texture is as sheen.h demands; t may be NULL. */
 int sheen_texture_valid(const struct sheen_texture *t);
-/* Of a sphere's picture: it has no other side, so to be mixed it has to clamp. */
+/* Whether it can be a matcap too: a bilinear one has to clamp, as the sphere's picture does not repeat. */
 int sheen_sphere_valid(const struct sheen_texture *t);
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* A colour as it stands in a tile, rounded and not dithered: 565 in the target's order, or a grey level. */
+/* A colour as a tile's pixel, rounded and not dithered: 565 in the target's byte order, or a grey level. */
 uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
-/* Grey levels of a tile, a byte each, to the target's packing, in place. */
+/* Packs a tile's grey levels, one per byte, as the target has them, in place. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows);
 
-/* ---- a tile, and what its rows do at a pixel ---- */
+/* ---- a tile, and what rows do at a pixel ---- */
 
-/* A row of a triangle inside the tile: x0 <= x < x1, empty where x0 >= x1. */
+/* A row of a triangle inside the tile: x0 <= x < x1; empty if x0 >= x1. */
 struct span {
     int16_t x0, x1;
 };
 
 /*
- * gcc keeps where it reads a span apart from where it compares; on ARMv6-M, whose loads of int16_t take no offset, it
- * may.
+ * The next span. Without OPAQUE gcc keeps two pointers, one to read spans and one to compare with the end. On ARMv6-M,
+ * where loads of int16_t have no offset, that does no harm.
  */
 static inline const struct span *next_span(const struct span *span)
 {
@@ -382,12 +387,12 @@ static inline const struct span *next_span(const struct span *span)
     return span;
 }
 
-/* The facet that was lit last in a tile: triangles of a polygon mostly follow each other. */
+/* The polygon that was lit last in a tile: triangles of a polygon mostly follow each other. */
 struct lit_facet {
     const void *draw; /* NULL: none yet */
     uint32_t facet;
     uint16_t diffuse, specular; /* as in struct lit */
-    uint16_t pixel;             /* of flat shading, where nothing dithers */
+    uint16_t pixel;             /* for flat shading without dither */
 };
 
 /* A band's pixels while it is drawn: rows without gaps, as wide as its rectangle. */
@@ -399,33 +404,33 @@ struct tile {
     uint16_t *depth;
     intptr_t to_pixel; /* on 565: bytes from a pixel's depth to its colour */
     const struct pixel_format *format;
-    const uint8_t (*thresholds)[8];        /* as sheen_thresholds */
-    const threshold_t *const *dither_rows; /* by y & 7, where loops of their own dither: of sheen_dither_rows */
+    const uint8_t (*thresholds)[8];        /* sheen_thresholds, or the reversed ones */
+    const threshold_t *const *dither_rows; /* by y & 7, for specialised loops: entries of sheen_dither_rows */
     int32_t centre_x, centre_y;            /* the viewport's, 1/64 px on the target: where struct vertex counts from */
     const struct span *spans;
-    int16_t first_row; /* of the spans */
-    uint16_t rows;
+    int16_t first_row; /* the row of spans[0] */
+    uint16_t rows;     /* number of spans */
     struct lit_facet facet;
 #if SHEEN_STATS
     uint32_t *shaded;
 #endif
 };
 
-/* Loops are written once and specialised by constant arguments. */
+/* For loops that are written once and specialised by constant arguments. */
 #if FAST_LOOPS
 #define SPECIALISED static inline __attribute__((always_inline))
 #else
 #define SPECIALISED static inline
 #endif
 
-/* Likewise, of which a program may link one alone: what the others take is not in it. */
+/* The same for specialisations of which a program may link one alone, without the others' code. */
 #ifdef __GNUC__
 #define SPLIT static inline __attribute__((always_inline))
 #else
 #define SPLIT static inline
 #endif
 
-/* Pixels that pass the depth test, in builds that count them. */
+/* Counts a pixel that passed the depth test, in builds that count. */
 #if SHEEN_STATS
 #define COUNT_SHADED(t) (++*(t)->shaded)
 #else
@@ -433,8 +438,9 @@ struct tile {
 #endif
 
 /*
- * The thresholds of row y, from the entry on from which a depth's place finds its own; line: where column 0's depth
- * would stand. Loops of their own find them made of a tile's rows in advance.
+ * The thresholds of row y, starting at the entry relative to which a depth's address finds its threshold. line: the
+ * address that column 0's depth would have. For specialised loops sheen_dither_begin has chosen them for the whole
+ * tile.
  */
 #if FAST_LOOPS
 void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8]);
@@ -443,13 +449,13 @@ void sheen_dither_begin(const struct tile *t, const threshold_t *thresholds[8]);
 #define DITHER_ROW(t, line, y) (&sheen_dither_rows[(y)&7][-(unsigned)((uintptr_t)(line) >> 1) & 7u])
 #endif
 
-/* Where a span's first pixel stands in the tile. */
+/* The index of pixel (x, y) in the tile. */
 SPECIALISED uint32_t tile_offset(const struct tile *t, int32_t x, int32_t y)
 {
     return (uint32_t)(y - t->rect.y0) * t->pitch + (uint32_t)(x - t->rect.x0);
 }
 
-/* Nearer than what is there? Then it is there. z: UQ16.16 of z16; on a tie the first drawn stays. */
+/* The depth test: 1 if z (UQ16.16 of z16) is nearer, and then it is stored; on a tie the first drawn stays. */
 SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
 {
     uint32_t z16 = z >> 16;
@@ -462,7 +468,7 @@ SPECIALISED int nearer(const struct tile *t, uint16_t *depth, uint32_t z)
     return 1;
 }
 
-/* On 565: the colour that belongs to a depth. */
+/* On 565: where the colour that belongs to a depth is. */
 static inline uint16_t *pixel_at(uint16_t *depth, intptr_t to_pixel)
 {
     return (uint16_t *)(void *)((char *)depth + to_pixel);
@@ -474,17 +480,20 @@ static inline const uint8_t *threshold_row(const struct tile *t, unsigned dither
     return t->thresholds[dither ? (unsigned)y & 7u : NO_DITHER];
 }
 
-/* What the dithering test compares with: a test build defines it and sees each pixel's unrounded channels. */
+/* A test of dithering defines this to see each pixel's unrounded channels. */
 #ifndef SHEEN_TEST_TAP
 #define SHEEN_TEST_TAP(tile, at, r, g, b, fraction) ((void)0)
 #endif
 
-/* The pixel in the high half, where red's whole levels stand; blue's go up to it, and what red has there leaves. */
+/*
+ * The pixel in the high half of a word, where red's whole levels are already; blue's are shifted up to it, which shifts
+ * red's out.
+ */
 SPECIALISED uint32_t packed_high(struct packed p)
 {
     const uint32_t red_blue = p.red_blue & 0xf800f800u, green = (p.green >> 26) << 21;
 
-#if defined(__ARM_ARCH_6M__) /* in two registers */
+#if defined(__ARM_ARCH_6M__) /* in this order it needs two registers only */
     return green | red_blue | red_blue << 5;
 #else
     return red_blue | red_blue << 5 | green;
@@ -496,14 +505,14 @@ SPECIALISED uint16_t packed_565(struct packed p, unsigned swap)
     return high_order(packed_high(p), swap);
 }
 
-/* pair: of the pixel, threshold_pair's. */
+/* The same dithered; pair: threshold_pair of the pixel. */
 SPECIALISED uint32_t dithered_high(const struct tile *t, const uint16_t *depth, struct packed p, uint32_t pair)
 {
     (void)t;
     (void)depth;
     SHEEN_TEST_TAP(t, (uint32_t)(depth - t->depth), p.red_blue >> 16, p.green >> 15, p.red_blue & 0xffffu, 11);
     p.red_blue += pair;
-    p.green += pair << 15; /* what is in the high half falls off */
+    p.green += pair << 15; /* the high half is shifted out */
     return packed_high(p);
 }
 
@@ -513,7 +522,7 @@ SPECIALISED uint16_t dithered_565(const struct tile *t, const uint16_t *depth, s
     return high_order(dithered_high(t, depth, p, pair), swap);
 }
 
-/* A row's thresholds, and what they are shifted by to the draw's fraction. */
+/* A row's thresholds, and the shift that brings them to the draw's fraction bits. */
 struct rounding {
     const uint8_t *threshold;
     unsigned shift;
@@ -526,7 +535,7 @@ SPECIALISED struct rounding rounding_of(const struct tile *t, const struct colou
     return r;
 }
 
-/* The one rounding: floor(channel + threshold), each channel at most 1.0; what is constant of a draw is given. */
+/* The one rounding: floor(channel + threshold), each channel clamped to 1.0; grey, fraction, swap: the draw's own. */
 SPECIALISED void put_rounded(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
                              uint32_t r, uint32_t g, uint32_t b, unsigned grey, unsigned fraction, unsigned swap)
 {
@@ -542,7 +551,7 @@ SPECIALISED void put_rounded(const struct tile *t, const struct colour_terms *te
     ((uint16_t *)t->pixels)[at] = pixel_order(value, swap);
 }
 
-/* put_rounded where it stands once, in builds for size. */
+/* put_rounded as a function, for builds for size. */
 void sheen_put_clamped(const struct tile *t, const struct colour_terms *terms, uint32_t threshold, uint32_t at,
                        uint32_t r, uint32_t g, uint32_t b);
 
@@ -563,7 +572,7 @@ SPECIALISED void put_general(const struct tile *t, const struct colour_terms *te
     put_clamped(t, terms, threshold, at, r, g, b, t->format->grey, terms->fraction, t->format->swap);
 }
 
-/* floor of channels that rounding was added to and that no corner takes above the highest level. */
+/* floor of channels that include the rounding and that no corner takes above the highest level. */
 SPECIALISED uint16_t fast_pixel(uint32_t r, uint32_t g, uint32_t b, unsigned fraction, unsigned swap)
 {
     return pixel_order((r >> fraction) << 11 | (g >> fraction) << 5 | b >> fraction, swap);
@@ -576,22 +585,22 @@ SPECIALISED uint32_t not_negative(uint32_t x)
 }
 
 /*
- * A 565 pixel in the machine's order: channels with LOOP_FRACTION bits and what rounds them, held to the highest level.
- * Range: below 2^31, as int32_t; below 0, which counts as 0, where `below` says so.
+ * A 565 pixel in the machine's byte order, from channels with LOOP_FRACTION bits that include the rounding; clamped to
+ * the highest level. Range: below 2^31, as int32_t; they may be below 0, which counts as 0, only if `below` is 1.
  */
 SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
 {
     r = (uint32_t)asr32((int32_t)r, LOOP_FRACTION);
     g = (uint32_t)asr32((int32_t)g, LOOP_FRACTION);
     b = (uint32_t)asr32((int32_t)b, LOOP_FRACTION);
-#ifdef __ARM_FEATURE_SAT /* a core that shifts and saturates in one instruction does so */
+#ifdef __ARM_FEATURE_SAT /* these become instructions that shift and saturate at once */
     (void)below;
     r = (uint32_t)max32(min32((int32_t)r, 31), 0);
     g = (uint32_t)max32(min32((int32_t)g, 63), 0);
     b = (uint32_t)max32(min32((int32_t)b, 31), 0);
 #else
     uint32_t all = g >> 1 | r;
-    OPAQUE(all); /* in place, on a core of two operands */
+    OPAQUE(all); /* so that it is computed in place by instructions of two operands */
     if ((all | b) > 31) {
         if (below) {
             r = not_negative(r);
@@ -606,7 +615,7 @@ SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
     return (r << 6 | g) << 5 | b;
 }
 
-/* Channels with LOOP_FRACTION bits: L.N in UQ1.15, the highlight's intensity or none (a constant 0). */
+/* Channels with LOOP_FRACTION bits. lit: L.N, UQ1.15; shines: a constant, 0: there is no highlight. */
 struct loop_channels {
     uint32_t r, g, b;
 };
@@ -624,8 +633,8 @@ SPECIALISED struct loop_channels loop_channels(const struct loop_terms *q, uint3
 }
 
 /*
- * A 565 pixel in the machine's order: loop_channels', and what is added to each before the one rounding. Range:
- * channels stay below 2^31: below 2.0 and a threshold.
+ * A 565 pixel in the machine's byte order, from loop_channels and the threshold that is added to each of them before
+ * the one rounding. Range: channels are below 2.0 plus a threshold, so below 2^31.
  */
 SPECIALISED uint32_t loop_pixel(const struct tile *t, const uint16_t *depth, const struct loop_terms *q, uint32_t lit,
                                 int shines, uint32_t specular, uint32_t threshold)

@@ -1,17 +1,17 @@
 /*
- * texel.c - intensities to light on texels.
+ * texel.c - from intensities to light on texels.
  */
 #include "pixel.h"
 
 static const uint8_t highest[3] = {31, 63, 31};
 
-/* Byte and intensities, Q.16, times: UQ.32. Range: 2^16 * 2^22. */
+/* A byte of colour, 255 = 1.0, times an intensity, Q.16: UQ.32. Range: 2^16 * 2^22. */
 static APART uint64_t tinted(uint8_t colour, uint32_t intensity)
 {
     return (uint64_t)(colour * 257u + (colour >> 7)) * intensity;
 }
 
-/* round(x / 2^n), 1 <= n <= 32, where it fits. */
+/* round(x / 2^n), 1 <= n <= 32; the result has to fit. */
 static APART uint32_t round_off(uint64_t x, unsigned n)
 {
     return ((uint32_t)(x >> (n - 1)) + 1) >> 1;
@@ -49,8 +49,8 @@ COLD int sheen_sphere_valid(const struct sheen_texture *t)
 }
 
 /*
- * fraction: 30 less the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31 and b below 2^16.
- * Range: light <= 4 + 4 * 4 = 20, by a ramp 36, highlights 63 * 16 = 1008 levels.
+ * fraction is 30 minus the bits by which the brightest light exceeds 1.0, so that sums stay below 2^31, b below 2^16.
+ * Range: light <= 4 + 4 * 4 = 20, with a ramp 36; highlights 63 * 16 = 1008 levels.
  */
 COLD void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                             sheen_q16_t diffuse_sum, sheen_q16_t specular_sum)

@@ -1,5 +1,5 @@
 /*
- * thumb.h - private: where loops are written for Cortex-M, and the one that clears a tile.
+ * thumb.h - private: whether loops are written in assembly for Cortex-M, and the loop that clears a tile.
  */
 #ifndef SHEEN_THUMB_H
 #define SHEEN_THUMB_H
@@ -18,7 +18,10 @@
 #define THUMB_STORE "stmia r0!, {r2-r5}\n stmia r0!, {r2-r5}\n stmia r0!, {r2-r5}\n stmia r0!, {r2-r5}\n"
 #endif
 
-/* Pairs of pixels from `from` on to `to`, a multiple of 64 B; returns `to`. Compilers store two registers at once. */
+/*
+ * Stores pairs of pixels from `from` to before `to`, a multiple of 64 B away; returns `to`. Compilers store at most two
+ * registers at once.
+ */
 static inline uint64_t *thumb_fill(uint64_t *from, const uint64_t *to, uint32_t pair)
 {
     register uint64_t *at __asm__("r0") = from;
