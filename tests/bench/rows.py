@@ -12,9 +12,10 @@ from pathlib import Path
 FILE = Path(__file__).resolve().parent / "budget"
 SLACK = 0.02
 HEAD = """\
-# What may be spent, and is to be reached (rows.py). tests/bench/report --update sets the budgets to what is measured.
-# Instructions a frame in millions (M), or a pixel (px); clocks in millions; KB: 1,024 B. Dithered, fogged,
-# stippled (half of the pixels), morphed, smooth (contours), outlined, wired: what that takes more, or less.
+# The bench's budgets (rows.py): name, unit, budget, bar, goal beyond it. More than 2 % above the budget fails;
+# tests/bench/report --update sets budgets to what is measured. M: millions of instructions or clocks per frame; px:
+# instructions per pixel; KB: 1,024 B. Rows called dithered, fogged, stippled (half of the pixels), morphed, smooth
+# (contours), outlined or wired are what that adds to the plain frame.
 """
 
 
