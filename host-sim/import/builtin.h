@@ -9,12 +9,12 @@
 #define SHEEN_BUILTIN "builtin:"
 
 /*
- * name: with the prefix. 0, SHEEN_ERR_ARGUMENT and *problem for an unknown one, or
+ * name: with the prefix. 0, SHEEN_ERR_ARGUMENT and *problem for an unknown name, or
  * SHEEN_ERR_MEMORY. Release with sheen_polygons_free in any case.
  */
 int sheen_builtin(struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem);
 
-/* 0 for a file's name and for a builtin that there is, else SHEEN_ERR_ARGUMENT and *problem. */
+/* 0 for the name of a file or of an existing builtin, else SHEEN_ERR_ARGUMENT and *problem. */
 int sheen_builtin_check(const char *name, struct sheen_problem *problem);
 
 /* Newell's teapot: 32 bicubic patches of 4 x 4 quads, y up, the spout towards +x. */
@@ -27,8 +27,8 @@ int sheen_builtin_fine_teapot(struct sheen_polygons *polygons);
  * A grid of (rows + 1) x (columns + 1) points, already in polygons->points from
  * `base` on, as quads whose corners run (row, column), (row + 1, column), (row + 1,
  * column + 1), (row, column + 1), or the other way around; a quad with two
- * neighbouring corners at one place becomes a triangle. Adds to polygon_count and
- * corner_count, for which the arrays MUST have room: 4 corners a quad.
+ * neighbouring corners at the same place becomes a triangle. Adds to polygon_count and
+ * corner_count, for which the arrays MUST have room: 4 corners per quad.
  */
 void sheen_builtin_grid(struct sheen_polygons *polygons, size_t base, unsigned rows, unsigned columns, int reverse);
 

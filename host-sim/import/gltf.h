@@ -1,17 +1,17 @@
 /*
- * gltf.h - what the parts of the glTF reader hand each other. Private to gltf_*.cpp and mesh_gltf.cpp.
+ * gltf.h - the interfaces between the parts of the glTF reader. Private to gltf_*.cpp and mesh_gltf.cpp.
  *
- *   gltf_json.cpp      values of the JSON text, with the names that messages call them by
+ *   gltf_json.cpp      values of the JSON text, with the names that messages use for them
  *   gltf_file.cpp      the file, its buffers and views of them
  *   gltf_accessor.cpp  numbers out of views
  *   gltf_draco.cpp     numbers out of Draco's meshes
  *   gltf_shape.cpp     a primitive as triangles, its morph targets applied
- *   gltf_nodes.cpp     where nodes are, and what they show
+ *   gltf_nodes.cpp     the places of nodes, and the meshes that they show
  *   gltf_color.cpp     materials and their textures
- *   mesh_gltf.cpp      all of it together, to polygons
+ *   mesh_gltf.cpp      puts it together: a file to polygons
  *
- * Every number of a file is hostile until it was compared with what there is. What
- * cannot be read throws a refusal, which mesh_gltf.cpp makes the one line for a person.
+ * Every number in a file is hostile until it has been checked against the data. What cannot
+ * be read throws a refusal, from which mesh_gltf.cpp makes the one line for the user.
  */
 #ifndef SHEEN_GLTF_H
 #define SHEEN_GLTF_H
@@ -35,20 +35,20 @@ namespace gltf
 
 /* ---- gltf_json.cpp ---- */
 
-/* Why the file is not read: the line, without the file's name. */
+/* Thrown if the file cannot be read: the line that says why, without the file's name. */
 struct refusal {
     std::string text;
 };
 
 [[noreturn]] [[gnu::format(printf, 1, 2)]] void refuse(const char *format, ...);
 
-/* For what the parser of JSON has to say. */
+/* Makes a refusal of what the JSON parser reports. */
 [[noreturn]] void refuse_json(const char *what);
 
 /*
- * A value of the text and what to call it, as in "accessors[3].sparse". What is not
- * there, or null, is an item too: false, without parts. A value of another type than
- * is asked for is refused by its name.
+ * A value of the JSON text and its name for messages, as in "accessors[3].sparse". A missing
+ * value, or null, is an item too: it converts to false and has no parts. A value of another
+ * type than asked for is refused by name.
  */
 class item
 {
@@ -66,11 +66,11 @@ class item
     item at(size_t index) const;                 /* of an array; refused beyond its end */
     size_t size() const;                         /* of an array */
     uint64_t whole(uint64_t absent) const;       /* 0..2^53 */
-    uint64_t whole() const;                      /* refused where it is not there */
-    double real(double absent) const;            /* finite: JSON has no other numbers */
-    void reals(double *out, size_t count) const; /* an array of so many; absent: *out stays */
+    uint64_t whole() const;                      /* refused if missing */
+    double real(double absent) const;            /* always finite, as all numbers in JSON */
+    void reals(double *out, size_t count) const; /* an array of `count`; if absent *out is unchanged */
     std::string text(const char *absent) const;
-    std::string word() const; /* a string, or what else stands there as JSON writes it */
+    std::string word() const; /* a string; any other value as JSON text */
     bool flag() const;        /* absent: false */
 
   private:
@@ -92,12 +92,12 @@ class document
     {
         return path_.c_str();
     }
-    item list(const char *key) const;                            /* of the whole file: "nodes" */
-    item entry(const char *key, const item &number) const;       /* which may be out of range: refused */
-    view bytes_of(const item &view_number);                      /* of a buffer view, decompressed */
-    std::string beside(const std::string &uri) const;            /* the path of a file that is named so */
+    item list(const char *key) const;                            /* a top-level array: "nodes" */
+    item entry(const char *key, const item &number) const;       /* refused if out of range */
+    view bytes_of(const item &view_number);                      /* a buffer view's bytes, decompressed */
+    std::string beside(const std::string &uri) const;            /* the path of the file that a URI names */
     bytes decode_data(const std::string &uri, const item &whom); /* of "data:..." */
-    void take(uint64_t count, uint64_t size, const item &whom);  /* so much memory; refused beyond the bound */
+    void take(uint64_t count, uint64_t size, const item &whom);  /* accounts for memory; refused beyond the bound */
 
     struct sheen_notes notes = {};
 
@@ -110,19 +110,19 @@ class document
     const bytes &decompress(const item &number, const item &extension);
 
     std::string path_;
-    uint64_t room_; /* bytes that may still be taken */
+    uint64_t room_; /* bytes that may still be allocated */
     std::unique_ptr<nlohmann::json> json_;
     bytes binary_; /* the second chunk of a .glb */
     bool has_binary_ = false;
     std::map<uint64_t, bytes> buffers_, decompressed_;
 };
 
-/* `count` bytes from `offset` on; refused where they are not there. */
+/* `count` bytes from `offset` on; refused if the view is shorter. */
 view part(view whole, uint64_t offset, uint64_t count, const item &whom);
 
 /* ---- gltf_accessor.cpp ---- */
 
-/* count rows of `parts` numbers, as read; integers that stand for -1..1 or 0..1 are that. */
+/* count rows of `parts` numbers; normalised integers are already converted to -1..1 or 0..1. */
 struct table {
     size_t count = 0, parts = 0;
     std::vector<double> numbers;
@@ -140,7 +140,7 @@ double normalized(double raw, uint64_t component);
 
 /* ---- gltf_draco.cpp ---- */
 
-/* A mesh of Draco's. Its accessors say what its numbers mean; how many there are it knows itself. */
+/* A Draco mesh. glTF's accessors say what its numbers mean; how many there are it says itself. */
 class draco_mesh
 {
   public:
@@ -156,18 +156,18 @@ class draco_mesh
 
 /* ---- gltf_shape.cpp ---- */
 
-/* A primitive at rest, in its mesh's space. Rows of tables are vertices; all but the points may be missing. */
+/* A primitive at rest, in its mesh's space. Tables have a row per vertex; all except the points may be missing. */
 struct shape {
     std::string name; /* "meshes[0].primitives[2]" */
     table points, normals, colors, uvs;
-    std::vector<table> joints, weights; /* of each 4 a vertex, as many tables of both */
+    std::vector<table> joints, weights; /* 4 per vertex in each table; as many tables of joints as of weights */
     std::vector<uint32_t> triangles;    /* 3 corners each, below points.count */
     item material;
 };
 
 /*
- * Those of the mesh that have triangles. weights: of the morph targets; missing ones are 0. whole: 1 and the number of
- * one without which there are no normals either, or 0.
+ * The mesh's primitives that have triangles. weights: of the morph targets; missing ones are 0. whole: 1 + the number
+ * of a target without whose normals there are no normals at all, or 0.
  */
 std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector<double> &weights, unsigned whole);
 
@@ -175,36 +175,36 @@ std::vector<shape> read_mesh(document &file, const item &mesh, const std::vector
 
 using matrix = std::array<double, 16>; /* column by column, as in the file */
 
-/* A mesh somewhere: once for each matrix of `at`, or bent by its skin's joints where it has both. */
+/* A mesh and where it is: once for each matrix of `at`, or bent by its skin's joints if it has both. */
 struct placement {
     item mesh;
     std::vector<double> weights;
     std::vector<matrix> at, joints;
-    unsigned whole = 0; /* 1 and the number of the morph target that was asked for, where this mesh is its */
+    unsigned whole = 0; /* 1 + the number of the morph target that was asked for, if it is this mesh's; else 0 */
 };
 
 /*
- * Of everything that the scene shows. target: 1 and the number of a morph target that is to have weight 1, of the first
- * mesh that has any; 0: none is.
+ * Everything that the scene shows. target: 1 + the number of the morph target, in the first mesh that has any, that
+ * gets weight 1; 0: none.
  */
 std::vector<placement> place_meshes(document &file, unsigned target);
 
 /* ---- gltf_color.cpp ---- */
 
-/* Linear light, 1 = white, to the byte of sRGB. */
+/* Linear light, 1 = white, to a byte of sRGB. */
 uint8_t srgb(double linear);
 
 struct material {
     std::string name;
     double factor[3] = {1, 1, 1};      /* base colour, linear */
-    uint32_t picture = 0;              /* as a group's (polygons.h) */
-    double uv[6] = {1, 0, 0, 1, 0, 0}; /* column by column: the shape's uv to the picture's */
+    uint32_t picture = 0;              /* as in a group (polygons.h) */
+    double uv[6] = {1, 0, 0, 1, 0, 0}; /* matrix, column by column: from the shape's uv to the picture's */
 };
 
-/* Its picture goes to *out; it is not read yet. */
+/* A material's appearance. Its picture is added to *out, but not read yet. */
 material read_material(document &file, const item &from, struct sheen_polygons &out);
 
-/* The number of the uv that its texture takes, as in "TEXCOORD_0". */
+/* The number of the texture coordinates that its texture uses, as in "TEXCOORD_0". */
 uint64_t texcoord_of(const item &material);
 
 } // namespace gltf

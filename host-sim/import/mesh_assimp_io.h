@@ -1,5 +1,5 @@
 /*
- * mesh_assimp_io.h - the files that assimp opens, each read whole and at once. Private to mesh_assimp.c.
+ * mesh_assimp_io.h - the files that Assimp opens, each read as a whole when it is opened. Private to mesh_assimp.c.
  */
 #ifndef SHEEN_MESH_ASSIMP_IO_H
 #define SHEEN_MESH_ASSIMP_IO_H

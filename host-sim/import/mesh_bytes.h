@@ -13,23 +13,23 @@ extern "C" {
 #endif
 
 struct sheen_bytes {
-    unsigned char *bytes; /* count of them and a zero */
+    unsigned char *bytes; /* `count` bytes and a zero */
     size_t count;
 };
 
-/* 0, or a negative code and *problem, which names the path. Release with sheen_bytes_free in either case. */
+/* Reads a file. 0, or a negative code and *problem, which names the path. Release with sheen_bytes_free in any case. */
 int sheen_bytes_load(struct sheen_bytes *bytes, const char *path, struct sheen_problem *problem);
 void sheen_bytes_free(struct sheen_bytes *bytes);
 
-/* UTF-16 with its mark, of either byte order, becomes UTF-8, and UTF-8's own mark goes. 0, or SHEEN_ERR_MEMORY. */
+/* Converts UTF-16 with a byte order mark to UTF-8 and removes UTF-8's mark. 0, or SHEEN_ERR_MEMORY. */
 int sheen_bytes_to_utf8(struct sheen_bytes *bytes);
 
-/* A file that another names, beside it: "folder of path/name". -1 where that is too long for `out`. */
+/* The path of a file that is named by another one and lies beside it: "folder of path/name". -1: too long for `out`. */
 int sheen_beside(char *out, size_t room, const char *path, const char *name, size_t length);
 
 /*
- * The path of a picture that the file names: there, or under its bare name beside the file, as when it came from
- * another machine. NULL without memory; to be freed.
+ * The path of a picture that the file names: where it says or, if that does not exist (paths of another machine), under
+ * its bare name beside the file. NULL: no memory; to be freed.
  */
 char *sheen_picture_beside(const char *path, const char *name, size_t length);
 

@@ -1,5 +1,5 @@
 /*
- * mesh_gltf.h - mesh files of the format glTF 2.0. For mesh_format.c, and for tests.
+ * mesh_gltf.h - glTF 2.0 files. For mesh_format.c, and for tests.
  */
 #ifndef SHEEN_MESH_GLTF_H
 #define SHEEN_MESH_GLTF_H
@@ -10,7 +10,7 @@ extern "C" {
 
 #include "polygons.h"
 
-/* As sheen_mesh_file_read, in this process: .gltf with its buffers wherever its URIs say, or .glb. */
+/* As sheen_mesh_file_read, but in this process: .gltf with its buffers wherever its URIs say, or .glb. */
 int sheen_mesh_gltf_read(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem);
 
 #ifdef __cplusplus

@@ -7,8 +7,8 @@
 #include "mesh_text.h"
 
 enum {
-    PLY_ELEMENTS = 16,  /* more than any file is known to have */
-    PLY_PROPERTIES = 64 /* of an element */
+    PLY_ELEMENTS = 16,  /* more than any known file has */
+    PLY_PROPERTIES = 64 /* per element */
 };
 
 enum sheen_ply_type {
@@ -25,7 +25,7 @@ enum sheen_ply_type {
 
 struct sheen_ply_property {
     struct sheen_word name;
-    enum sheen_ply_type type, count_type; /* count_type: of a list, else PLY_NONE */
+    enum sheen_ply_type type, count_type; /* count_type: a list's; PLY_NONE if it is no list */
 };
 
 struct sheen_ply_element {
@@ -47,21 +47,21 @@ struct sheen_ply {
     int elements;
     const char *body;
     unsigned long body_line;
-    size_t vertices;           /* as promised */
-    struct sheen_word picture; /* the first that a comment names; of no length: none */
-    int ended;                 /* the last number was not there: the file had ended */
+    size_t vertices;           /* as the header says */
+    struct sheen_word picture; /* the first one that a comment names; length 0: none */
+    int ended;                 /* 1: a number was missing because the file had ended */
 };
 
 /* Reads the header; the body begins at ply->body. 0, or an error with the line. */
 int sheen_ply_header(struct sheen_ply *ply);
 
-/* Bytes of a number in a binary file. */
+/* Size in bytes of a number in a binary file. */
 size_t sheen_ply_size(enum sheen_ply_type type);
 
-/* The body's next number. 0, or an error: ply->ended, or *problem says what is there. */
+/* The body's next number. 0, or an error: ply->ended, or *problem says what is there instead. */
 int sheen_ply_number(struct sheen_ply *ply, enum sheen_ply_type type, double *value);
 
-/* One without a fraction; it is called `what`. */
+/* The same for a whole number; messages call it `what`. */
 int sheen_ply_whole(struct sheen_ply *ply, enum sheen_ply_type type, const char *what, double *value);
 
 /* "PATH:LINE: ..." or "PATH: byte N: ..." */

@@ -1,5 +1,5 @@
 /*
- * notes.h - what a person should know of a mesh that was read all the same.
+ * notes.h - what the user should know about a mesh that was read nevertheless.
  */
 #ifndef SHEEN_NOTES_H
 #define SHEEN_NOTES_H
@@ -8,7 +8,7 @@
 
 #include "problem.h"
 
-/* A missing .mtl, lines that were left out. One past the last is dropped, as is one that is there already. */
+/* As a missing .mtl, or lines that were left out. Duplicates are dropped, and notes beyond the last place. */
 #define SHEEN_NOTES_MAX 4
 struct sheen_notes {
     uint32_t count;
@@ -20,15 +20,15 @@ struct sheen_notes {
 
 enum sheen_note_kind {
     SHEEN_NOTE_WARNING,
-    SHEEN_NOTE_ON_COLORS, /* a warning of the file's colours, which not every command uses */
-    SHEEN_NOTE_DONE       /* no warning: what was asked for is done */
+    SHEEN_NOTE_ON_COLORS, /* a warning about the file's colours, which not every command uses */
+    SHEEN_NOTE_DONE       /* no warning: reports what was asked for */
 };
 
 /* Adds a line, without newline, that names the file. */
 __attribute__((format(printf, 3, 4))) void sheen_note(struct sheen_notes *notes, enum sheen_note_kind kind,
                                                       const char *format, ...);
 
-/* On standard error, a line each, warnings as `sheen: warning: ...`; those on colours only where they are used. */
+/* Prints them on standard error, one per line, warnings as `sheen: warning: ...`; those on colours only if used. */
 void sheen_notes_print(const struct sheen_notes *notes, int uses_colors);
 
 #endif

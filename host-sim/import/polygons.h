@@ -1,9 +1,8 @@
 /*
  * polygons.h - a mesh as its file lists it: points, polygons, and what normals, colours and textures the file gives.
  *
- * Nothing is welded, fitted, averaged or split here. Every reader (mesh_file.c,
- * builtin.c) makes this, host_mesh.c works on it, and so does the reference of
- * the tests, in its own way.
+ * Nothing is welded, fitted, averaged or split here. Every reader (mesh_file.c, builtin.c)
+ * makes this; host_mesh.c works on it, and so does the tests' reference, in its own way.
  */
 #ifndef SHEEN_POLYGONS_H
 #define SHEEN_POLYGONS_H
@@ -21,42 +20,42 @@ enum sheen_wrap {
 
 #define SHEEN_CUT_ALL 2.0 /* a cut-off that no texel reaches */
 
-/* A texture: where its picture is, and, once it was read (textures.h), what is in it. */
+/* A texture: where its picture is and, once read (textures.h), its texels. */
 struct sheen_picture {
-    char *name;           /* a file's path, or what to call the bytes; NULL once it was read */
-    unsigned char *bytes; /* of a PNG or JPEG within the mesh's file; NULL: it is a file of its own */
+    char *name;           /* a file's path, or a name for the bytes; NULL once read */
+    unsigned char *bytes; /* a PNG or JPEG inside the mesh's file; NULL: it is a file of its own */
     size_t count;
-    uint8_t wrap[2];  /* in u and v: enum sheen_wrap; mirrors are unfolded as it is read, and repeat then */
-    double cutoff;    /* a texel is transparent where alpha / 255 is less; 0..1, or SHEEN_CUT_ALL */
-    uint16_t size[2]; /* width and height: powers of two, 1..512; 0: not read */
-    uint8_t *rgba;    /* 4 bytes a texel, rows from the top */
+    uint8_t wrap[2];  /* in u and v: enum sheen_wrap; mirroring textures are unfolded when read, and then repeat */
+    double cutoff;    /* texels with a smaller alpha / 255 are transparent; 0..1, or SHEEN_CUT_ALL */
+    uint16_t size[2]; /* width and height: powers of two, 1..512; 0: not read yet */
+    uint8_t *rgba;    /* 4 bytes per texel, rows from the top */
 };
 
 /* Faces of one material. */
 struct sheen_group {
-    char name[64];    /* the material's, cut; "" where it has none */
+    char name[64];    /* the material's, truncated; "" if it has none */
     uint8_t color[3]; /* base colour, sRGB, 255 = 1.0 */
     uint8_t has_color;
-    uint32_t picture; /* of its texture: 1 and its number; 0: none */
+    uint32_t picture; /* 1 + the number of its texture; 0: none */
 };
 
 struct sheen_polygons {
-    double (*points)[3]; /* as the file has them, node transforms applied, at most FLT_MAX */
+    double (*points)[3]; /* as in the file, with node transforms applied; at most FLT_MAX */
     size_t point_count;
     uint32_t *first; /* polygon_count + 1: polygon p has the corners first[p] .. first[p + 1] - 1, 3 or more */
     size_t polygon_count;
     uint32_t *corners; /* the point of each corner */
     size_t corner_count;
-    double (*normals)[3]; /* of each corner, any length, zero where the file has none; NULL: no normals at all */
-    uint8_t (*colors)[3]; /* of each corner, sRGB; NULL: none */
-    double (*uvs)[2];     /* of each corner, v downwards, NaN where the file has none; NULL: none at all */
-    uint16_t *groups;     /* of each polygon, below group_count */
+    double (*normals)[3]; /* per corner, any length, zero if the file has none; NULL: no normals at all */
+    uint8_t (*colors)[3]; /* per corner, sRGB; NULL: none */
+    double (*uvs)[2];     /* per corner, v downwards, NaN if the file has none; NULL: none at all */
+    uint16_t *groups;     /* per polygon, below group_count */
     struct sheen_group *group;
     size_t group_count; /* at least 1 */
     struct sheen_picture *picture;
     size_t picture_count;
-    uint8_t z_up;    /* 1: the format's up is z (STL), which a command may turn to y; points are not turned */
-    unsigned target; /* what a reader is asked for, see struct sheen_texture_options */
+    uint8_t z_up;    /* 1: the format's up is z (STL); points are as in the file, a command may turn them */
+    unsigned target; /* input to a reader: see struct sheen_texture_options */
     struct sheen_notes notes;
 };
 
@@ -67,7 +66,7 @@ enum {
 };
 
 /*
- * Zeroed arrays of these sizes (polygons, corners and groups at least 1); `with`: SHEEN_WITH_... or-ed.
+ * Allocates zeroed arrays of these sizes (polygons, corners and groups at least 1); `with`: SHEEN_WITH_... or-ed.
  * 0, or SHEEN_ERR_MEMORY; release with sheen_polygons_free in either case.
  */
 int sheen_polygons_alloc(struct sheen_polygons *polygons, size_t points, size_t count, size_t corners, size_t groups,
@@ -75,26 +74,26 @@ int sheen_polygons_alloc(struct sheen_polygons *polygons, size_t points, size_t 
 void sheen_polygons_free(struct sheen_polygons *polygons);
 
 /*
- * One more texture, or one like it that is there: its number plus 1 for a group; 0 without memory. The strings of
- * *picture are the polygons' from here on. No group refers to it yet.
+ * Adds a texture, or finds one like it: returns its number + 1, for a group; 0: no memory. The strings of *picture
+ * belong to the polygons from here on. No group refers to it yet.
  */
 uint32_t sheen_polygons_picture(struct sheen_polygons *polygons, struct sheen_picture *picture);
 
 void sheen_picture_free(struct sheen_picture *picture);
 
-/* All of them, and what groups say of them. */
+/* Drops all textures, and the groups' references to them. */
 void sheen_polygons_drop_pictures(struct sheen_polygons *polygons);
 
-/* 1: every corner of the polygon has uv and its group a texture. */
+/* 1 if every corner of the polygon has uv and its group has a texture. */
 int sheen_polygons_is_textured(const struct sheen_polygons *polygons, size_t polygon);
 
-/* What every reader of files ends with: normals that are no number become zero. */
+/* The last step of every reader of files: normals that are not numbers become zero. */
 void sheen_polygons_finish(struct sheen_polygons *polygons);
 
-/* z becomes up: (x, y, z) to (x, z, -y), points and normals. */
+/* Turns points and normals from z up to y up: (x, y, z) to (x, z, -y). */
 void sheen_polygons_turn(struct sheen_polygons *polygons);
 
-/* What the comments above promise. 0, or SHEEN_ERR_ARGUMENT and *problem, which names `name` as the file. */
+/* Checks all that the comments above say. 0, or SHEEN_ERR_ARGUMENT and *problem, which names `name` as the file. */
 int sheen_polygons_check(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * unique.h - give equal records the same number.
+ * unique.h - gives equal records the same number.
  */
 #ifndef SHEEN_UNIQUE_H
 #define SHEEN_UNIQUE_H
@@ -9,8 +9,8 @@
 
 /*
  * records: count of `size` bytes each, without padding; equal means every byte.
- * ids[i] becomes the number of record i, from 0 in the order of first appearance,
- * *distinct how many there are. count < 2^31. 0, or SHEEN_ERR_MEMORY.
+ * ids[i] becomes the number of record i, counted from 0 in the order of first appearance,
+ * *distinct the number of different records. count < 2^31. 0, or SHEEN_ERR_MEMORY.
  */
 int sheen_unique(const void *records, size_t size, size_t count, uint32_t *ids, size_t *distinct);
 

@@ -11,18 +11,18 @@ extern "C" {
 #endif
 
 /*
- * Bytes of the character that text begins with, 1..4; 0 where it begins with none: at
- * its end, and at bytes that are not valid UTF-8.
+ * Length in bytes of the character that text begins with, 1..4; 0 at its end and at bytes
+ * that are not valid UTF-8.
  */
 size_t sheen_utf8_bytes(const char *text);
 
-/* In place: what is not valid UTF-8, and what controls a terminal or the direction of text, becomes '?'. */
+/* Replaces in place by '?' what is not valid UTF-8, or controls a terminal or the direction of text. */
 void sheen_utf8_clean(char *text);
 
 /* A clean copy of what fits into size bytes (1 or more) with its '\0'; cut between characters. */
 void sheen_utf8_copy(char *to, size_t size, const char *from);
 
-/* Shortens clean text in place to at most `most` characters: "..." for the middle of its longest words. */
+/* Shortens clean text in place to at most `most` characters, with "..." in the middle of its longest words. */
 void sheen_utf8_shorten(char *text, size_t most);
 
 #ifdef __cplusplus
