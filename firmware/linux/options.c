@@ -9,25 +9,31 @@
 #include <ctype.h>
 #include <getopt.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define VIEW 1000 /* getopt_long returns an option's row, or VIEW + its place in the command's table */
-#define MAX_OPTIONS 96
 
-static void long_options(struct option table[MAX_OPTIONS])
+/* Both tables as getopt_long takes them, to be freed; NULL: not enough memory. */
+static struct option *long_options(void)
 {
-    size_t count = 0;
+    size_t rows = 0, views = 0;
 
-    for (int i = 0; option_rows[i].help; i++)
+    while (option_rows[rows].help)
+        rows++;
+    while (sheen_option_table[views].name)
+        views++;
+    struct option *table = calloc(rows + views + 1, sizeof *table), *next = table;
+    for (size_t i = 0; table && i < rows; i++)
         if (option_rows[i].name)
-            table[count++] = (struct option){option_rows[i].name,
-                                             option_rows[i].kind == SWITCH ? no_argument : required_argument, NULL, i};
-    for (int i = 0; sheen_option_table[i].name && count < MAX_OPTIONS - 1; i++)
+            *next++ = (struct option){option_rows[i].name,
+                                      option_rows[i].kind == SWITCH ? no_argument : required_argument, NULL, (int)i};
+    for (size_t i = 0; table && i < views; i++)
         if (option_is_view(&sheen_option_table[i]))
-            table[count++] =
+            *next++ =
                 (struct option){sheen_option_table[i].name,
-                                sheen_option_table[i].argument ? required_argument : no_argument, NULL, VIEW + i};
-    table[count] = (struct option){0};
+                                sheen_option_table[i].argument ? required_argument : no_argument, NULL, VIEW + (int)i};
+    return table;
 }
 
 /* After getopt_long has returned '?', optopt is a letter, the value of an option that accepts no argument, or 0. */
@@ -41,15 +47,12 @@ static int unknown(char **argv, struct sheen_failure *why)
     return sheen_failed(why, 2, "unknown or ambiguous option %s", argv[optind - 1]);
 }
 
-/* Reads the whole command line; puts the value of --config into *config. */
-static int read_arguments(struct options *options, int argc, char **argv, const char **config,
-                          struct sheen_failure *why)
+static int read_by(const struct option *table, struct options *options, int argc, char **argv, const char **config,
+                   struct sheen_failure *why)
 {
-    struct option table[MAX_OPTIONS];
     struct sheen_failure what;
     int value, error;
 
-    long_options(table);
     optind = 0; /* GNU: start again, because the command line is read twice */
     opterr = 0;
     while ((value = getopt_long(argc, argv, ":", table, NULL)) != -1) {
@@ -71,6 +74,17 @@ static int read_arguments(struct options *options, int argc, char **argv, const 
     if (optind < argc)
         snprintf(options->mesh, sizeof options->mesh, "%s", argv[optind]);
     return 0;
+}
+
+/* Reads the whole command line; puts the value of --config into *config. */
+static int read_arguments(struct options *options, int argc, char **argv, const char **config,
+                          struct sheen_failure *why)
+{
+    struct option *table = long_options();
+    int error = table ? read_by(table, options, argc, argv, config, why) : sheen_failed(why, 1, "not enough memory");
+
+    free(table);
+    return error;
 }
 
 static int set_defaults(struct options *options, struct sheen_failure *why)
