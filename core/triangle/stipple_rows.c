@@ -182,7 +182,7 @@ static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct se
     return 1;
 }
 
-/* left_out: per row a bit for each column that it leaves out. */
+/* Makes left_out: per row, a bit for each column that is left out. */
 static COLD int stipple_begin(struct draw *d, const struct sheen_object *o)
 {
     if (o->transparency > 64 || o->phase > 7)

@@ -39,7 +39,7 @@ SPECIALISED uint32_t spread(uint32_t texel)
     return (texel | texel << 16) & SPREAD;
 }
 
-/* For bilinear: coordinates from texels' middles rather than edges, and half a share for its rounding. */
+/* Added to coordinates for bilinear: minus half a texel, to count from texels' middles, plus half a share to round. */
 #define TO_MIDDLE (0x400u - 0x8000u)
 
 /* i brought into 0..size - 1: clamped, or modulo the size. */

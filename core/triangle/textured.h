@@ -7,9 +7,9 @@
 #include "texels.h"
 
 /*
- * Which loop draws the pixels. TEXTURED_ANY draws everything. The others give the same pixels, but on 565 only, if the
- * texture repeats (or no coordinate comes near its edges) and light and highlight have no hue and are at most 1.0.
- * Texels are nearest up to OTHER, and 565 without key up to GLOSSY.
+ * Which loop draws the pixels. TEXTURED_ANY draws everything. The others give the same pixels, but need a 565 target, a
+ * texture that repeats (or no coordinate near its edges), and light and highlight without hue and at most 1.0. From
+ * UNLIT to OTHER texels are nearest, and from UNLIT to GLOSSY 565 without key.
  */
 enum textured_pixels {
     TEXTURED_ANY,
@@ -90,14 +90,17 @@ struct texel_part {
 
 #define TEXEL_PART 32 /* px */
 
-/* Called once per triangle in a tile; whenever the step changes; then for each run, at: values at its first pixel. */
+/*
+ * How runs are drawn: _begin is called once per triangle in a tile, _step whenever the step changes, _run for each run
+ * with the values at its first pixel.
+ */
 void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struct setup *s);
 void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
 
 /*
- * Texels under fog. For TEXTURED_FOGGED: nearest texels, unlit; texels whose light and specular are what the fog leaves
- * of them, at most 1.0 together with its share. Then any others.
+ * Texels under fog. sheen_faded_part: of TEXTURED_FOGGED, nearest and unlit. sheen_fogged_part: of TEXTURED_FOGGED;
+ * light and specular are what the fog leaves of them, at most 1.0 together with its share. Then any other texels.
  */
 void sheen_faded_part(const struct texel_run *r, const struct texel_part *part);
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part);

@@ -185,8 +185,8 @@ static APART void any_run(const struct texel_run *r, const struct texel_at *from
 #endif
 
 /*
- * The fog's levels: 2^16 blue + red, and green; and the same with 11 fraction bits, in which the half of the one
- * rounding is included.
+ * The fog's levels: 2^16 blue + red, and green; the *_mist are the same with 11 fraction bits and, unless dithered, the
+ * half of the one rounding.
  */
 struct faded_fog {
     uint32_t blue_red, green, blue_red_mist, green_mist;
@@ -446,9 +446,9 @@ struct bilinear_at {
 };
 
 /*
- * Four neighbouring texels, spread, as terms of a mix, kept for all pixels of a row between them. With shares a and b
- * in 1/32 the mix is 32 * first texel + a * right + b * below + ab / 32 * both, modulo 2^32; `first` is 32 times the
- * texel. u, v: coordinates for which the texels were read, less half a texel.
+ * Four neighbouring texels, spread, as terms of a mix; pixels of a row that lie between the same four share them. With
+ * shares a and b in 1/32 the mix is first + a * right + b * below + ab / 32 * both, modulo 2^32; first is 32 times the
+ * upper left texel. u, v: the coordinates for which the texels were read, less half a texel.
  */
 struct texel_cell {
     uint32_t u, v, first, right, below, both;
