@@ -28,7 +28,7 @@ void sheen_builtin_grid(struct sheen_polygons *polygons, size_t base, unsigned r
     }
 }
 
-/* Room for rows x columns quads and their points; the counts of polygons and corners are left at 0 for the grid. */
+/* Allocates rows x columns quads and their points; polygon_count and corner_count stay 0 for sheen_builtin_grid. */
 static int grid_alloc(struct sheen_polygons *polygons, unsigned rows, unsigned columns)
 {
     size_t quads = (size_t)rows * columns;
@@ -39,9 +39,9 @@ static int grid_alloc(struct sheen_polygons *polygons, unsigned rows, unsigned c
 }
 
 /*
- * cos and sin of a part of a turn, by the core: integers, so the same on every
- * machine, and within 3e-9, a twentieth of a float's step. Quarters are exact, so
- * seams and poles close.
+ * Cosine and sine of part / parts of a turn. The core computes them in integers, so they
+ * are the same on every machine; the error is at most 3e-9, a twentieth of a float's step.
+ * Quarters of a turn are exact, so that seams and poles close.
  */
 static void on_circle(unsigned part, unsigned parts, double *cosine, double *sine)
 {
@@ -128,7 +128,7 @@ enum {
     BUILTINS = sizeof builtins / sizeof builtins[0]
 };
 
-/* The number of the mesh, or BUILTINS. */
+/* The index into builtins, or BUILTINS if there is no mesh of that name. */
 static int find(const char *name)
 {
     int i = 0;

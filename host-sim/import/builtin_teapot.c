@@ -5,7 +5,7 @@
  * (F. Crow, "The Origins of the Teapot", IEEE CG&A 7(1), 1987). Its points repeat:
  * rim, body, lid and bottom are six profiles, each turned about the axis as four
  * patches; handle and spout are two tubes of two patches along and two across.
- * So 24 pairs and 14 rows hold all of it. Here y is up and the spout points to +x.
+ * So 24 pairs and 14 rows describe the whole teapot. Here y is up and the spout points to +x.
  */
 #include <string.h>
 
@@ -18,7 +18,7 @@ enum {
     FINE_STEPS = 10
 };
 
-/* Control point of a patch: row along the profile or tube, column across. */
+/* Control points of a patch: rows run along the profile or tube, columns across. */
 typedef double patch_t[4][4][3];
 
 /* Radius and height, from the top down. */
@@ -55,7 +55,10 @@ static const struct section tubes[4][4] = {
      {2.8, 2.4, 3.2, 2.4, 0.15}},
 };
 
-/* A quarter of a turn, from +z to +x for quarter 0, so that down and on runs counter-clockwise seen from outside. */
+/*
+ * Turns a profile by a quarter, for quarter 0 from +z to +x, so that down the profile and then on around it is
+ * counter-clockwise seen from outside.
+ */
 static void turn_profile(const double profile[4][2], unsigned quarter, patch_t patch)
 {
     static const double turns[4][2] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}}; /* x, z */
@@ -63,7 +66,7 @@ static void turn_profile(const double profile[4][2], unsigned quarter, patch_t p
 
     for (int i = 0; i < 4; i++) {
         double r = profile[i][0];
-        /* Newell's circle: the inner control points stand 0.56 r from the ends, in the knob 0.45 of 0.8. */
+        /* Newell's circle: the inner control points are 0.56 r from the ends; in the knob, where r = 0.8, 0.45. */
         double k = r == 0.8 ? 0.45 : 0.56 * r;
         const double along[4][2] = {{r, 0}, {r, k}, {k, r}, {0, r}};
         for (int j = 0; j < 4; j++) {
@@ -74,7 +77,7 @@ static void turn_profile(const double profile[4][2], unsigned quarter, patch_t p
     }
 }
 
-/* side: +1 the half with z >= 0, -1 its mirror image. */
+/* side: +1 for the half with z >= 0, -1 for its mirror image. */
 static void half_tube(const struct section tube[4], int side, patch_t patch)
 {
     for (int i = 0; i < 4; i++) {

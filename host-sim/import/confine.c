@@ -1,6 +1,6 @@
 /*
- * confine.c - a process gives up everything but reading files and computing: limits, then a
- * filter of system calls by libseccomp.
+ * confine.c - makes a process give up everything except reading files and computing: sets
+ * limits, then loads a filter of system calls with libseccomp.
  */
 #include "confine.h"
 
@@ -41,7 +41,7 @@ static const int hostile[] = {
     SCMP_SYS(fork),   SCMP_SYS(vfork),    SCMP_SYS(clone),  SCMP_SYS(clone3),     SCMP_SYS(kill),
 };
 
-/* And no more than the process may have as it is, by limits of its user's. */
+/* Sets a soft and a hard limit, neither above the hard limit that the process already has. */
 static int limit(int resource, rlim_t most, rlim_t at_last)
 {
     struct rlimit has;
@@ -52,7 +52,7 @@ static int limit(int resource, rlim_t most, rlim_t at_last)
     return setrlimit(resource, &(struct rlimit){most < at_last ? most : at_last, at_last});
 }
 
-/* Memory of this process: what it may take, 0 where it is not confined, and for which files it may take more. */
+/* Memory that this process may allocate, 0 if it is not confined, and the files for which that has been raised. */
 static struct {
     rlim_t most;
     struct {
@@ -62,10 +62,10 @@ static struct {
     size_t files;
 } memory;
 
-/* To which the process itself may raise its limit, for files of up to 1 GB; where that is no number, 3 GB. */
+/* The hard limit of memory: enough for files of up to 1 GB, or 3 GB of memory if rlim_t has only 32 bits. */
 #define MEMORY_AT_LAST ((rlim_t)(sizeof(rlim_t) > 4 ? (uint64_t)SHEEN_CONFINE_TIMES << 30 : (uint64_t)3 << 30))
 
-/* Private writable memory, which RLIMIT_DATA counts; 0 where /proc is not there. */
+/* Bytes of private writable memory, which RLIMIT_DATA counts; 0 without /proc. */
 static rlim_t memory_now(void)
 {
     unsigned long data = 0;
@@ -103,7 +103,10 @@ void sheen_confine_file(int file)
         (void)limit(RLIMIT_DATA, memory.most, MEMORY_AT_LAST);
 }
 
-/* Only these ways of a call: opening to read, memory that is not executable, writing to `output`, ending oneself. */
+/*
+ * Allows calls with certain arguments only: opening to read, memory that is not executable, writing to `output`,
+ * signals to the process itself.
+ */
 static int allow_with_arguments(scmp_filter_ctx filter, int output)
 {
     const unsigned reading = SANITIZED ? 0 : O_NONBLOCK; /* the sanitizers' reports open /proc in their own way */
@@ -121,13 +124,13 @@ static int allow_with_arguments(scmp_filter_ctx filter, int output)
         {SCMP_SYS(writev), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)output, 0)},
         {SCMP_SYS(tgkill), SCMP_A0(SCMP_CMP_EQ, (scmp_datum_t)getpid(), 0)}, /* abort() */
         {SCMP_SYS(setrlimit), SCMP_A0(SCMP_CMP_EQ, RLIMIT_DATA, 0)},
-        {SCMP_SYS(prlimit64), SCMP_A1(SCMP_CMP_EQ, RLIMIT_DATA, 0)}, /* how glibc makes setrlimit */
+        {SCMP_SYS(prlimit64), SCMP_A1(SCMP_CMP_EQ, RLIMIT_DATA, 0)}, /* glibc's setrlimit calls it */
     };
     int error = 0;
 
     for (size_t i = 0; !error && i < sizeof rules / sizeof rules[0]; i++)
         error = seccomp_rule_add(filter, SCMP_ACT_ALLOW, rules[i].call, 1, rules[i].argument);
-    if (!error && SANITIZED) /* its reports */
+    if (!error && SANITIZED) /* the sanitizer's reports */
         error = seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(write), 1, SCMP_A0(SCMP_CMP_EQ, 2, 0));
     return error;
 }

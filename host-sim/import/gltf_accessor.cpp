@@ -36,7 +36,7 @@ size_t size_of(uint64_t component, const item &whom)
     refuse("%s: componentType %llu is none of glTF 2.0's", whom.name(), static_cast<unsigned long long>(component));
 }
 
-/* Little-endian, as all of glTF. */
+/* Little-endian, like everything in glTF. */
 double load(const uint8_t *at, uint64_t component)
 {
     uint32_t low = at[0];
@@ -67,7 +67,7 @@ struct rows {
     bool normalize;
 };
 
-/* count x stride stays below 2^53: count is, and refused above what the view's bytes hold. */
+/* No product overflows: a count above the view's bytes is refused, and the stride is at most 255. */
 rows find_rows(document &file, const item &holder, uint64_t component, size_t parts, uint64_t count, const item &whom)
 {
     const item number = holder.get("bufferView");
@@ -97,7 +97,7 @@ void copy_row(const rows &from, size_t index, double *to, size_t parts)
     }
 }
 
-/* Some elements are replaced: a list of their numbers, a list of their values. */
+/* Replaces some elements: `sparse` has a list of their indices and a list of their values. */
 void read_sparse(document &file, const item &sparse, uint64_t component, bool normalize, table &to)
 {
     const uint64_t count = sparse.get("count").whole();

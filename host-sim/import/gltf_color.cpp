@@ -27,7 +27,7 @@ enum wrap {
     MIRROR = 33648
 };
 
-/* Metal and roughness, or, in older files, specular and glossiness beside it or in its place. */
+/* The specular-glossiness extension, which older files have beside metallic-roughness or instead of it. */
 item glossy_of(const item &from)
 {
     return from.get("extensions").get("KHR_materials_pbrSpecularGlossiness");
@@ -52,7 +52,7 @@ uint8_t wrap_of(const item &sampler, const char *key)
     return number == CLAMP ? SHEEN_WRAP_CLAMP : number == MIRROR ? SHEEN_WRAP_MIRROR : SHEEN_WRAP_REPEAT;
 }
 
-/* Scaled, turned, moved; turned so that with v downwards it is counter-clockwise to look at. */
+/* Scales, rotates, then moves uv. As v points downwards, the rotation looks counter-clockwise. */
 void read_transform(const item &from, double uv[6])
 {
     double offset[2] = {0, 0}, scale[2] = {1, 1};
@@ -65,8 +65,9 @@ void read_transform(const item &from, double uv[6])
 }
 
 /*
- * Of a texel's alpha. A mask holds that times the factor's, `alpha`, against alphaCutoff. What blends is cut at half of
- * the texel's own: a pane of glass is there, if not clear.
+ * The cut-off for a texel's alpha. MASK compares the texel's alpha times the factor's, `alpha`, with alphaCutoff, which
+ * is therefore divided by `alpha`. BLEND is cut at half of the texel's own alpha whatever the factor's, so that a pane
+ * of glass is drawn, although opaque.
  */
 double cutoff_of(const item &from, double alpha)
 {
@@ -91,7 +92,7 @@ template <class T> T *copy_of(const T *from, size_t count)
     return out;
 }
 
-/* Bytes within the file, or the path of one beside it. */
+/* Sets the picture's bytes if they are within the file, else the path of a file beside it. */
 void find_picture(document &file, const item &image, struct sheen_picture &to)
 {
     const std::string uri = image.get("uri").text("");
@@ -117,7 +118,7 @@ void find_picture(document &file, const item &image, struct sheen_picture &to)
     to.name = copy_of(name.c_str(), name.size());
 }
 
-/* A texture may have its picture in another format, beside a PNG or JPEG or instead. */
+/* A texture may have a picture in another format beside its PNG or JPEG, or instead of it. */
 uint32_t read_picture(document &file, const item &number, double cutoff, struct sheen_polygons &out)
 {
     const item texture = file.entry("textures", number), source = texture.get("source");
@@ -140,7 +141,7 @@ uint32_t read_picture(document &file, const item &number, double cutoff, struct 
     return made;
 }
 
-/* What a program of shaders shows, in old files that came from COLLADA. */
+/* Warns of WebGL techniques: shader programs that set the colours in old files converted from COLLADA. */
 void note_technique(document &file, const item &from)
 {
     const item extensions = from.get("extensions");

@@ -1,5 +1,5 @@
 /*
- * gltf_draco.cpp - KHR_draco_mesh_compression: numbers out of meshes that libdraco unpacks.
+ * gltf_draco.cpp - KHR_draco_mesh_compression: reads the numbers of meshes that libdraco unpacks.
  */
 #include <draco/compression/decode.h>
 

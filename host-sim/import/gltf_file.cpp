@@ -1,5 +1,5 @@
 /*
- * gltf_file.cpp - a glTF 2.0 file, text or binary; its buffers, wherever they are; views of them.
+ * gltf_file.cpp - a glTF 2.0 file, text or binary; its buffers, inside or beside it; views of buffers.
  */
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace gltf
 namespace
 {
 
-/* What may be taken beside the file itself: so many times its size, and so much for small ones. */
+/* Memory that may be allocated beside the file itself: ROOM_TIMES its size plus ROOM_BYTES, for small files. */
 constexpr uint64_t ROOM_TIMES = 16, ROOM_BYTES = 64 << 20;
 
 unsigned long long number_of(uint64_t n)
@@ -33,7 +33,7 @@ uint32_t load32(const bytes &from, size_t at)
     return value;
 }
 
-/* False where there is no such regular file. */
+/* Returns false if the file cannot be read or is not a regular one. */
 bool read_file(const std::string &path, bytes &out)
 {
     struct sheen_problem problem;
@@ -46,7 +46,7 @@ bool read_file(const std::string &path, bytes &out)
     return read;
 }
 
-/* -1 for what is none. */
+/* -1 if c is not a hexadecimal digit. */
 int hex_digit(char c)
 {
     return c >= '0' && c <= '9'   ? c - '0'
@@ -55,7 +55,7 @@ int hex_digit(char c)
                                   : -1;
 }
 
-/* %20 and the like; a % that begins nothing of the sort stands for itself. */
+/* Decodes %20 and the like; a % without two hexadecimal digits after it is kept. */
 std::string decode_percent(const std::string &text)
 {
     std::string out;
@@ -129,7 +129,7 @@ document::document(const std::string &path) : path_(path)
 
 document::~document() = default;
 
-/* 12 bytes of header, then chunks: the JSON, which is left in `file`, and the binary one. Others are for extensions. */
+/* A header of 12 bytes, then chunks: JSON, which is left in `file`, and binary. Chunks of extensions are skipped. */
 void document::open_binary(bytes &file)
 {
     const uint32_t version = file.size() >= 12 ? load32(file, 4) : 2, size = file.size() >= 12 ? load32(file, 8) : 12;
@@ -170,8 +170,9 @@ void document::check_version() const
 }
 
 /*
- * Whoever lacks a required extension must not read on. Those of materials, textures,
- * lights and animations change no shape; the others here are read.
+ * A reader that does not know a required extension must refuse the file. The extensions
+ * below are either read or concern materials, textures, lights or animations, which do
+ * not change the shape.
  */
 void document::check_extensions() const
 {
@@ -282,7 +283,7 @@ view document::buffer(const item &number)
 namespace
 {
 
-/* What the decoder asserts rather than checks. */
+/* Checks what the decoder only asserts. */
 bool fits(const std::string &mode, const std::string &filter, uint64_t count, uint64_t stride)
 {
     const bool shape = mode == "ATTRIBUTES" ? stride % 4 == 0 && stride >= 4 && stride <= 256

@@ -1,5 +1,5 @@
 /*
- * gltf_json.cpp - values of a glTF file's JSON, with the names that messages call them by.
+ * gltf_json.cpp - values of a glTF file's JSON, with the names that messages use for them.
  */
 #include <cmath>
 #include <cstdarg>
@@ -25,7 +25,7 @@ void refuse(const char *format, ...)
 
 void refuse_json(const char *what)
 {
-    const char *at = strstr(what, "line "); /* ... "line 3, column 5: " and much else */
+    const char *at = strstr(what, "line "); /* the message contains "line 3, column 5: " */
 
     refuse("%.*s%snot JSON, or not all of it", at ? static_cast<int>(strcspn(at, ":")) : 0, at ? at : "",
            at ? ": " : "");
@@ -61,7 +61,7 @@ item item::at(size_t index) const
     return item(&(*value_)[index], name_ + "[" + std::to_string(index) + "]");
 }
 
-/* 24.0 is a whole number too: some programs write all of theirs so. */
+/* 24.0 is a whole number too, because some programs write all their whole numbers like that. */
 uint64_t item::whole(uint64_t absent) const
 {
     constexpr double most = 9007199254740992.0;

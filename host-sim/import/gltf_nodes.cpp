@@ -1,5 +1,5 @@
 /*
- * gltf_nodes.cpp - where a glTF file's nodes are, and which meshes they show.
+ * gltf_nodes.cpp - the places of a glTF file's nodes, and the meshes that they show.
  */
 #include <algorithm>
 
@@ -28,7 +28,7 @@ matrix multiply(const matrix &a, const matrix &b)
     return out;
 }
 
-/* Scale, then turn by the quaternion x y z w, which need not be exactly of length 1, then move. */
+/* Scales, then rotates by the quaternion x y z w, whose length need not be exactly 1, then moves. */
 matrix compose(const double move[3], const double turn[4], const double scale[3])
 {
     const double square = turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3];
@@ -70,7 +70,7 @@ matrix read_local(const item &node)
 
 constexpr size_t NONE = SIZE_MAX;
 
-/* All nodes: their parents, and their places in the world, found when they are asked for. */
+/* All nodes with their parents; their places in the world are computed on demand. */
 class tree
 {
   public:
@@ -97,7 +97,7 @@ tree::tree(document &file) : nodes(file.list("nodes"))
     for (size_t i = 0; i < nodes.size(); i++) {
         const item children = nodes.at(i).get("children");
         for (size_t c = 0; c < children.size(); c++) {
-            (void)file.entry("nodes", children.at(c)); /* it is there */
+            (void)file.entry("nodes", children.at(c)); /* refused if out of range */
             size_t &parent = parents_[children.at(c).whole()];
             if (parent != NONE)
                 refuse("%s: nodes[%zu] has it too", children.at(c).name(), parent);
@@ -106,7 +106,7 @@ tree::tree(document &file) : nodes(file.list("nodes"))
     }
 }
 
-/* Up to the first place that is known, then down again. */
+/* Goes up to the first ancestor whose place is known, then down again. */
 const matrix &tree::world(size_t node)
 {
     std::vector<size_t> way;
@@ -126,7 +126,7 @@ const matrix &tree::world(size_t node)
     return worlds_[node];
 }
 
-/* Where the scene begins: of the first scene where none is chosen, at all roots where there are no scenes. */
+/* The roots of the chosen scene; of the first scene if none is chosen; all roots if there are no scenes. */
 std::vector<size_t> find_roots(const document &file, const tree &all)
 {
     const item chosen = file.list("scene"), scenes = file.list("scenes");
@@ -147,7 +147,7 @@ std::vector<size_t> find_roots(const document &file, const tree &all)
     return out;
 }
 
-/* EXT_mesh_gpu_instancing: the node's mesh once for each row, moved within the node. */
+/* EXT_mesh_gpu_instancing: shows the node's mesh once per row of the attributes, each a transform within the node. */
 std::vector<matrix> read_instances(document &file, const item &extension, const matrix &world)
 {
     const item from = extension.get("attributes");
@@ -176,7 +176,7 @@ std::vector<matrix> read_instances(document &file, const item &extension, const 
     return out;
 }
 
-/* From the mesh at rest to the world, for each joint. The node that has the skin plays no part. */
+/* For each joint the matrix from the mesh at rest to the world. The place of the node with the skin is ignored. */
 std::vector<matrix> read_joints(document &file, const item &skin, tree &all)
 {
     const item joints = skin.get("joints"), inverse = skin.get("inverseBindMatrices");
@@ -217,7 +217,7 @@ placement place(document &file, size_t node, tree &all)
     return out;
 }
 
-/* How many a mesh has: all of its primitives have as many. */
+/* The number of morph targets of a mesh: the same for all of its primitives. */
 size_t count_targets(const item &mesh)
 {
     const item primitives = mesh.get("primitives");
@@ -225,7 +225,7 @@ size_t count_targets(const item &mesh)
     return primitives.size() ? primitives.at(0).get("targets").size() : 0;
 }
 
-/* The mesh that `target` is of; no name where no mesh has targets. */
+/* The name of the mesh to which morph target `target` (from 1) belongs; empty if it is 0 or no mesh has targets. */
 std::string find_target(const document &file, unsigned target)
 {
     const item meshes = file.list("meshes");
@@ -267,7 +267,7 @@ std::vector<placement> place_meshes(document &file, unsigned target)
         waiting.pop_back();
         if (seen[node] || (visible && !visible.flag()))
             continue;
-        seen[node] = true; /* a node stands at one place, and a list of roots may name it again */
+        seen[node] = true; /* a node has one place, but may be named twice in a list of roots */
         if (from.get("mesh")) {
             out.push_back(place(file, node, all));
             apply_target(out.back(), moved, target);

@@ -1,5 +1,5 @@
 /*
- * gltf_shape.cpp - a glTF mesh's primitives as triangles, at rest: morph targets applied.
+ * gltf_shape.cpp - the primitives of a glTF mesh as triangles, with morph targets applied, before skinning.
  */
 #include <algorithm>
 #include <cmath>
@@ -20,16 +20,16 @@ enum mode {
     FAN = 6
 };
 
-/* A primitive, and where its numbers come from. */
+/* A primitive and the sources of its numbers. */
 struct source {
     document &file;
     const item primitive;
     const std::vector<double> &weights;
     std::optional<draco_mesh> packed;
-    item packed_ids; /* of the attributes in it */
+    item packed_ids; /* ids of the attributes in `packed` */
 };
 
-/* What its name names, as it is before any target; without rows where there is none. */
+/* The attribute called `name` before any morph target; without rows if there is none. */
 table read_base(const source &from, const char *name, const char *types)
 {
     const item number = from.primitive.get("attributes").get(name);
@@ -42,7 +42,7 @@ table read_base(const source &from, const char *name, const char *types)
     return read_accessor(from.file, number, types);
 }
 
-/* Base plus targets, each times its weight. */
+/* The base plus each morph target times its weight. */
 table read_attribute(const source &from, const char *name, const char *types)
 {
     const item targets = from.primitive.get("targets");
@@ -61,7 +61,7 @@ table read_attribute(const source &from, const char *name, const char *types)
     return out;
 }
 
-/* The same for what a shape can do without: left out where it has not a row for each vertex. */
+/* Like read_attribute, for an optional attribute: it is left out unless it has a row for each vertex. */
 table read_optional(const source &from, const char *name, const char *types, size_t vertices)
 {
     table out = read_attribute(from, name, types);
@@ -73,7 +73,7 @@ table read_optional(const source &from, const char *name, const char *types, siz
     return {};
 }
 
-/* Normals, but where the target that was asked for moves points and has none: the file's are those of another shape. */
+/* Normals; none if the requested target moves points without normals, because the base's belong to another shape. */
 table read_normals(const source &from, size_t vertices, unsigned whole)
 {
     const item targets = from.primitive.get("targets");
@@ -84,7 +84,7 @@ table read_normals(const source &from, size_t vertices, unsigned whole)
     return read_optional(from, "NORMAL", "VEC3", vertices);
 }
 
-/* Where a material's texture is to be looked up; without one, as any texture would be. */
+/* The attribute with the uv of a material's texture; TEXCOORD_0, the default, without a material. */
 std::string texcoord_name(document &file, const item &material)
 {
     return "TEXCOORD_" + std::to_string(material ? texcoord_of(file.entry("materials", material)) : 0);
@@ -116,7 +116,7 @@ std::vector<uint32_t> read_indices(const source &from, size_t vertices)
     else if (number) {
         const table indices = read_accessor(from.file, number, "SCALAR");
         out.reserve(indices.count);
-        for (const double index : indices.numbers) { /* what is no number from 0 on becomes one that there is not */
+        for (const double index : indices.numbers) { /* an invalid index becomes one that no vertex has */
             const bool is_whole = index >= 0 && index < 4294967295.0 && index == std::floor(index);
             out.push_back(is_whole ? static_cast<uint32_t>(index) : UINT32_MAX);
         }
@@ -131,7 +131,7 @@ std::vector<uint32_t> read_indices(const source &from, size_t vertices)
     return out;
 }
 
-/* Corner after corner to triangle after triangle; every second one of a strip runs the other way round. */
+/* Makes triangles of a list, strip or fan of corners; every second triangle of a strip is turned around. */
 std::vector<uint32_t> make_triangles(const std::vector<uint32_t> &corners, uint64_t mode)
 {
     std::vector<uint32_t> out;

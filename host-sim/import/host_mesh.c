@@ -1,5 +1,5 @@
 /*
- * host_mesh.c - from polygons to a mesh that is ready to be drawn: the way of the data, step by step.
+ * host_mesh.c - makes a mesh that is ready to be drawn from polygons, step by step.
  */
 #include "host_mesh.h"
 
@@ -15,7 +15,7 @@
 #include "mesh_file.h"
 #include "unique.h"
 
-/* What is taken from the points before they are compared: 0, or the box's centre where it is far off (host_mesh.h). */
+/* The origin subtracted from points before they are compared: 0, or the box's centre if it is far off (host_mesh.h). */
 static void weld_origin(const struct sheen_host_build *build, double origin[3])
 {
     double side = 0;
@@ -48,7 +48,7 @@ static int weld_points(struct sheen_host_build *build)
 
 #define REDUCE "--reduce 20000 makes it 20000 triangles"
 
-/* A mesh that is to be reduced may have any size before. */
+/* Refuses too many triangles, except if the mesh will be reduced. */
 static int check_triangles(const struct sheen_host_mesh *mesh, const struct sheen_host_options *options,
                            const char *name, struct sheen_problem *problem)
 {
@@ -59,8 +59,8 @@ static int check_triangles(const struct sheen_host_mesh *mesh, const struct shee
 }
 
 /*
- * Splitting a face takes time by the square of its corners, 4 s on a desktop for SQUARE. Faces of up to FEW_CORNERS do
- * not count, as no file has enough of them.
+ * The time to split a face grows with the square of its corners: 4 s on a desktop for SQUARE. Faces of up to
+ * FEW_CORNERS do not count, because no file has enough of them to matter.
  */
 #define FACE_CORNERS 10000u
 #define SQUARE ((uint64_t)FACE_CORNERS * FACE_CORNERS) /* of all faces together */
@@ -82,7 +82,7 @@ static int check_faces(const struct sheen_polygons *polygons, const char *name, 
     return SHEEN_OK;
 }
 
-/* How many vertices there would be with one normal at each place; 0 without memory. */
+/* The number of vertices if each place had one normal; 0 if memory runs out. */
 static size_t count_places(const struct sheen_host_mesh *mesh)
 {
     uint32_t *place = malloc(mesh->vertex_count * sizeof *place);
@@ -94,7 +94,7 @@ static size_t count_places(const struct sheen_host_mesh *mesh)
     return count;
 }
 
-/* Few triangles may have many vertices, where each has its own: sharp edges, or a file's normals. */
+/* Few triangles may have many vertices if they share none, because of sharp edges or a file's normals. */
 static int check_vertices(const struct sheen_host_mesh *mesh, const char *name, struct sheen_problem *problem)
 {
     char rounder[80] = "";
@@ -110,7 +110,7 @@ static int check_vertices(const struct sheen_host_mesh *mesh, const char *name, 
                          SHEEN_HOST_MESH_MAX, rounder);
 }
 
-/* Whether the first frame has the polygon whose first corner this is as its next. */
+/* Whether the next polygon that the first frame kept is the one whose first corner is `corner`. */
 static int is_kept(const struct sheen_host_build *build, uint32_t corner)
 {
     const struct sheen_host_build *first = build->first_frame;
@@ -119,7 +119,7 @@ static int is_kept(const struct sheen_host_build *build, uint32_t corner)
     return next < first->mesh->polygon_count && first->source[first->mesh->polygons[next].first] == corner;
 }
 
-/* The polygons that have an area, and their corners; of another frame, those of the first. */
+/* Keeps the polygons that have an area, and their corners; in another frame, the polygons that the first one kept. */
 static int keep_polygons(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     const struct sheen_polygons *from = build->from;
@@ -181,7 +181,7 @@ static double reach(const struct sheen_polygons *from, const double center[3])
     return most;
 }
 
-/* Centre and radius over every point that a polygon uses, one without area included; of both frames. */
+/* Centre and radius over all points of polygons, including polygons without area, in both frames. */
 static int fit(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     const struct sheen_polygons *from = build->from, *second = build->second ? build->second->from : NULL;
@@ -203,7 +203,7 @@ static int fit(struct sheen_host_build *build, const char *name, struct sheen_pr
     return SHEEN_OK;
 }
 
-/* What makes two corners the same vertex; every byte counts, so there is no padding. */
+/* Corners with equal keys share a vertex. Every byte is compared, so the struct has no padding. */
 struct vertex_key {
     double normal[3], uv[2], second_normal[3];
     uint32_t weld, group, has_uv, second_weld;
@@ -226,7 +226,7 @@ static void set_vertex(struct sheen_host_build *build, size_t corner, const stru
     vertex->has_uv = key->has_uv;
 }
 
-/* Of a corner of polygon p; is_textured: the polygon is. */
+/* Makes the key of a corner of polygon p; is_textured says whether the polygon is. */
 static void set_key(const struct sheen_host_build *build, size_t p, size_t corner, int is_textured,
                     struct vertex_key *key)
 {
@@ -248,7 +248,7 @@ static void set_key(const struct sheen_host_build *build, size_t p, size_t corne
     key->group = build->options->by_group || from->picture_count ? build->mesh->polygons[p].group : 0;
 }
 
-/* Polygons without area are left out of the mesh: its p-th was another of the file. */
+/* p counts the mesh's polygons, not the file's: polygons without area are left out of the mesh. */
 static int is_polygon_textured(const struct sheen_host_build *build, size_t p)
 {
     const struct sheen_host_polygon *polygon = &build->mesh->polygons[p];
@@ -302,7 +302,7 @@ static int make_triangles(struct sheen_host_build *build)
     for (size_t p = 0; !error && p < mesh->polygon_count; p++) {
         const struct sheen_host_polygon *polygon = &mesh->polygons[p];
 
-        /* A polygon's corners follow each other in the file too. */
+        /* A polygon's corners are consecutive in the file too. */
         sheen_host_localise(build, build->from->corners + build->source[polygon->first], polygon->count);
         error = sheen_triangulate(local->points, local->order, polygon->count, build->facing[p], local->scratch, *cut);
         for (uint32_t t = 0; !error && t + 2 < polygon->count; t++, out++) {
@@ -386,7 +386,7 @@ static int copy_groups(struct sheen_host_build *build)
     return copy_pictures(mesh, build->from);
 }
 
-/* Polygons, places and normals, of one frame. */
+/* Makes the polygons, places and normals of one frame. */
 static int make_frame(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     int error = sheen_host_local_alloc(build);
@@ -398,7 +398,7 @@ static int make_frame(struct sheen_host_build *build, const char *name, struct s
     return error ? error : sheen_host_normals(build, name, problem);
 }
 
-/* Of another frame, once the first has its own. */
+/* Makes those of the second frame, if there is one, after the first frame's. */
 static int make_second(struct sheen_host_build *build, const char *name, struct sheen_problem *problem)
 {
     struct sheen_host_build *second = build->second;
@@ -420,7 +420,7 @@ static void free_frame(struct sheen_host_build *build)
     free(build->normals);
 }
 
-/* All steps but the last, which makes a mesh smaller. second: or NULL. */
+/* All steps except the last, which reduces the mesh. second may be NULL. */
 static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
                      const struct sheen_polygons *second, const struct sheen_host_options *options, const char *name,
                      struct sheen_problem *problem)
@@ -464,7 +464,7 @@ static int build_all(struct sheen_host_mesh *mesh, const struct sheen_polygons *
     return error;
 }
 
-/* second: another frame of it, options->morph by name, or NULL; SHEEN_ERR_ARGUMENT where the polygons are others. */
+/* second: another frame, whose name is options->morph, or NULL; SHEEN_ERR_ARGUMENT if its polygons differ. */
 static int build_frames(struct sheen_host_mesh *mesh, const struct sheen_polygons *polygons,
                         const struct sheen_polygons *second, const struct sheen_host_options *options, const char *name,
                         struct sheen_problem *problem)

@@ -1,5 +1,5 @@
 /*
- * host_morph.c - another frame of a mesh: polygons one for one, elsewhere.
+ * host_morph.c - another frame of a mesh: the same polygons one for one, with points elsewhere.
  */
 #include <stdlib.h>
 #include <string.h>

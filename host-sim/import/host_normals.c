@@ -1,5 +1,5 @@
 /*
- * host_normals.c - polygons in the core's integers, and the normal of each corner, which the core averages.
+ * host_normals.c - polygons in the core's integers, and the normals of corners, which the core averages.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -7,7 +7,10 @@
 #include "host_build.h"
 #include "host_vector.h"
 
-/* Raw steps of Q1.30, 3e-8: normals of polygons come from rounded points, and "within 60 degrees" keeps 60. */
+/*
+ * In steps of Q1.30, 3e-8 in all. Normals of polygons come from rounded points; with this slack a crease of 60 degrees
+ * still smooths edges of exactly 60.
+ */
 #define CREASE_SLACK 32
 
 void sheen_host_unit(const sheen_q30_t from[3], double unit[3])
@@ -56,17 +59,17 @@ void sheen_host_localise(struct sheen_host_build *build, const uint32_t *corners
     (void)frexp(extent, &exponent); /* extent < 2^exponent */
     for (uint32_t i = 0; i < count; i++) {
         for (int k = 0; k < 3; k++)
-            /* Not times a power of two: of extents below 2^-996 that would be infinite. */
+            /* ldexp, because for extents below 2^-996 the power of two as a factor would be infinite. */
             build->local.points[3 * (size_t)i + (size_t)k] =
                 (int32_t)floor(ldexp(points[corners[i]][k] - origin[k], 28 - exponent) + 0.5);
     }
 }
 
-/* What the core's averages need: where each corner belongs. Points are not looked at. */
+/* What the core needs to average normals: the place of each corner, but not its coordinates. */
 struct places {
     struct sheen_polygon_list list;
     uint32_t *corners, *sizes, *around;
-    sheen_q30_t (*vertex)[3]; /* of each vertex, or with a crease of each corner */
+    sheen_q30_t (*vertex)[3]; /* normals: one per place, or with a crease one per corner */
 };
 
 static int find_places(const struct sheen_host_build *build, struct places *places)
@@ -93,13 +96,13 @@ static int find_places(const struct sheen_host_build *build, struct places *plac
 }
 
 /*
- * What is done by pairs of the faces around a vertex takes time by the square of their number, summed over all
- * vertices: on a desktop 4 s for a vertex of MOST_FACES with a crease and 3 s more where a reduced mesh chooses among a
- * file's normals; for one of three times as many 5 s by edges or simplifying. Vertices of up to FEW_FACES do not count,
- * as no file has enough of them.
+ * Steps that compare pairs of faces around a vertex take time that grows with the square of the faces, summed over all
+ * vertices: on a desktop 4 s for a vertex of MOST_FACES with a crease, and 3 s more if a reduced mesh chooses among a
+ * file's normals; for three times as many faces, finding edges or simplifying takes 5 s. Vertices of up to FEW_FACES do
+ * not count, because no file has enough of them to matter.
  */
 #define MOST_FACES 15000u
-#define TIMES_WITHOUT 3u /* as many without either */
+#define TIMES_WITHOUT 3u /* times as many faces are allowed without a crease and without choosing */
 #define FEW_FACES 64u
 
 static int check_around(const struct sheen_host_build *build, const struct places *places, const char *name,
@@ -124,7 +127,7 @@ static int check_around(const struct sheen_host_build *build, const struct place
                          (unsigned long)most, helps ? "; --normals average --crease 180 takes them" : "");
 }
 
-/* A corner's own normal where the file has one, else the average, else its polygon's. */
+/* Sets each corner's normal: the file's if there is one, else the average, else the polygon's. */
 static void choose(struct sheen_host_build *build, const struct places *places)
 {
     const double *file = build->from->normals && !build->options->average ? build->from->normals[0] : NULL;

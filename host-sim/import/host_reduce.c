@@ -1,5 +1,5 @@
 /*
- * host_reduce.c - a host mesh of fewer triangles: simplify its places, make it anew from what is left.
+ * host_reduce.c - reduces a host mesh to fewer triangles: simplifies its places, then builds it anew from the rest.
  */
 #include "host_reduce.h"
 
@@ -14,21 +14,21 @@
 #define NONE UINT32_MAX
 
 /*
- * A place is where vertices of the mesh stand that differ in their normal alone. Those of two groups, uv or
- * colours are two places at one point: the simplifier keeps what joins them there.
+ * Vertices of the mesh that differ only in their normals share a place. Vertices at one point that differ in
+ * group, uv or colour are at different places; the simplifier keeps them joined there.
  */
 struct reducing {
     const struct sheen_host_mesh *from;
     uint32_t *place; /* of each vertex */
     size_t place_count;
     float (*points)[3];     /* of each place */
-    uint32_t *first, *next; /* the vertices at a place: the first, then of each vertex the next, NONE at the end */
-    unsigned *corners;      /* places, 3 a triangle */
+    uint32_t *first, *next; /* lists of the vertices at a place: first[place], then next[vertex] until NONE */
+    unsigned *corners;      /* places, 3 per triangle */
     size_t corner_count;
-    double error; /* of the longest side */
+    double error; /* as a fraction of the longest side */
 };
 
-/* What makes two vertices stand at one place; every byte counts, so there is no padding. */
+/* Vertices with equal keys share a place. Every byte is compared, so the struct has no padding. */
 struct place_key {
     double uv[2];
     uint32_t weld, group, has_uv;
@@ -90,7 +90,7 @@ static int simplify(struct reducing *to, size_t most, struct sheen_problem *prob
                           from->picture_count > 0, &to->error, problem);
 }
 
-/* Of the normals at a place the one nearest to `facing`. */
+/* Chooses the normal nearest to `facing` among those at a place. */
 static void choose_normal(const struct reducing *to, uint32_t place, const double facing[3], double normal[3])
 {
     double best = -HUGE_VAL;
@@ -131,7 +131,7 @@ static void fill_triangle(const struct reducing *to, struct sheen_polygons *out,
     out->first[t + 1] = (uint32_t)(3 * t + 3);
 }
 
-/* What is left, as if a file had it. */
+/* Makes polygons of the remaining triangles, as a reader of files would. */
 static int make_polygons(const struct reducing *to, struct sheen_polygons *out)
 {
     const struct sheen_host_mesh *from = to->from;
@@ -150,14 +150,14 @@ static int make_polygons(const struct reducing *to, struct sheen_polygons *out)
     for (size_t t = 0; t < to->corner_count / 3; t++)
         fill_triangle(to, out, t);
     memcpy(out->group, from->group, from->group_count * sizeof *out->group);
-    out->picture = from->picture; /* lent: rebuild takes them back */
+    out->picture = from->picture; /* lent: rebuild() takes them back */
     out->picture_count = from->picture_count;
     out->z_up = from->z_up;
     out->notes = from->notes;
     return SHEEN_OK;
 }
 
-/* From the mesh in `to` to another in *out. */
+/* Builds *out from the reduced triangles in `to`. */
 static int rebuild(const struct reducing *to, const struct sheen_host_options *options, struct sheen_host_mesh *out,
                    const char *name, struct sheen_problem *problem)
 {
@@ -171,7 +171,7 @@ static int rebuild(const struct reducing *to, const struct sheen_host_options *o
     if (!error)
         error = sheen_host_mesh_build(out, &polygons, &how, name, problem);
     if (!error) {
-        out->crease = to->from->crease; /* which tells sharp edges; the normals are chosen */
+        out->crease = to->from->crease; /* only to tell sharp edges, because the normals are already chosen */
         sheen_note(&out->notes, out->triangle_count > most ? SHEEN_NOTE_WARNING : SHEEN_NOTE_DONE,
                    "%s: reduced from %zu triangles to %zu%s, off by at most %.2g %% of its size", name,
                    to->from->triangle_count, out->triangle_count, out->triangle_count > most ? ", not fewer" : "",

@@ -8,7 +8,7 @@
 
 #include "mesh_file.h"
 
-/* One of the core's; NULL: the name is none of theirs. */
+/* The core's matcap of this name, or NULL. */
 static const struct sheen_texture *own_of(const char *name)
 {
     static const struct {
@@ -26,7 +26,7 @@ static const struct sheen_texture *own_of(const char *name)
     return NULL;
 }
 
-/* The core's own, whose values come back as they are. */
+/* Makes a picture of a matcap of the core; converting it back gives the same texels. */
 static int picture_of(struct sheen_picture *picture, const struct sheen_texture *texture)
 {
     const uint16_t *texels = texture->texels;

@@ -1,5 +1,5 @@
 /*
- * mesh_assimp.c - mesh files by assimp's C interface. Runs in the confined child (mesh_file.c).
+ * mesh_assimp.c - reads mesh files with assimp's C interface. Runs in the confined child (mesh_file.c).
  */
 #include "mesh_assimp.h"
 
@@ -17,9 +17,9 @@
 #include "mesh_sink.h"
 #include "utf8.h"
 
-#define MAX_DEPTH 1000 /* nested nodes: more is a broken file, and would exhaust the stack */
+#define MAX_DEPTH 1000 /* nested nodes; more mean a broken file and would exhaust the stack */
 
-/* Two walks over the nodes: the first counts, the second fills in. */
+/* The nodes are walked twice: first to count, then to fill the arrays. */
 struct walk {
     const struct aiScene *scene;
     struct sheen_polygons *out; /* NULL while counting */
@@ -51,7 +51,7 @@ static void transform_point(const double m[16], const struct aiVector3D *v, doub
 }
 
 /*
- * Normals go by the cofactors, which are the inverse's transpose times the
+ * Normals are transformed by the cofactors, which are the inverse's transpose times the
  * determinant and exist for flattening transforms too. Returns the determinant.
  */
 static double cofactors(const double m[16], double out[9])
@@ -106,7 +106,7 @@ static void get_color(const struct aiColor4D *from, uint8_t color[3])
         color[k] = sheen_color_byte((double)parts[k], 1);
 }
 
-/* v downwards. What is no number is told from what is not there (polygons.h). */
+/* Turns v downwards. A NaN becomes infinite, because NaN stands for a missing uv (polygons.h). */
 static void get_uv(const struct aiVector3D *from, double uv[2])
 {
     const double v = 1 - (double)from->y;
@@ -115,7 +115,7 @@ static void get_uv(const struct aiVector3D *from, double uv[2])
     uv[1] = isnan(v) ? (double)INFINITY : v;
 }
 
-/* A transform that mirrors turns faces inside out, so their corners are taken backwards. */
+/* A mirroring transform turns faces inside out, so their corners are added in reverse order. */
 static void fill_face(struct walk *walk, const struct aiMesh *mesh, const struct aiFace *face, const double c[9],
                       int mirrored)
 {
@@ -227,7 +227,7 @@ int sheen_mesh_assimp_knows(const char *ending)
     return aiIsExtensionSupported(ending) == AI_TRUE;
 }
 
-/* Without the shapes that assimp makes up for bones where a file has no faces. */
+/* Disables the shapes that assimp makes up for bones if a file has no faces. */
 static const struct aiScene *import(const char *path)
 {
     struct aiPropertyStore *settings = aiCreatePropertyStore();
@@ -238,11 +238,11 @@ static const struct aiScene *import(const char *path)
     return scene;
 }
 
-/* Why assimp has no scene, in better words where there are any. */
+/* Reports why assimp has no scene, in better words than assimp's if possible. */
 static int explain(const char *said, const char *path, struct sheen_problem *problem)
 {
     if (strstr(said, "bad_alloc") || strstr(said, "length_error"))
-        return SHEEN_ERR_MEMORY; /* mesh_file.c says it */
+        return SHEEN_ERR_MEMORY; /* mesh_file.c makes the message */
     const char *ending = strrchr(path, '.');
     if (strstr(said, "No suitable reader") || !ending || !sheen_mesh_assimp_knows(ending))
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its format is not known, by its name nor by its content",
@@ -265,7 +265,7 @@ int sheen_mesh_assimp_read(struct sheen_polygons *polygons, const char *path, st
         return explain(aiGetErrorString(), path, problem);
     error = convert(polygons, scene, path, problem);
     aiReleaseImport(scene);
-    if (!error && !checked) /* Assimp's readers of these leave out or clamp what is broken, and do not say so */
+    if (!error && !checked) /* assimp silently leaves out or clamps what is broken in such a file */
         sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
                    "%s: read by Assimp, which may leave out what is broken: look at the picture", path);
     return error;

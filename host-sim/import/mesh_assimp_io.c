@@ -1,6 +1,6 @@
 /*
- * mesh_assimp_io.c - the files that assimp opens: by the same door as our own readers' (mesh_bytes.h), so that their
- * sizes count and none is waited for.
+ * mesh_assimp_io.c - opens files for assimp in the same way as for our own readers (mesh_bytes.h), so that their sizes
+ * raise the memory limit and no pipe is waited for.
  */
 #include "mesh_assimp_io.h"
 
@@ -11,7 +11,7 @@
 #include "mesh_bytes.h"
 
 struct opened {
-    struct aiFile file; /* first: assimp hands it back */
+    struct aiFile file; /* first member: assimp passes a pointer to it back */
     struct sheen_bytes bytes;
     size_t at;
 };
@@ -48,7 +48,7 @@ static size_t size_of(struct aiFile *file)
     return opened_of(file)->bytes.count;
 }
 
-/* Backwards an offset has wrapped around; so has the sum. */
+/* A backward offset has wrapped around; so does the sum, which is therefore right. */
 static enum aiReturn seek(struct aiFile *file, size_t offset, enum aiOrigin origin)
 {
     struct opened *opened = opened_of(file);
@@ -66,8 +66,8 @@ static void flush(struct aiFile *file)
 }
 
 /*
- * COLLADA's convex_mesh, a body for collisions, is written as a mesh is and left out by assimp; under the name of
- * one it is read. The names have blanks behind them then, which XML lets be.
+ * COLLADA's convex_mesh, a body for collisions, has the contents of a mesh, but assimp leaves it out. Renamed to mesh
+ * it is read; blanks after the new name, which XML allows, keep the length.
  */
 static void rename_convex_meshes(struct sheen_bytes *bytes)
 {
@@ -95,7 +95,7 @@ static struct aiFile *open_file(struct aiFileIO *io, const char *path, const cha
         free(opened);
         return NULL;
     }
-    (void)sheen_bytes_to_utf8(&opened->bytes); /* not all of its readers know UTF-16 */
+    (void)sheen_bytes_to_utf8(&opened->bytes); /* not all readers of assimp know UTF-16 */
     if (length > 4 && strcasecmp(path + length - 4, ".dae") == 0)
         rename_convex_meshes(&opened->bytes);
     opened->file = (struct aiFile){.ReadProc = read_items,

@@ -13,7 +13,7 @@
 
 #include "confine.h"
 
-/* Bytes read, fewer than `count` where the file has shrunk since; -1: errno. */
+/* Returns the bytes read, fewer than `count` if the file has shrunk meanwhile, or -1 and errno. */
 static ssize_t read_all(int file, unsigned char *bytes, size_t count)
 {
     size_t got = 0;
@@ -34,7 +34,7 @@ static ssize_t read_all(int file, unsigned char *bytes, size_t count)
 int sheen_bytes_load(struct sheen_bytes *bytes, const char *path, struct sheen_problem *problem)
 {
     struct stat status;
-    int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* O_NONBLOCK: a pipe does not wait for its writer */
+    int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC); /* O_NONBLOCK: does not wait for the writer of a pipe */
 
     *bytes = (struct sheen_bytes){NULL, 0};
     if (file < 0)
@@ -61,7 +61,7 @@ void sheen_bytes_free(struct sheen_bytes *bytes)
     *bytes = (struct sheen_bytes){NULL, 0};
 }
 
-/* Returns the bytes it took. */
+/* Returns the number of bytes written. */
 static size_t put_utf8(unsigned char *out, uint32_t code)
 {
     if (code < 0x80) {
@@ -75,12 +75,12 @@ static size_t put_utf8(unsigned char *out, uint32_t code)
     return more + 1;
 }
 
-/* A unit of 2 bytes is at most 3 in UTF-8; a pair of surrogates, 4 bytes, is 4. */
+/* A unit of 2 bytes becomes at most 3 bytes of UTF-8; a surrogate pair of 4 bytes becomes 4. */
 static int from_utf16(struct sheen_bytes *bytes, int big)
 {
     unsigned char *out = malloc(bytes->count / 2 * 3 + 1);
     size_t made = 0;
-    uint32_t high = 0; /* a surrogate that waits for its other half */
+    uint32_t high = 0; /* a high surrogate whose low half is still to come */
 
     if (!out)
         return SHEEN_ERR_MEMORY;
@@ -105,7 +105,7 @@ int sheen_bytes_to_utf8(struct sheen_bytes *bytes)
     if (bytes->count >= 2 && (memcmp(b, "\xff\xfe", 2) == 0 || memcmp(b, "\xfe\xff", 2) == 0))
         return from_utf16(bytes, b[0] == 0xfe);
     if (bytes->count >= 3 && memcmp(b, "\xef\xbb\xbf", 3) == 0) {
-        memmove(bytes->bytes, b + 3, bytes->count - 2); /* the zero comes along */
+        memmove(bytes->bytes, b + 3, bytes->count - 2); /* with the final zero */
         bytes->count -= 3;
     }
     return SHEEN_OK;
@@ -122,7 +122,7 @@ int sheen_beside(char *out, size_t room, const char *path, const char *name, siz
     memcpy(out + folder, name, length);
     out[folder + length] = '\0';
     for (char *c = out + folder; *c; c++)
-        *c = *c == '\\' ? '/' : *c; /* written on Windows */
+        *c = *c == '\\' ? '/' : *c; /* the path was written on Windows */
     return 0;
 }
 

@@ -1,5 +1,5 @@
 /*
- * mesh_dae_check.c - the structure of a COLLADA file, by expat, as it goes by; what refers to what is seen at the end.
+ * mesh_dae_check.c - checks the structure of a COLLADA file while expat parses it, and its references at the end.
  */
 #include "mesh_dae_check.h"
 
@@ -9,7 +9,7 @@
 
 #include "mesh_dae.h"
 
-/* A zeroed item at the list's end, or NULL. Earlier ones may move. */
+/* Appends a zeroed item to the list and returns it, or NULL. Earlier items may move. */
 static void *add(struct list *list, size_t size)
 {
     if (list->count == list->room) {
@@ -33,7 +33,7 @@ static const char *attribute(const char **attributes, const char *name)
     return "";
 }
 
-/* Of 32 bits, so that products of them are of 64. */
+/* A number of 32 bits, so that products of two fit into 64. */
 static long long number(struct dae *dae, const char **attributes, const char *name, long long otherwise)
 {
     const char *text = attribute(attributes, name);
@@ -65,7 +65,7 @@ static void begin_source(struct dae *dae, const char **attributes)
     copy_id(dae, dae->source->id, attribute(attributes, "id"));
 }
 
-/* Within <vertices> the position's stands for them; in a primitive only vertices and normals count. */
+/* <vertices> stands for the source of its POSITION; in a primitive only vertices and normals are checked. */
 static void begin_input(struct dae *dae, const char **attributes)
 {
     const char *semantic = attribute(attributes, "semantic");
@@ -111,7 +111,7 @@ static void begin_primitive(struct dae *dae, const char *name, const char **attr
     dae->faces = -1;
 }
 
-/* What assimp leaves out without a word. */
+/* Refuses elements that assimp silently leaves out. */
 static void look_for_left_out(struct dae *dae, const char *name, const char **attributes)
 {
     unsigned long line = line_of(dae);

@@ -1,5 +1,5 @@
 /*
- * mesh_dae_numbers.c - the numbers of a COLLADA file's geometries against what it promises.
+ * mesh_dae_numbers.c - checks the numbers of a COLLADA file's geometries against the counts that it promises.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -57,7 +57,7 @@ static struct sheen_text kept_text(const struct dae *dae)
                                .line = dae->text_line};
 }
 
-/* Counted alone: what is no number assimp refuses, which reads a comma as a point too. */
+/* Only counts: assimp, which also reads a decimal comma, refuses words that are not numbers. */
 void sheen_dae_array(struct dae *dae)
 {
     struct sheen_text text = kept_text(dae);
@@ -82,7 +82,7 @@ void sheen_dae_vcount(struct dae *dae)
     }
 }
 
-/* The words of a <p>. -1: one is none. */
+/* Returns the number of words of a <p>, or -1 if one is not a valid index. */
 static long long read_indices(struct dae *dae)
 {
     struct sheen_text text = kept_text(dae);

@@ -1,5 +1,5 @@
 /*
- * mesh_file.c - mesh files, read by a confined child process.
+ * mesh_file.c - reads mesh files in a confined child process.
  */
 #include "mesh_file.h"
 
@@ -15,13 +15,13 @@
 #include "mesh_format.h"
 #include "mesh_wire.h"
 
-/* What the operating system has to say about it, in better words than a parser. */
+/* Reports what is wrong with the file itself, in the operating system's words, which are better than a parser's. */
 static int check_file(const char *path, struct sheen_problem *problem)
 {
     struct stat status;
     int failed = stat(path, &status);
 
-    if (!failed && !S_ISREG(status.st_mode)) /* not even opened: a pipe would wait for its writer */
+    if (!failed && !S_ISREG(status.st_mode)) /* not opened, because a pipe would wait for its writer */
         return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: %s", path,
                              S_ISDIR(status.st_mode) ? strerror(EISDIR) : "not a regular file");
     if (failed || access(path, R_OK) != 0)
@@ -31,7 +31,7 @@ static int check_file(const char *path, struct sheen_problem *problem)
     return SHEEN_OK;
 }
 
-/* The child: never returns. A crash ends it, whatever handlers the program has. */
+/* The child process. Resets the program's signal handlers, so that a crash ends it. */
 static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
                                     const struct sheen_texture_options *textures, int pipe)
 {
@@ -51,7 +51,7 @@ static _Noreturn void read_and_send(sheen_mesh_reader *reader, const char *path,
     _exit(sheen_mesh_send(pipe, error, &polygons, &problem) == 0 ? 0 : 1);
 }
 
-/* Why there is no answer. status: as from waitpid. */
+/* Reports why there is no answer. status is waitpid's. */
 static int explain(int status, const char *path, struct sheen_problem *problem)
 {
     int number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
@@ -74,10 +74,10 @@ static int receive(struct sheen_polygons *polygons, const char *path, pid_t chil
     int error = SHEEN_OK, status = 0;
     int answered = sheen_mesh_receive(pipe, &error, polygons, problem);
 
-    close(pipe); /* one that still writes ends now */
+    close(pipe); /* ends a child that still writes */
     while (waitpid(child, &status, 0) < 0 && errno == EINTR)
         ;
-    if (answered && error == SHEEN_ERR_MEMORY) /* whoever came to say so in whatever words */
+    if (answered && error == SHEEN_ERR_MEMORY) /* replaces the reader's message, if any */
         return sheen_problem(problem, error, "%s: reading it takes more memory than %u times its size and 64 MB", path,
                              SHEEN_CONFINE_TIMES);
     return answered ? error : explain(status, path, problem);
@@ -112,7 +112,7 @@ int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,
     return sheen_mesh_file_read_by(sheen_mesh_format_read, polygons, path, textures, problem);
 }
 
-/* A triangle that shows the picture, so that it is read as a mesh's. */
+/* Makes a triangle that shows the picture, so that the picture is read like a mesh's. */
 static int read_carrier(struct sheen_polygons *polygons, const char *path, struct sheen_problem *problem)
 {
     if (sheen_polygons_alloc(polygons, 3, 1, 3, 1, SHEEN_WITH_UVS) != SHEEN_OK)

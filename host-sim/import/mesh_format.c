@@ -1,5 +1,5 @@
 /*
- * mesh_format.c - which reader a mesh file gets: the table of formats.
+ * mesh_format.c - chooses the reader of a mesh file from the table of formats.
  */
 #include "mesh_format.h"
 
@@ -14,7 +14,7 @@
 
 static const struct format {
     const char *endings; /* each followed by a blank */
-    const char *words;   /* with which such a file begins, after comments, between blanks */
+    const char *words;   /* first words of such files after comments, between blanks */
     sheen_mesh_reader *read;
 } formats[] = {
     {".obj ", " v vn vt vp mtllib usemtl o g ", sheen_mesh_obj_read},
@@ -40,7 +40,7 @@ static sheen_mesh_reader *by_ending(const char *path)
     return sheen_mesh_assimp_knows(dot) ? sheen_mesh_assimp_read : NULL;
 }
 
-/* A binary STL has no mark but its size. */
+/* Only its size tells a binary STL. */
 static int is_binary_stl(const struct sheen_bytes *bytes)
 {
     const unsigned char *count = bytes->bytes + 80;
@@ -62,7 +62,7 @@ static sheen_mesh_reader *by_content(struct sheen_bytes *bytes)
     if (!sheen_text_any_word(&text, &first))
         return NULL;
     if (first.at[0] == '{')
-        first.length = 1; /* of JSON */
+        first.length = 1; /* JSON: other characters may follow without a blank */
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         if (sheen_word_is_of(&first, formats[i].words))
             return formats[i].read;

@@ -17,10 +17,10 @@ using namespace gltf;
 namespace
 {
 
-/* Of the output for a vertex, and for a triangle of three corners. */
+/* Bytes of output per vertex, and per triangle with its three corners. */
 constexpr size_t VERTEX_BYTES = 24, TRIANGLE_BYTES = 3 * (4 + 24 + 16 + 3) + 4 + 2;
 
-/* Room for `more` beyond `count`, zeroed, in an array that sheen_polygons_free releases. */
+/* Appends zeroed room for `more` items to the `count` of an array that sheen_polygons_free releases. */
 template <class T> void grow(T *&array, size_t count, size_t more)
 {
     void *grown = realloc(static_cast<void *>(array), (count + more + 1) * sizeof *array);
@@ -31,18 +31,18 @@ template <class T> void grow(T *&array, size_t count, size_t more)
     memset(static_cast<void *>(array + count), 0, (more + 1) * sizeof *array);
 }
 
-/* What is made, and what is known of it on the way. */
+/* The polygons being made, and the state of making them. */
 struct making {
     document &file;
     struct sheen_polygons &out;
-    std::vector<material> materials; /* one more than the file has: that of primitives without */
+    std::vector<material> materials; /* the file's, then one for primitives without a material */
     bool with_normals, with_colors, with_uvs;
 };
 
-/* A vertex at its place. */
+/* What placing a vertex gives beside its point. */
 struct placed {
     double normal[3];
-    bool is_mirrored; /* its surroundings are turned inside out */
+    bool is_mirrored; /* the transform turns the faces around it inside out */
 };
 
 void make_groups(making &to)
@@ -56,7 +56,7 @@ void make_groups(making &to)
     to.materials.emplace_back();
 }
 
-/* The joints' matrices, by weights as if those added up to 1; where all are 0 the first joint counts. */
+/* Blends the joints' matrices by weights scaled to a sum of 1; if all weights are 0 the first joint counts. */
 matrix blend(const shape &from, size_t vertex, const std::vector<matrix> &joints)
 {
     matrix out = {};
@@ -83,7 +83,7 @@ matrix blend(const shape &from, size_t vertex, const std::vector<matrix> &joints
 }
 
 /*
- * Normals go by the cofactors, which are the inverse's transpose times the
+ * Normals are transformed by the cofactors, which are the inverse's transpose times the
  * determinant and exist for flattening transforms too.
  */
 placed place_normal(const matrix &m, const double *normal)
@@ -123,7 +123,7 @@ void put_color(const shape &from, size_t vertex, uint8_t color[3])
         color[k] = srgb(from.colors.count ? from.colors.row(vertex)[k] : 1);
 }
 
-/* What is no number is told from what is not there (polygons.h). */
+/* A NaN in the file becomes infinite, because NaN stands for a missing uv (polygons.h). */
 void put_uv(const shape &from, size_t vertex, const material &by, double uv[2])
 {
     if (from.uvs.count == 0) {
@@ -152,11 +152,11 @@ void grow_all(making &to, const shape &from)
     grow(out.normals, out.corner_count, from.triangles.size());
     grow(out.colors, out.corner_count, from.triangles.size());
     grow(out.uvs, out.corner_count, from.triangles.size());
-    grow(out.first, out.polygon_count ? out.polygon_count + 1 : 0, triangles); /* one more than there are polygons */
+    grow(out.first, out.polygon_count ? out.polygon_count + 1 : 0, triangles); /* one entry more than polygons */
     grow(out.groups, out.polygon_count, triangles);
 }
 
-/* A triangle of the shape; where its first corner is mirrored its corners are taken backwards. */
+/* Adds a triangle of the shape, its corners in reverse order if the first of them is mirrored. */
 void add_triangle(making &to, const shape &from, const uint32_t *corners, const std::vector<placed> &vertices,
                   size_t group)
 {
@@ -177,7 +177,7 @@ void add_triangle(making &to, const shape &from, const uint32_t *corners, const 
     out.first[++out.polygon_count] = static_cast<uint32_t>(out.corner_count);
 }
 
-/* One of `joints` and `at` says where. */
+/* A skinned shape is placed by `joints`, any other by `at`. */
 void add_shape(making &to, const shape &from, const std::vector<matrix> &joints, const matrix &at)
 {
     const bool is_skinned = !joints.empty() && !from.joints.empty();
@@ -202,7 +202,7 @@ void add_shape(making &to, const shape &from, const std::vector<matrix> &joints,
     to.with_uvs |= from.uvs.count > 0;
 }
 
-/* A mesh that stands at several places, one after the other, is read once. */
+/* A mesh at several places that follow each other is read once. */
 void add_meshes(making &to)
 {
     std::vector<shape> shapes;

@@ -6,7 +6,7 @@
 #include "mesh_readers.h"
 #include "mesh_sink.h"
 
-/* The group's name is the material's; a comment may follow it in the OBJ, though a name may have a # too. */
+/* Whether the group has the material's name. In the OBJ a comment may follow it, but names may contain a # too. */
 static int is_named(const struct sheen_word *group, const struct sheen_word *material)
 {
     if (group->length < material->length || memcmp(group->at, material->at, material->length) != 0)
@@ -17,7 +17,7 @@ static int is_named(const struct sheen_word *group, const struct sheen_word *mat
     return i == group->length || (i > material->length && group->at[i] == '#');
 }
 
-/* NULL: no face uses it, or it has its colour or texture. */
+/* The material's group; NULL if no face uses it or if it already has a colour or texture. */
 static struct sheen_group *find_group(struct sheen_polygons *polygons, const struct sheen_word *names,
                                       const struct sheen_word *material)
 {
@@ -28,7 +28,7 @@ static struct sheen_group *find_group(struct sheen_polygons *polygons, const str
     return NULL;
 }
 
-/* After Kd: r g b, or one number for all three; sRGB. `Kd xyz` and `Kd spectral` are left out. */
+/* Reads what follows Kd: r g b, or one number for all three, in sRGB. `Kd xyz` and `Kd spectral` are left out. */
 static void read_color(struct sheen_text *text, struct sheen_group *group, struct sheen_notes *notes)
 {
     double parts[3];
@@ -47,7 +47,10 @@ static void read_color(struct sheen_text *text, struct sheen_group *group, struc
     group->has_color = 1;
 }
 
-/* After d, of which 1 is opaque, also with -halo before it. Tr says the same, but some write 1 for opaque, some 0. */
+/*
+ * Reads what follows d: an opacity, where 1 is opaque, maybe after -halo. Tr is not read, because some programs write 1
+ * for opaque and others 0.
+ */
 static void note_opacity(struct sheen_text *text, struct sheen_notes *notes)
 {
     struct sheen_word word;
@@ -61,7 +64,7 @@ static void note_opacity(struct sheen_text *text, struct sheen_notes *notes)
 
 /* ---- map_Kd ---- */
 
-/* How many words follow an option: at least, at most. What is beyond the least are numbers. */
+/* At least `least` and at most `most` words follow an option; those beyond the least are numbers. */
 static const struct map_option {
     const char *name;
     int least, most;
@@ -74,7 +77,7 @@ struct map {
     int clamps;
 };
 
-/* One option's words. Leaves the text behind them. 0: the line ends before. */
+/* Reads the words of one option and leaves the text after them. Returns 0 if the text ends there. */
 static int read_map_option(struct sheen_text *text, const struct map_option *option, struct map *map)
 {
     double *numbers = option->name[1] == 'o' ? map->offset : option->name[1] == 's' ? map->scale : NULL;
@@ -96,7 +99,7 @@ static int read_map_option(struct sheen_text *text, const struct map_option *opt
     return text->at < text->end;
 }
 
-/* The options before the name of the picture. */
+/* Reads the options before the name of the picture. */
 static void read_map_options(struct sheen_text *text, struct map *map)
 {
     for (;;) {
@@ -116,7 +119,7 @@ static void read_map_options(struct sheen_text *text, struct map *map)
     }
 }
 
-/* -s and -o: of u and of v, which counts upwards here and downwards in *polygons. */
+/* Applies -s and -o to u and v. In the file v counts upwards, in *polygons downwards. */
 static void transform(struct sheen_polygons *polygons, size_t group, const struct map *map)
 {
     for (size_t p = 0; polygons->uvs && p < polygons->polygon_count; p++) {
