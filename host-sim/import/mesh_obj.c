@@ -1,8 +1,8 @@
 /*
  * mesh_obj.c - Wavefront OBJ.
  *
- * OBJ has no counts: a file is complete where every index of its faces names a vertex that came, before or
- * after, and no face ends with the file before its third corner.
+ * OBJ has no counts: a file counts as complete if every index of a face names a vertex somewhere in the file
+ * and the file does not end within a face, before its third corner.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -10,13 +10,14 @@
 #include "mesh_readers.h"
 #include "mesh_sink.h"
 
-/* What may stand in an OBJ and says nothing about how faces look. */
+/* Words of OBJ that do not change how faces look. */
 static const char other_words[] = " vp g o mg p l lod bevel c_interp d_interp shadow_obj trace_obj maplib usemap "
                                   "cstype deg bmat step parm trim hole sp end con ctech stech bzp cdp res bsp ";
-/* Surfaces, curves and files that are not read. */
+/* Words of surfaces, curves and other files, which are not read. */
 static const char left_out_words[] = " surf curv curv2 scrv call csh cdc ";
 
-#define BYTES 16 /* colours up to this are 0..255: by the format they are 0..1, and none are all that dark */
+/* Colours that reach this value are taken as 0..255: by the format they are 0..1, and no mesh in 0..255 is darker. */
+#define BYTES 16
 
 #define NOT_SAID (-1)
 
@@ -24,19 +25,19 @@ struct obj {
     struct sheen_bytes bytes;
     struct sheen_text text;
     struct sheen_polygons *out;
-    size_t points, normals, uvs;    /* so far */
-    size_t total[3];                /* of each, after the first pass */
+    size_t points, normals, uvs;    /* read so far */
+    size_t total[3];                /* of points, normals, uvs; known after the first pass */
     struct sheen_color_range range; /* of vertices' colours, known after the first pass */
     uint16_t group;                 /* of faces */
-    int64_t smoothing;              /* of faces, by s; 0: off; NOT_SAID */
+    int64_t smoothing;              /* current smoothing group, set by s; 0: off; NOT_SAID */
     int64_t first_smoothing;        /* the first face's */
-    int has_smoothing;              /* 1: faces are of several, or off */
+    int has_smoothing;              /* 1: faces are in several smoothing groups, or off */
     struct sheen_word *names;
     size_t names_count, names_room;
     struct sheen_word left_out;
 };
 
-/* v x y z, then nothing, a weight, which is of curves and not of a face, or r g b and what else there may be. */
+/* v x y z, then nothing, a weight (for curves, ignored), or r g b and perhaps more. */
 static int read_vertex(struct obj *obj, struct sheen_sink *sink)
 {
     double point[3], more[5];
@@ -60,7 +61,7 @@ static int read_vertex(struct obj *obj, struct sheen_sink *sink)
     return SHEEN_OK;
 }
 
-/* A normal that is no number counts as absent, later: sheen_polygons_finish. */
+/* sheen_polygons_finish later treats a normal with a NaN as absent. */
 static int read_normal(struct obj *obj, struct sheen_sink *sink)
 {
     double normal[3];
@@ -77,7 +78,7 @@ static int read_normal(struct obj *obj, struct sheen_sink *sink)
     return SHEEN_OK;
 }
 
-/* vt u, v or nothing, and nothing or a w, which is not of a picture. */
+/* vt u, then perhaps v and w; pictures have no w, so it is ignored. */
 static int read_uv(struct obj *obj, struct sheen_sink *sink)
 {
     double uv[2] = {0, 0};
@@ -97,7 +98,7 @@ static int read_uv(struct obj *obj, struct sheen_sink *sink)
     return SHEEN_OK;
 }
 
-/* The parts of v, v/vt, v//vn, v/vt/vn, and with nothing after the last slash; ABSENT where there is none. */
+/* Splits v, v/vt, v//vn or v/vt/vn, which may also end with a slash; missing parts are ABSENT. */
 #define ABSENT INT64_MIN
 static int split_corner(const struct sheen_word *word, int64_t part[3])
 {
@@ -116,7 +117,7 @@ static int split_corner(const struct sheen_word *word, int64_t part[3])
     return at == end && part[0] != ABSENT;
 }
 
-/* An index of a face, from 1 or backwards from -1, to one from 0. Forwards it may name what is yet to come. */
+/* Converts a face's index to one from 0: it counts from 1, also to later lines of the file, or backwards from -1. */
 static int find(struct obj *obj, int64_t index, const char *what, size_t so_far, size_t total, size_t *found)
 {
     if (index < 0 && index >= -(int64_t)so_far)
@@ -174,7 +175,7 @@ static int read_face(struct obj *obj, struct sheen_sink *sink)
     return SHEEN_OK;
 }
 
-/* Groups are numbered as they are first used; 0 is that of faces before any usemtl. */
+/* Groups are numbered in the order of their first use; 0 is for faces before any usemtl. */
 static int use_material(struct obj *obj, const struct sheen_word *name)
 {
     for (size_t i = 1; i < obj->names_count; i++) {
@@ -200,7 +201,7 @@ static int use_material(struct obj *obj, const struct sheen_word *name)
     return SHEEN_OK;
 }
 
-/* s N, s off, or a word that is neither, which is taken for on. */
+/* s N or s off; any other word means on. */
 static void read_smoothing(struct obj *obj)
 {
     struct sheen_word word;
@@ -209,7 +210,7 @@ static void read_smoothing(struct obj *obj)
         obj->smoothing = !sheen_word_is(&word, "off");
 }
 
-/* A line that is no vertex, normal, uv, face or material. */
+/* Notes a line that is not a vertex, normal, uv, face or material, if it matters. */
 static void read_other(struct obj *obj, const struct sheen_word *word)
 {
     int left_out = sheen_word_is_of(word, left_out_words);
@@ -238,7 +239,7 @@ static int read_line(struct obj *obj, struct sheen_sink *sink, const struct shee
         return SHEEN_OK;
     }
     if (sheen_word_is(word, "usemtl")) {
-        obj->group = 0; /* without a name: of none */
+        obj->group = 0; /* usemtl without a name: no material */
         return sheen_text_line_rest(&obj->text, &name) ? use_material(obj, &name) : SHEEN_OK;
     }
     if (!sheen_word_is(word, "mtllib"))
@@ -271,7 +272,7 @@ static int pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
-/* 1, or 0 where there is no such file. */
+/* Returns 0 if there is no such file, else 1. */
 static int read_file(struct obj *obj, const struct sheen_word *name)
 {
     char path[4096];
@@ -286,7 +287,7 @@ static void note_missing(struct obj *obj, const struct sheen_word *name)
                obj->text.path, (int)(name->length < 100 ? name->length : 100), name->at);
 }
 
-/* One file's name with blanks in it, in quotes or not, or several names. Where none is there it may be either. */
+/* mtllib has one name, in quotes or not, maybe with blanks, or several names; if no file is found it may be either. */
 static void read_library(struct obj *obj, struct sheen_word *rest)
 {
     struct sheen_word word, missing[SHEEN_NOTES_MAX]; /* more are not noted */
@@ -311,7 +312,7 @@ static void read_library(struct obj *obj, struct sheen_word *rest)
         note_missing(obj, &missing[i]);
 }
 
-/* Once the groups are known: a .mtl may be named after they are used. */
+/* Called when the groups are known, because mtllib may follow the uses of its materials. */
 static void read_materials(struct obj *obj)
 {
     struct sheen_word word, rest, last = {"", 0};

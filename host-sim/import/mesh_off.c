@@ -1,8 +1,8 @@
 /*
  * mesh_off.c - Geomview's OFF.
  *
- * It is words, not lines, but for colours: what follows a face's corners on their line is its colour. A file is
- * read as words alone if that comes out even, to the last word of the file, else with colours to the ends of lines.
+ * OFF consists of words, and line ends matter only for colours: what follows a face's corners on their line is its
+ * colour. A file is read as words alone if they come out even at its end, else with colours up to the ends of lines.
  */
 #include <string.h>
 
@@ -10,21 +10,21 @@
 #include "mesh_sink.h"
 
 enum {
-    EXTRA = 12 /* numbers after a vertex or a face that are looked at */
+    EXTRA = 12 /* how many numbers after a vertex or a face are kept */
 };
 
 struct off {
     struct sheen_bytes bytes;
     struct sheen_text text, body; /* body: where the vertices begin */
     struct sheen_polygons *out;
-    int normals, colors, textures;  /* that vertices have, by the first word */
-    int by_lines;                   /* 1: numbers to the end of a line belong to what stands before them */
-    int color_numbers;              /* of a vertex: 3 or 4 */
-    int64_t vertices, faces;        /* promised */
+    int normals, colors, textures;  /* 1: vertices have them according to the first word */
+    int by_lines;                   /* 1: numbers up to the end of a line belong to the vertex or face before them */
+    int color_numbers;              /* per vertex: 3 or 4 */
+    int64_t vertices, faces;        /* promised by the header */
     struct sheen_color_range range; /* of colours, known after the first pass */
 };
 
-/* `want` numbers, or by lines all of this line, of which EXTRA are kept. The count, or -1 and an error. */
+/* Reads `want` numbers, or by lines the rest of the line, and keeps EXTRA. Returns their count, or -1 and an error. */
 static int read_extra(struct off *off, int want, double numbers[EXTRA])
 {
     struct sheen_word word;
@@ -57,7 +57,7 @@ static const uint8_t *to_color(struct off *off, const struct sheen_sink *sink, c
     return color;
 }
 
-/* x y z, then a normal, a colour, and the place in a texture, those that there are. */
+/* x y z, then a normal, a colour and texture coordinates, as far as vertices have them. */
 static int read_vertex(struct off *off, struct sheen_sink *sink)
 {
     int before_color = off->normals ? 3 : 0;
@@ -108,7 +108,7 @@ static int read_corners(struct off *off, struct sheen_sink *sink)
     return error;
 }
 
-/* n, n indices; by lines a colour of 3 or 4 numbers, or the number of one in a table that is elsewhere. */
+/* n, n indices; by lines also a colour of 3 or 4 numbers, or an index into a colour table outside the file. */
 static int read_face(struct off *off, struct sheen_sink *sink)
 {
     double extra[EXTRA];
@@ -164,7 +164,7 @@ static int pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
-/* [ST][C][N][4][n]OFF, or no such word; then it is OFF. */
+/* Reads [ST][C][N][4][n]OFF; without such a word the kind is OFF. */
 static int read_kind(struct off *off)
 {
     struct sheen_text before = off->text;
@@ -199,7 +199,7 @@ static int read_kind(struct off *off)
     return SHEEN_OK;
 }
 
-/* Vertices, faces, edges; some leave the edges out. */
+/* The counts of vertices, faces and edges; some files leave out the edges. */
 static int read_counts(struct off *off)
 {
     struct sheen_word word;
@@ -216,7 +216,7 @@ static int read_counts(struct off *off)
     return error;
 }
 
-/* By the first vertex's line, as COFF has alpha or has it not. */
+/* Counts the colour's numbers on the first vertex's line, because COFF may or may not have alpha. */
 static void count_color_numbers(struct off *off)
 {
     struct sheen_text text = off->body;

@@ -11,7 +11,7 @@
 #include "mesh_readers.h"
 #include "mesh_sink.h"
 
-/* What a property is to us, and the names it goes by. Parts of a vector follow each other. */
+/* The meaning of a property; its names are in a table below. Parts of a vector are consecutive. */
 enum role {
     X,
     Y,
@@ -59,11 +59,11 @@ static const char *const kind_words[] = {"elements that are no faces", "vertices
 struct reading {
     struct sheen_ply ply;
     struct sheen_polygons *out;
-    int has_uvs;        /* of vertices */
-    int has_corner_uvs; /* of faces, a list of u and v for each corner; then those of vertices are not read */
+    int has_uvs;        /* vertices have uv */
+    int has_corner_uvs; /* faces have a list of u and v per corner; then the uv of vertices are not read */
 };
 
-/* An element as it is read: which property has which role, and what it was for this one. */
+/* The property of an element that has each role, and its value in the element just read. */
 struct roles {
     int property[ROLES]; /* -1: none */
     double value[ROLES];
@@ -81,13 +81,16 @@ static int read_index(struct reading *reading, enum sheen_ply_type type, int res
     return error;
 }
 
-/* If vertices have normals, or uv, each has one. */
+/* If vertices have normals or uv, every vertex has one, so these have the vertex's index too. */
 static void put_corner(const struct reading *reading, struct sheen_sink *sink, double index)
 {
     sheen_sink_corner(sink, (size_t)index, (size_t)index, reading->has_uvs ? (size_t)index : SHEEN_NONE);
 }
 
-/* Three indices more make the first triangle, each further one another, every second turned around; -1 begins anew. */
+/*
+ * The first three indices of a strip make a triangle, each further index another, every second one turned around; -1
+ * begins a new strip.
+ */
 static int read_strips(struct reading *reading, struct sheen_sink *sink, double count, enum sheen_ply_type type)
 {
     double last[2] = {0, 0};
@@ -135,7 +138,7 @@ static int skip_list(struct reading *reading, double count, enum sheen_ply_type 
     return error;
 }
 
-/* u and v of each corner, in turn; one that is left over is none. */
+/* Reads u and v of each corner in turn; a u without a v at the end is ignored. */
 static int read_corner_uvs(struct reading *reading, struct sheen_sink *sink, double count, enum sheen_ply_type type)
 {
     double uv[2] = {0, 0};
@@ -149,7 +152,7 @@ static int read_corner_uvs(struct reading *reading, struct sheen_sink *sink, dou
     return error;
 }
 
-/* role: the list's, or ROLES. */
+/* role: the role of the list, or ROLES if it has none. */
 static int read_list(struct reading *reading, struct sheen_sink *sink, const struct sheen_ply_property *property,
                      enum element_kind kind, int role)
 {
@@ -200,7 +203,7 @@ static int has(const struct roles *roles, int first)
     return first > last;
 }
 
-/* NULL where there is none; sRGB of bytes, shorts or numbers from 0 to 1. */
+/* Converts bytes, shorts or numbers from 0 to 1 to an sRGB colour. Returns NULL if the element has no colour. */
 static const uint8_t *get_color(const struct sheen_ply_element *element, const struct roles *roles, uint8_t color[3])
 {
     if (!has(roles, RED))
@@ -228,8 +231,8 @@ static int put_vertex(struct reading *reading, struct sheen_sink *sink, const st
 }
 
 /*
- * The uv that its list had, from `first` on: for every corner one, or none at all. MeshLab's texnumber says of which
- * picture; -1 is none, and only the first one is read.
+ * Uses the uv of the face's list, which are stored from `first` on, if there is one for each corner. MeshLab's
+ * texnumber says to which picture they belong, where -1 is none; only the first picture is read.
  */
 static void put_corner_uvs(struct reading *reading, struct sheen_sink *sink, const struct roles *roles, size_t first)
 {
@@ -321,7 +324,7 @@ static int read_elements(struct reading *reading, struct sheen_sink *sink, const
     return SHEEN_OK;
 }
 
-/* Before anything is read: vertices may come before the faces. */
+/* Called before elements are read, because vertices may precede the faces whose lists replace their uv. */
 static void find_corner_uvs(struct reading *reading)
 {
     struct roles roles;
@@ -332,7 +335,7 @@ static void find_corner_uvs(struct reading *reading)
     }
 }
 
-/* A line's end after the last element is not worth a word. */
+/* Warns of what follows the last element, except for the end of a line. */
 static void look_behind(struct reading *reading)
 {
     struct sheen_ply *ply = &reading->ply;
@@ -357,7 +360,7 @@ static int pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
-/* `comment TextureFile NAME`, which no standard has and every program writes. */
+/* `comment TextureFile NAME` is not in the standard, but all programs write it. */
 static void add_picture(struct sheen_polygons *polygons, const char *path, const struct sheen_word *name)
 {
     struct sheen_picture picture = {.name = sheen_picture_beside(path, name->at, name->length), .cutoff = .5};

@@ -1,5 +1,5 @@
 /*
- * mesh_ply_header.c - a PLY file's header: which elements, how many, of which properties.
+ * mesh_ply_header.c - reads a PLY file's header: its elements, their counts and properties.
  */
 #include <string.h>
 
@@ -35,7 +35,7 @@ static int read_type(struct sheen_text *text, enum sheen_ply_type *type)
     return sheen_text_problem(text, "'%.*s' is no type of PLY", SHEEN_WORD(word));
 }
 
-/* `property float x` or `property list uchar int vertex_indices`, after the first word. */
+/* Reads what follows `property` in `property float x` or `property list uchar int vertex_indices`. */
 static int read_property(struct sheen_ply *ply)
 {
     struct sheen_text *text = &ply->text;
@@ -122,15 +122,15 @@ static int read_line(struct sheen_ply *ply, const struct sheen_word *word)
         return read_property(ply);
     if (sheen_word_is(word, "comment"))
         read_comment(ply);
-    /* Before the first element it may be a comment that lost its first word; after, perhaps a property. */
+    /* An unknown line before the first element may be a comment without its first word; later, a broken property. */
     if (sheen_word_is(word, "comment") || sheen_word_is(word, "obj_info") || ply->elements == 0)
         return SHEEN_OK;
     return sheen_text_problem(&ply->text, "'%.*s' is no word of a PLY header", SHEEN_WORD(*word));
 }
 
 /*
- * The body follows the end of the line end_header. Whether CR LF is one end or an end and a first byte of the body
- * tells the first line, which ended in the same way.
+ * The body follows the end of the line end_header. After it, LF behind CR may be a part of the line's end or the first
+ * byte of the body; the end of the file's first line tells which.
  */
 static void find_body(struct sheen_ply *ply)
 {

@@ -1,5 +1,5 @@
 /*
- * mesh_ply_number.c - the numbers of a PLY file's body: words, or bytes of either order.
+ * mesh_ply_number.c - reads the numbers of a PLY file's body: words, or binary in either byte order.
  */
 #include <math.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /*
- * mesh_sink.c - counted in a first pass, kept in a second.
+ * mesh_sink.c - collects polygons from a reader that goes over its file twice: once to count, once to keep.
  */
 #include "mesh_sink.h"
 
@@ -25,7 +25,7 @@ void sheen_sink_normal(struct sheen_sink *sink, const double normal[3])
     sink->normals++;
 }
 
-/* What is no number is told from what is not there (polygons.h). */
+/* A NaN in the file becomes infinite, because NaN stands for a missing uv (polygons.h). */
 void sheen_sink_uv(struct sheen_sink *sink, const double uv[2])
 {
     if (sink->keeping) {
@@ -38,10 +38,10 @@ void sheen_sink_uv(struct sheen_sink *sink, const double uv[2])
 
 void sheen_sink_corner(struct sheen_sink *sink, size_t point, size_t normal, size_t uv)
 {
-    /* Corners that are about to be dropped may be more than were counted to be kept. */
+    /* The corners of a polygon that will be dropped may exceed the count of those to be kept. */
     if (sink->keeping && sink->corners < sink->out->corner_count) {
         sink->out->corners[sink->corners] = (uint32_t)point;
-        /* Until the end the numbers of both plus 1, and 0 for none. */
+        /* Until spread(), index + 1 of the normal and of the uv; 0 for none. */
         if (sink->out->normals)
             sink->out->normals[sink->corners][0] = normal == SHEEN_NONE ? 0 : (double)normal + 1;
         if (sink->out->uvs)
@@ -79,7 +79,7 @@ size_t sheen_sink_drop(struct sheen_sink *sink)
     return dropped;
 }
 
-/* What both passes count is what the arrays are made for. */
+/* Allocates the arrays for what the first pass counted. */
 static int make_room(struct sheen_sink *sink)
 {
     int with = (sink->normals ? SHEEN_WITH_NORMALS : 0) | (sink->has_colors ? SHEEN_WITH_COLORS : 0) |
@@ -96,7 +96,7 @@ static int make_room(struct sheen_sink *sink)
     return error || !sink->normal || !sink->uv || (sink->has_point_color && !sink->color) ? SHEEN_ERR_MEMORY : SHEEN_OK;
 }
 
-/* Numbers of normals and uv become these, colours of points those of their corners. */
+/* Replaces indices of normals and uv by the normals and uv, and copies the colours of points to their corners. */
 static void spread(struct sheen_sink *sink)
 {
     const struct sheen_polygons *out = sink->out;

@@ -1,8 +1,8 @@
 /*
  * mesh_stl.c - STL, text and binary.
  *
- * A binary one has 80 bytes of anything, which may begin with "solid", a count, and 50 bytes a triangle. In a
- * text the four bytes of the count are characters, which would promise more than 7 GB.
+ * A binary file has 80 arbitrary bytes, which may begin with "solid", a count, and 50 bytes per triangle. In a
+ * text file the four bytes of the count are characters, which would promise more than 7 GB.
  */
 #include <math.h>
 #include <string.h>
@@ -27,7 +27,7 @@ static uint32_t little_32(const unsigned char *bytes)
 
 /* ---- binary ---- */
 
-/* As Magics has colours: "COLOR=" and r g b a in the header, the whole's, for facets that have none of their own. */
+/* Magics writes "COLOR=" and r g b a into the header: the colour of facets that have none of their own. */
 static const unsigned char *find_magics(const unsigned char *header)
 {
     for (int i = 0; i + 10 <= 80; i++) {
@@ -39,7 +39,7 @@ static const unsigned char *find_magics(const unsigned char *header)
 
 static void facet_color(const unsigned char *facet, const unsigned char *whole, uint8_t color[3])
 {
-    unsigned bits = facet[48] | (unsigned)facet[49] << 8; /* 5 bits each, red lowest; the highest: none of its own */
+    unsigned bits = facet[48] | (unsigned)facet[49] << 8; /* 5 bits each, red lowest; bit 15: no colour of its own */
 
     for (unsigned k = 0; k < 3; k++) {
         unsigned part = bits >> 5 * k & 31;
@@ -91,7 +91,7 @@ static int expect(struct stl *stl, const char *expected)
                : sheen_text_problem(&stl->text, "'%.*s' where '%s' should be", SHEEN_WORD(word), expected);
 }
 
-/* 1, and goes past it, where the next word is this one. */
+/* Skips the next word and returns 1 if it is `expected`, else returns 0. */
 static int accept(struct stl *stl, const char *expected)
 {
     struct sheen_text before = stl->text;
@@ -103,7 +103,10 @@ static int accept(struct stl *stl, const char *expected)
     return 0;
 }
 
-/* `facet` with what follows it, on the rest of this line: a file may be a single line. Leaves `text` before it. */
+/*
+ * Whether `facet` and what must follow it come later on this line, because a file may be a single line. Does not move
+ * `text`.
+ */
 static int goes_on(struct sheen_text *text)
 {
     struct sheen_text look = *text;
@@ -120,7 +123,7 @@ static int goes_on(struct sheen_text *text)
     return 0;
 }
 
-/* Past a solid's name, which is the rest of the line, but for the word `until` where facets follow on it. */
+/* Skips a solid's name: the rest of the line, or if facets follow on it, the words before `until`. */
 static void skip_name(struct stl *stl, const char *until)
 {
     struct sheen_text before = stl->text;
@@ -135,7 +138,7 @@ static void skip_name(struct stl *stl, const char *until)
     stl->text = before;
 }
 
-/* From after `facet`. Its normal may be anything or be left out: up to four words before `outer` are not looked at. */
+/* Reads what follows `facet`. Its normal may be anything or missing: up to four words before `outer` are skipped. */
 static int read_facet(struct stl *stl, struct sheen_sink *sink)
 {
     struct sheen_word word;
@@ -164,7 +167,7 @@ static int read_facet(struct stl *stl, struct sheen_sink *sink)
     return error;
 }
 
-/* From after `solid` to after `endsolid`. */
+/* Reads from behind `solid` to the end of the name behind `endsolid`. */
 static int read_solid(struct stl *stl, struct sheen_sink *sink)
 {
     int error = SHEEN_OK;
@@ -200,9 +203,9 @@ static int text_pass(void *context, struct sheen_sink *sink)
     return error;
 }
 
-/* ---- which of them ---- */
+/* ---- binary or text ---- */
 
-/* In the first bytes, of UTF-16 too; a binary one has zeros there, but for its 80 bytes of anything. */
+/* Looks at the first bytes, also of UTF-16. A binary file's count has zeros, its 80 arbitrary bytes may have none. */
 static int begins_with_solid(const struct stl *stl)
 {
     const unsigned char *bytes = stl->bytes.bytes;

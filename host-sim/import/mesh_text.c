@@ -1,5 +1,5 @@
 /*
- * mesh_text.c - words of a text file with their lines.
+ * mesh_text.c - splits a text file into words and counts lines.
  */
 #include "mesh_text.h"
 
@@ -23,10 +23,10 @@ static int is_blank(char c)
     return (unsigned char)c <= ' ' && !is_end_of_line(c);
 }
 
-/* Over one end of a line, CR LF being one. */
+/* Skips one line end; CR LF is one. */
 static void next_line(struct sheen_text *text)
 {
-    text->at += text->at[0] == '\r' && text->at[1] == '\n' ? 2 : 1; /* *end is 0, so at[1] is there */
+    text->at += text->at[0] == '\r' && text->at[1] == '\n' ? 2 : 1; /* *end is 0, so at[1] exists */
     text->line++;
 }
 
@@ -35,7 +35,7 @@ static int is_joined(const struct sheen_text *text)
     return text->joins && *text->at == '\\' && is_end_of_line(text->at[1]);
 }
 
-/* Blanks, and lines that are joined. */
+/* Skips blanks and the ends of joined lines. */
 static void skip_blanks(struct sheen_text *text)
 {
     while (text->at < text->end) {
@@ -50,7 +50,7 @@ static void skip_blanks(struct sheen_text *text)
     }
 }
 
-/* To the end of the line, and of those that are joined to it. */
+/* Skips to the end of the line and of the lines joined to it. */
 static void to_end_of_line(struct sheen_text *text)
 {
     while (text->at < text->end && !is_end_of_line(*text->at)) {
@@ -68,7 +68,7 @@ int sheen_text_begin(struct sheen_text *text, struct sheen_bytes *bytes)
     if (sheen_bytes_to_utf8(bytes) != 0)
         return sheen_problem(text->problem, SHEEN_ERR_MEMORY, "%s: not enough memory", text->path);
     const unsigned char *zero = memchr(bytes->bytes, 0, bytes->count);
-    if (zero) /* it would part digits */
+    if (zero) /* a zero would separate digits */
         return sheen_problem(text->problem, SHEEN_ERR_ARGUMENT,
                              "%s: byte %td is 0, which no text has; UTF-16 without its mark?", text->path,
                              zero - bytes->bytes);
@@ -78,13 +78,13 @@ int sheen_text_begin(struct sheen_text *text, struct sheen_bytes *bytes)
     return SHEEN_OK;
 }
 
-/* Microsoft's 1.#IND, 1.#INF, 1.#QNAN and 1.#SNAN, from the # on. */
+/* Whether mark is the end, from the # on, of Microsoft's 1.#IND, 1.#INF, 1.#QNAN or 1.#SNAN. */
 static int is_no_number(const char *mark)
 {
     return strncmp(mark, "#IN", 3) == 0 || strncmp(mark, "#QN", 3) == 0 || strncmp(mark, "#SN", 3) == 0;
 }
 
-/* A comment that follows a digit at once: names may have a # too. */
+/* Whether a comment begins directly after a digit; elsewhere in a word, a # may belong to a name. */
 static int is_comment_of_number(const struct sheen_text *text, const char *begin)
 {
     return text->comments && *text->at == '#' && text->at > begin && text->at[-1] >= '0' && text->at[-1] <= '9' &&
@@ -95,7 +95,7 @@ int sheen_text_word(struct sheen_text *text, struct sheen_word *word)
 {
     skip_blanks(text);
     if (text->comments && text->at < text->end && *text->at == '#') {
-        while (text->at < text->end && !is_end_of_line(*text->at)) /* a backslash at its end is a path's */
+        while (text->at < text->end && !is_end_of_line(*text->at)) /* a final backslash belongs to a path */
             text->at++;
     }
     word->at = text->at;
@@ -163,14 +163,14 @@ int sheen_word_number(const struct sheen_word *word, double *value)
     const char *from = word->at, *mark = memchr(from, '#', word->length);
     char *end;
 
-    *value = strtod(from, &end); /* ends at the blank or zero behind the word */
+    *value = strtod(from, &end); /* stops at the blank or zero behind the word */
     if (word->length == 0 || end == from)
         return 0;
     if (mark && end == mark && is_no_number(mark)) {
         *value = NAN;
         return 1;
     }
-    /* nan(ind) and the like: what the brackets hold need not be what strtod takes. */
+    /* nan(ind) and the like: strtod need not accept what is in the brackets. */
     return end == from + word->length || (isnan(*value) && *end == '(');
 }
 

@@ -1,5 +1,5 @@
 /*
- * mesh_wire.c - polygons through a pipe. Both ends are the same program on the same machine.
+ * mesh_wire.c - sends polygons through a pipe. Both ends are the same program on the same machine.
  */
 #include "mesh_wire.h"
 
@@ -10,7 +10,7 @@
 
 #include "utf8.h"
 
-/* Of everything that is received; no mesh that can be drawn comes near it. */
+/* The most bytes that are received; no mesh that can be drawn comes near this. */
 #define MAX_BYTES ((uint64_t)512 << 20)
 
 struct header {
@@ -22,7 +22,7 @@ struct header {
     struct sheen_notes notes;
 };
 
-/* An array of the polygons, and its bytes. */
+/* One array of the polygons and its size in bytes. */
 struct part {
     void *bytes;
     size_t count;
@@ -60,7 +60,7 @@ static int send_all(int pipe, const void *bytes, size_t count)
     return 0;
 }
 
-/* 1, or 0 where the pipe ends or fails first. */
+/* Returns 1, or 0 if the pipe ends or fails first. */
 static int receive_all(int pipe, void *bytes, size_t count)
 {
     char *at = bytes;
@@ -77,7 +77,7 @@ static int receive_all(int pipe, void *bytes, size_t count)
     return 1;
 }
 
-/* One that was read: first what it is, then its texels. */
+/* Sends a picture that has been read: its struct, then its texels. */
 static int send_picture(int pipe, const struct sheen_picture *picture)
 {
     int failed = send_all(pipe, picture, sizeof *picture);
@@ -114,7 +114,7 @@ int sheen_mesh_send(int pipe, int error, const struct sheen_polygons *polygons, 
     return failed;
 }
 
-/* Within bounds one by one, so that their sum does not wrap. */
+/* Checks each count first, so that the sum of their bytes does not wrap. */
 static int is_reasonable(const struct header *h)
 {
     if (h->points > MAX_BYTES || h->polygons > MAX_BYTES || h->corners > MAX_BYTES || h->groups > UINT16_MAX + 1u ||
@@ -127,7 +127,7 @@ static int is_reasonable(const struct header *h)
     return bytes <= MAX_BYTES && h->groups > 0;
 }
 
-/* Lines and no more of them than there may be, whatever was sent. */
+/* Keeps at most SHEEN_NOTES_MAX notes and terminates their text, whatever was sent. */
 static void receive_notes(struct sheen_polygons *polygons, struct header *header)
 {
     for (uint32_t i = 0; i < header->notes.count && i < SHEEN_NOTES_MAX; i++) {
@@ -138,7 +138,7 @@ static void receive_notes(struct sheen_polygons *polygons, struct header *header
     }
 }
 
-/* What it says of its size is believed only where it can be. */
+/* Checks each picture's size before it is used. */
 static int receive_pictures(int pipe, struct sheen_polygons *polygons, uint64_t count)
 {
     uint64_t bytes = 0;
@@ -152,7 +152,7 @@ static int receive_pictures(int pipe, struct sheen_polygons *polygons, uint64_t 
         bytes += 4 * (uint64_t)texels;
         picture->rgba = texels && bytes <= MAX_BYTES ? malloc(4 * texels) : NULL;
         if (!picture->rgba || !receive_all(pipe, picture->rgba, 4 * texels)) {
-            polygons->picture_count++; /* to be freed */
+            polygons->picture_count++; /* so that it is freed */
             return 0;
         }
     }

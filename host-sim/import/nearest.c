@@ -1,5 +1,5 @@
 /*
- * nearest.c - the distance of two words after Levenshtein.
+ * nearest.c - finds the nearest word by Levenshtein distance.
  */
 #include "nearest.h"
 
@@ -8,7 +8,7 @@
 
 #include "sheen_panel.h"
 
-#define LETTERS 48 /* that are looked at: more than any name has */
+#define LETTERS 48 /* letters that are compared: more than any name has */
 
 static size_t least(size_t a, size_t b, size_t c)
 {
@@ -17,7 +17,7 @@ static size_t least(size_t a, size_t b, size_t c)
     return ab < c ? ab : c;
 }
 
-/* A row of the table at a time: entry j is the distance of a's first letters from the first j of b. */
+/* Computes the table row by row: entry j of row i is the distance between the first i letters of a and j of b. */
 static size_t distance(const char *a, const char *b, size_t length)
 {
     size_t row[LETTERS + 1];
@@ -26,7 +26,7 @@ static size_t distance(const char *a, const char *b, size_t length)
     for (size_t j = 0; j <= length; j++)
         row[j] = j;
     for (size_t i = 0; a[i] && i < LETTERS; i++) {
-        size_t before = row[0]; /* of the row before, one to the left */
+        size_t before = row[0]; /* the entry one to the left in the row before */
         row[0] = i + 1;
         for (size_t j = 1; j <= length; j++) {
             size_t above = row[j];

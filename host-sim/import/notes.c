@@ -1,5 +1,5 @@
 /*
- * notes.c - what a person should know of a mesh that was read all the same.
+ * notes.c - what the user should know about a mesh that was read nevertheless.
  */
 #include "notes.h"
 

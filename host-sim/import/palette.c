@@ -1,8 +1,8 @@
 /*
- * palette.c - few values for many colours: boxes are cut at their median, then every colour goes to the nearest mean
- * and the means follow, until none moves.
+ * palette.c - chooses few values for many colours: cuts boxes at their median, then assigns every colour to the nearest
+ * mean and recomputes the means until none moves.
  *
- * All of it in whole numbers, so that it is the same everywhere: bytes of colour, means of them in 1/16.
+ * It computes in whole numbers, bytes of colour and means in 1/16, so that the result is the same on every machine.
  */
 #include <stdlib.h>
 
@@ -10,10 +10,10 @@
 
 #define ONE 16
 
-/* colors[first .. first + count - 1]. */
+/* The colours colors[first .. first + count - 1]. */
 struct box {
     size_t first, count;
-    uint64_t spread; /* squared distance from the mean along `axis`, summed over the texels; 0: not to be cut */
+    uint64_t spread; /* squared distance from the mean along `axis`, summed over the texels; 0: do not cut */
     int axis;
 };
 
@@ -46,7 +46,7 @@ static int compare_blue(const void *a, const void *b)
     return compare_along(a, b, 2);
 }
 
-/* Sums of bytes and of their squares: below 2^18 texels of 2^16 each. */
+/* Sums of bytes and of their squares fit: fewer than 2^18 texels, whose squares are below 2^16. */
 static void measure(struct box *box, const struct sheen_histogram_color *colors)
 {
     uint64_t sum[3] = {0, 0, 0}, squares[3] = {0, 0, 0}, texels = 0;
@@ -70,7 +70,7 @@ static void measure(struct box *box, const struct sheen_histogram_color *colors)
     }
 }
 
-/* Half of its texels stay, as nearly as can be, and the others become *other. */
+/* Keeps half of the box's texels, as nearly as possible, and moves the others to *other. */
 static void cut(struct box *box, struct box *other, struct sheen_histogram_color *colors)
 {
     static int (*const compare[3])(const void *, const void *) = {compare_red, compare_green, compare_blue};
@@ -127,7 +127,7 @@ static size_t nearest(const struct mean *means, size_t count, const uint8_t rgb[
     return best;
 }
 
-/* One that no colour is nearest to stays where it is. 1: some have moved. */
+/* Returns 1 if any mean has moved. A mean to which no colour is nearest stays where it is. */
 static int move_means(struct mean *means, size_t count, const struct sheen_histogram_color *colors, size_t color_count)
 {
     uint64_t sums[256][4] = {{0}};

@@ -1,5 +1,5 @@
 /*
- * picture.c - a picture reduced to a texture: sums over each texel's area.
+ * picture.c - reduces a picture to a texture by summing pixels over each texel's area.
  */
 #include "picture.h"
 
@@ -8,8 +8,8 @@
 
 enum {
     ALPHA = 0,
-    WEIGHED = 1, /* r, g, b times alpha */
-    PLAIN = 4,   /* r, g, b */
+    WEIGHED = 1, /* sums of r, g, b times alpha */
+    PLAIN = 4,   /* sums of r, g, b */
     SUMS = 7
 };
 
@@ -35,8 +35,8 @@ int sheen_reducing_open(struct sheen_reducing *reducing, uint32_t width, uint32_
 }
 
 /*
- * In steps of which a pixel is `to` long and a texel `from`, pixel `at` lies in at most two texels: *first and the
- * next, part[0] and part[1] of it.
+ * In units in which a pixel is `to` long and a texel `from`, pixel `at` overlaps at most two texels: *first by part[0]
+ * units and the next one by part[1].
  */
 static void find_texels(uint32_t at, unsigned from, unsigned to, unsigned *first, unsigned part[2])
 {

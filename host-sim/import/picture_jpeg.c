@@ -1,6 +1,6 @@
 /*
- * picture_jpeg.c - JPEG by libjpeg, row by row. What its header asks for beyond that, as progressive files do, is
- * taken within the limits of the process.
+ * picture_jpeg.c - reads JPEG with libjpeg, row by row. Files that need more memory, such as progressive ones, get it
+ * within the limits of the process.
  */
 #include <setjmp.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #include "picture.h"
 
 struct reading {
-    struct jpeg_error_mgr manager; /* first: libjpeg hands it back */
+    struct jpeg_error_mgr manager; /* first member: libjpeg passes a pointer to it back */
     jmp_buf end;
     const char *name;
     struct sheen_problem *problem;
@@ -31,7 +31,7 @@ static _Noreturn void fail(j_common_ptr jpeg)
     longjmp(reading->end, 1);
 }
 
-/* Where a file ends too early or its pixels are broken, libjpeg makes up the rest and warns. */
+/* Refuses files that end too early or have broken pixels: libjpeg would only warn and make up the rest. */
 static void warn(j_common_ptr jpeg, int level)
 {
     int code = jpeg->err->msg_code;

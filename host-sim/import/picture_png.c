@@ -1,12 +1,12 @@
 /*
- * picture_png.c - PNG by libpng, row by row, interlaced or not.
+ * picture_png.c - reads PNG with libpng, row by row, interlaced or not.
  */
 #include <png.h>
 #include <string.h>
 
 #include "picture.h"
 
-/* What is read from, and what went wrong. */
+/* The bytes that are read, and the error. */
 struct source {
     const unsigned char *bytes;
     size_t count, at;
@@ -40,7 +40,7 @@ static void ignore(png_structp png, png_const_charp why)
     (void)png, (void)why;
 }
 
-/* To 3 or 4 bytes a pixel. */
+/* Makes libpng convert pixels to 3 or 4 bytes each. */
 static void set_format(png_structp png)
 {
     png_set_expand(png);
@@ -48,7 +48,7 @@ static void set_format(png_structp png)
     png_set_gray_to_rgb(png);
 }
 
-/* Of an interlaced picture the rows of each of its seven grids; of another the rows. */
+/* Reads the rows of each of the seven grids of an interlaced picture, or simply the rows. */
 static void read_rows(png_structp png, png_infop info, struct sheen_reducing *reducing, struct source *source)
 {
     unsigned width = reducing->from[0], height = reducing->from[1], channels = png_get_channels(png, info);
@@ -69,7 +69,7 @@ static void read_rows(png_structp png, png_infop info, struct sheen_reducing *re
     png_read_end(png, NULL);
 }
 
-/* The width and height of a PNG, or 0, which libpng calls wrong. They stand in its first 24 bytes. */
+/* The width (at 16) or height (at 20) of a PNG; 1 if there is no IHDR, because libpng then reports the error. */
 static uint32_t side(const struct source *source, size_t at)
 {
     return source->count >= 24 && memcmp(source->bytes + 12, "IHDR", 4) == 0 ? png_get_uint_32(source->bytes + at) : 1;

@@ -70,7 +70,7 @@ void sheen_polygons_drop_pictures(struct sheen_polygons *polygons)
         polygons->group[g].picture = 0;
 }
 
-/* Bytes within a file are told apart by their names. */
+/* Names are enough to compare: pictures within a file have different ones. */
 static int is_same_picture(const struct sheen_picture *a, const struct sheen_picture *b)
 {
     return strcmp(a->name, b->name) == 0 && memcmp(a->wrap, b->wrap, sizeof a->wrap) == 0 && !(a->cutoff < b->cutoff) &&
@@ -159,7 +159,7 @@ static int is_side(unsigned texels)
     return texels > 0 && texels <= SHEEN_TEXTURE_MAX && (texels & (texels - 1)) == 0;
 }
 
-/* Of what was read: not those yet to be. */
+/* Checks pictures that have been read already. */
 static int check_pictures(const struct sheen_polygons *polygons, const char *name, struct sheen_problem *problem)
 {
     for (size_t i = 0; i < polygons->picture_count; i++) {

@@ -1,5 +1,5 @@
 /*
- * problem.c - one line for a person.
+ * problem.c - one line for the user that says what is wrong.
  */
 #include "problem.h"
 
@@ -15,7 +15,7 @@ int sheen_problem(struct sheen_problem *problem, int error, const char *format, 
     va_list arguments;
 
     va_start(arguments, format);
-    int made = vasprintf(&line, format, arguments); /* as long as it takes: what is wrong stands at the end */
+    int made = vasprintf(&line, format, arguments); /* of any length: the end says what is wrong */
     va_end(arguments);
     if (made < 0) {
         sheen_utf8_copy(problem->text, sizeof problem->text, "not enough memory to say what is wrong");

@@ -10,7 +10,7 @@
 
 #define ONE 32767.0
 
-/* q / |q| against unit: the squared sine of the angle between them times |q|^2, over |q|^2. */
+/* The squared sine of the angle between q and unit: |q x unit|^2 / |q|^2. */
 static double off_direction(const double q[3], const double unit[3])
 {
     double cross[3];
@@ -19,7 +19,7 @@ static double off_direction(const double q[3], const double unit[3])
     return dot3(cross, cross) / dot3(q, q);
 }
 
-/* Rounding each part would leave 1.2e-5 rad in the mean, the best of the eight around leaves 0.8e-5. */
+/* Takes the best of the eight vectors around: mean error 0.8e-5 rad, where rounding each part has 1.2e-5. */
 void sheen_quantise_unit(const double unit[3], int16_t out[3])
 {
     double best = HUGE_VAL;
@@ -37,7 +37,7 @@ void sheen_quantise_unit(const double unit[3], int16_t out[3])
     }
 }
 
-/* What of the host mesh goes into this one: the new number of each vertex and polygon, or NONE. */
+/* The part of the host mesh that goes into the quantised mesh: the new index of each vertex and polygon, or NONE. */
 #define NONE UINT32_MAX
 struct chosen {
     uint32_t *vertex, *polygon;
@@ -113,14 +113,14 @@ static void fill_vertices(struct sheen_quantised *out, const struct sheen_host_m
     }
 }
 
-/* A normal of a polygon without area is zero. */
+/* The normal of a polygon without area is zero and stays so. */
 static void quantise_normal(const double normal[3], int16_t out[3])
 {
     if (dot3(normal, normal) > 0)
         sheen_quantise_unit(normal, out);
 }
 
-/* The other frame, likewise. */
+/* Quantises the second frame like the first. */
 static int make_second(struct sheen_quantised *out, const struct sheen_host_mesh *host, const struct chosen *chosen)
 {
     const struct sheen_host_frame *second = &host->second;
@@ -146,12 +146,12 @@ static int make_second(struct sheen_quantised *out, const struct sheen_host_mesh
 
 /* ---- texture coordinates ---- */
 
-/* What is taken from all of a coordinate, so that it is near 0: whole numbers, which change nothing. */
+/* The whole number to subtract from all values of u or v, so that they are near 0; the texture looks the same. */
 static double whole_part(double low, double high, int wrap)
 {
     if (wrap != SHEEN_WRAP_CLAMP)
         return floor((low + high) / 2);
-    /* Beyond its edge a clamped texture is the same everywhere: 1 texel beyond is as good as any. */
+    /* Beyond its edge a clamped texture is constant, so one texture's width beyond is as good as any place. */
     return low > 2 ? floor(low) - 2 : high < -1 ? ceil(high) + 1 : 0;
 }
 
@@ -171,7 +171,7 @@ static void fill_uvs(struct sheen_quantised *out, const struct sheen_host_mesh *
         moved[k] = whole_part(low[k], high[k], picture->wrap[k]);
         most = fmax(most, high[k] - low[k]);
     }
-    while (bits > 0 && ldexp(most, bits) > 65533) /* what both roundings below may add */
+    while (bits > 0 && ldexp(most, bits) > 65533) /* 65535 less what the two roundings below may add */
         bits--;
     out->mesh.uv_bits = (uint8_t)bits;
     for (int k = 0; k < 2; k++) {
@@ -230,7 +230,7 @@ static int find_edges(struct sheen_quantised *out, double crease)
     return out->mesh.edges ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
 
-/* The arrays are filled. */
+/* Points the core's meshes at the arrays, which are filled already. */
 static void set_meshes(struct sheen_quantised *out)
 {
     struct sheen_mesh *mesh = &out->mesh;

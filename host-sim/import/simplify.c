@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ANY_ERROR 1.0f /* as far off as the mesh is large */
-#define COARSE 0.01f   /* from here on the other way may be nearer */
+#define ANY_ERROR 1.0f /* an error as large as the mesh */
+#define COARSE 0.01f   /* above this error a coarse grid is tried too */
 
 /*
- * Edge by edge, which keeps what is joined joined, and ends where no edge may go; a machine of many small parts
- * then keeps too much, or loses large parts before small ones. Where that is so, and on a coarse grid the mesh
- * is nearer to what it was, by that.
+ * Collapses edge by edge, which keeps joined parts joined and ends when no edge may be collapsed. A machine of
+ * many small parts then keeps too many triangles, or loses large parts before small ones. In these cases, unless
+ * keeps_joins, it also simplifies by a coarse grid, and takes that if edges left too many or none, or were worse.
  */
 int sheen_simplify(unsigned *corners, size_t *count, const float (*points)[3], size_t point_count, size_t most,
                    int keeps_joins, double *error, struct sheen_problem *problem)

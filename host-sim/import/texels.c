@@ -1,5 +1,5 @@
 /*
- * texels.c - a picture as the core's texels.
+ * texels.c - converts a picture to the core's texels.
  */
 #include "texels.h"
 
@@ -29,7 +29,7 @@ void sheen_from_565(uint16_t value, uint8_t rgb[3])
     rgb[2] = (uint8_t)((510 * (value & 31) + 31) / 62);
 }
 
-/* alpha / 255 below the cut-off. */
+/* Whether alpha / 255 is below the cut-off. */
 static int is_transparent(const struct sheen_picture *picture, size_t texel)
 {
     return picture->rgba[4 * texel + 3] / 255.0 < picture->cutoff;
@@ -51,7 +51,7 @@ static size_t count_values(const struct sheen_picture *picture, const uint16_t *
 
 /* ---- the key ---- */
 
-/* The first value that is free. Where none is, the rarest is made so: its texels take the next one. */
+/* Takes the first free value as the key. If none is free, frees the rarest: its texels take a neighbouring value. */
 static void make_key(struct sheen_texels *texels, const struct sheen_picture *picture, uint32_t *counts, size_t count)
 {
     uint32_t key = 0;
@@ -74,7 +74,7 @@ static void make_key(struct sheen_texels *texels, const struct sheen_picture *pi
 
 /* ---- the palette ---- */
 
-/* number: of each value its place in the palette. */
+/* number[value] is the value's index in the palette. */
 static int set_palette(struct sheen_texels *texels, const uint16_t *chosen, size_t count, const uint32_t *counts)
 {
     uint8_t *is_used = calloc(VALUES, 1), *number = calloc(VALUES, 1);
@@ -102,7 +102,7 @@ static int set_palette(struct sheen_texels *texels, const uint16_t *chosen, size
     return texels->colors ? SHEEN_OK : SHEEN_ERR_MEMORY;
 }
 
-/* An opaque value that the quantiser made the key's becomes its neighbour. */
+/* An opaque value that the quantiser made equal to the key becomes the key's neighbour. */
 static void spread(const struct sheen_histogram_color *colors, size_t count, const struct sheen_texels *texels,
                    uint16_t *chosen)
 {
@@ -137,7 +137,7 @@ static int make_palette(struct sheen_texels *texels, const uint32_t *counts, siz
     return error;
 }
 
-/* Two a byte, the left one low, in place. */
+/* Packs two indices per byte, the left one in the low bits, in place. */
 static void pack(uint8_t *indices, size_t count)
 {
     for (size_t i = 0; i < count; i += 2)

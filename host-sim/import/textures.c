@@ -1,5 +1,5 @@
 /*
- * textures.c - which textures of a mesh are shown, and their pictures.
+ * textures.c - chooses the textures of a mesh that are shown, and reads their pictures.
  */
 #include "textures.h"
 
@@ -22,9 +22,9 @@ static void drop_all(struct sheen_polygons *polygons)
     polygons->uvs = NULL;
 }
 
-/* ---- which ---- */
+/* ---- which textures are shown ---- */
 
-/* One picture for all, wrapped and cut as the one that it stands for. */
+/* Shows one picture in all groups, with the wrapping and cut-off of the pictures that it replaces. */
 static int replace(struct sheen_polygons *polygons, const char *file)
 {
     struct sheen_picture *old = polygons->picture;
@@ -62,7 +62,7 @@ static void override(struct sheen_polygons *polygons, const struct sheen_texture
     }
 }
 
-/* Those that no face shows go, without having been looked at; the others are numbered anew. */
+/* Removes the pictures that no face shows, without reading them, and renumbers the others. */
 static int keep_shown(struct sheen_polygons *polygons)
 {
     uint32_t *number = calloc(polygons->picture_count + 1, sizeof *number), kept = 0; /* from 1; 0: not shown */
@@ -92,7 +92,7 @@ static int keep_shown(struct sheen_polygons *polygons)
 
 /* ---- their pictures ---- */
 
-/* Twice as wide, or as high: the picture and its mirror image. */
+/* Doubles the picture's width or height by appending its mirror image. */
 static int unfold(struct sheen_image *image, int down)
 {
     unsigned width = image->size[0], height = image->size[1], wide = down ? width : 2 * width;
@@ -114,8 +114,8 @@ static int unfold(struct sheen_image *image, int down)
 }
 
 /*
- * The picture's file, or its bytes. Half of an unfolded picture is the mean over the same areas as of the picture
- * unfolded first, so that it is reduced before.
+ * Reads the picture from its bytes or its file. A mirrored picture is reduced before it is unfolded, to half the size:
+ * each texel is the mean of the same area as if it were unfolded first.
  */
 static int read_picture(struct sheen_picture *picture, const struct sheen_texture_options *options,
                         struct sheen_problem *problem)
@@ -149,7 +149,7 @@ static int read_picture(struct sheen_picture *picture, const struct sheen_textur
     return SHEEN_OK;
 }
 
-/* What only had to be known until now. */
+/* Frees what is no longer needed; a mirrored picture, now unfolded, repeats. */
 static void settle(struct sheen_picture *picture)
 {
     free(picture->name);
@@ -162,12 +162,12 @@ static void settle(struct sheen_picture *picture)
 
 /* ---- uv ---- */
 
-/* The least and largest u and v of the faces that show a texture. */
+/* The smallest and largest u and v of the faces that show a texture. */
 struct span {
     double low[2], high[2];
 };
 
-/* Halved where the picture is doubled. */
+/* Adds a face's uv to the span, halved first where the picture is doubled. */
 static int take_uvs(struct sheen_polygons *polygons, size_t p, struct span *span, const char *name,
                     struct sheen_problem *problem)
 {
@@ -212,7 +212,7 @@ static int check_uvs(struct sheen_polygons *polygons, const char *name, struct s
     return error;
 }
 
-/* What is not shown shall not be in the way. */
+/* Marks the uv of faces without a texture as missing, so that later steps ignore them. */
 static void clear_others(struct sheen_polygons *polygons)
 {
     for (size_t p = 0; polygons->uvs && p < polygons->polygon_count; p++) {

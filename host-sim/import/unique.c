@@ -1,5 +1,5 @@
 /*
- * unique.c - give equal records the same number: a hash table with open addressing.
+ * unique.c - gives equal records the same number, with a hash table with open addressing.
  */
 #include "unique.h"
 
@@ -29,7 +29,7 @@ int sheen_unique(const void *records, size_t size, size_t count, uint32_t *ids, 
 
     while (slots < 2 * count)
         slots *= 2;
-    uint32_t *table = calloc(slots, sizeof *table); /* index of the first such record, plus 1; 0: free */
+    uint32_t *table = calloc(slots, sizeof *table); /* index + 1 of the first record with this value; 0: free */
     if (!table)
         return SHEEN_ERR_MEMORY;
 

@@ -1,28 +1,28 @@
 /*
- * utf8.c - text from outside, made fit to be printed.
+ * utf8.c - makes text from outside fit to be printed.
  */
 #include "utf8.h"
 
 #include <stdint.h>
 #include <string.h>
 
-#define KEEP 40 /* characters of a word, a path as a rule, by which it is still known */
+#define KEEP 40 /* characters by which a long word, usually a path, can still be recognised */
 
 static int is_inner(char byte)
 {
     return ((unsigned char)byte & 0xc0) == 0x80;
 }
 
-/* The character's number, and its bytes as sheen_utf8_bytes. */
+/* Returns the code point; *bytes is the length as by sheen_utf8_bytes. */
 static uint32_t decode(const char *text, size_t *bytes)
 {
-    static const uint32_t least[5] = {0, 1, 0x80, 0x800, 0x10000}; /* that needs so many bytes */
+    static const uint32_t least[5] = {0, 1, 0x80, 0x800, 0x10000}; /* the least code point that needs so many bytes */
     unsigned char first = (unsigned char)*text;
     size_t count = first < 0x80 ? 1 : first < 0xc0 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf8 ? 4 : 0;
     uint32_t code = count < 2 ? first : first & (0x7fu >> count);
 
     for (size_t i = 1; i < count; i++) {
-        if (!is_inner(text[i])) /* nor is the '\0' */
+        if (!is_inner(text[i])) /* false for the '\0' too */
             count = 0;
         code = code << 6 | ((unsigned char)text[i] & 0x3f);
     }
@@ -40,7 +40,7 @@ size_t sheen_utf8_bytes(const char *text)
     return bytes;
 }
 
-/* C0, DEL, C1; ends of lines and paragraphs and what turns the direction. */
+/* C0, DEL and C1 controls, separators of lines and paragraphs, and controls of the writing direction. */
 static int is_control(uint32_t code)
 {
     return code < 0x20 || (code >= 0x7f && code < 0xa0) || (code >= 0x2028 && code <= 0x202e) ||
@@ -77,7 +77,7 @@ void sheen_utf8_copy(char *to, size_t size, const char *from)
     sheen_utf8_clean(to);
 }
 
-/* ---- shortening: of clean text, so a character is a byte that is not an inner one ---- */
+/* ---- shortening clean text, in which every byte that is not an inner one begins a character ---- */
 
 static size_t count_characters(const char *text, size_t bytes)
 {
@@ -95,7 +95,7 @@ static char *skip(char *text, size_t characters)
     return text;
 }
 
-/* The longest word and its characters. */
+/* Finds the longest word; *longest is its number of characters. */
 static char *find_longest(char *text, size_t *longest)
 {
     char *found = text;
@@ -112,7 +112,7 @@ static char *find_longest(char *text, size_t *longest)
     return found;
 }
 
-/* A word keeps more of its end, where a path has the file. Where no word is long the text as a whole gives way. */
+/* Words keep more of their end, where a path has the file's name. If no word is long, the text is cut as a whole. */
 void sheen_utf8_shorten(char *text, size_t most)
 {
     size_t all;
