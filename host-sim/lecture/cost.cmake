@@ -1,6 +1,6 @@
-# lecture_cost.h: what the bench measured last (tests/bench/budget, which `tests/run bench` holds to what it measures).
+# Generates lecture_cost.h from tests/bench/budget, the costs that `tests/run bench` measured last and checks.
 set(lecture_budget ${CMAKE_CURRENT_BINARY_DIR}/lecture_budget)
-configure_file(${PROJECT_SOURCE_DIR}/tests/bench/budget ${lecture_budget} COPYONLY) # another budget configures again
+configure_file(${PROJECT_SOURCE_DIR}/tests/bench/budget ${lecture_budget} COPYONLY) # a changed budget configures again
 foreach(scene S3 S1)
   foreach(processor M0+ M3)
     string(REPLACE "+" "[+]" pattern "${processor}")

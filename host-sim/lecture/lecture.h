@@ -1,10 +1,10 @@
 /*
- * lecture.h - the figures of `sheen lecture`, a page each. Private to lecture*.c and the command.
+ * lecture.h - the figures of `sheen lecture`, one page each. Private to lecture*.c and the command.
  *
- * The lecture is Goldman's "Shading Algorithms". What a figure measures it measures on pixels
- * that the core drew; what the core does not do (a polygon by scan lines, the naive
- * recursion) stands in the figure's own file, in double precision, as the lecture prints it.
- * Each returns 0, or a negative code of the core's.
+ * The lecture is Goldman's "Shading Algorithms". A figure measures pixels that the core drew.
+ * What the core does not do (shading a whole polygon by scan lines, the naive recursion) is
+ * computed in the figure's own file, in double precision, as the lecture prints it.
+ * Each function returns 0, or one of the core's negative error codes.
  */
 #ifndef SHEEN_LECTURE_H
 #define SHEEN_LECTURE_H
@@ -28,8 +28,9 @@ int sheen_lecture_newell(struct sheen_page *page);
 int sheen_lecture_cost(struct sheen_page *page);
 
 /*
- * The angle in degrees between the left normal and the one at each pixel of a row, for normals `degrees`
- * (at most 90) apart at its ends: t at pixel i is (i + 1/2) / count. shading: SHEEN_PHONG or SHEEN_SLERP.
+ * For each pixel of a row, the angle in degrees between the normal there and the one at the row's left end. The
+ * normals at the ends are `degrees` (at most 90) apart; t at pixel i is (i + 1/2) / count. shading: SHEEN_PHONG
+ * or SHEEN_SLERP.
  */
 int sheen_lecture_angles(int shading, double degrees, int count, double *angle);
 

@@ -1,8 +1,8 @@
 /*
- * lecture_arc.c - normals between two ends: interpolated (lerp) against on a great arc (slerp).
+ * lecture_arc.c - the normals between two ends: linear interpolation (lerp) against a great arc (slerp).
  *
- * The core's normals are read from its pixels: lit along the left normal a row shows
- * cos(angle), lit at a right angle to it, within the arc's plane, sin(angle).
+ * The core's normals are read from its pixels. A row lit along the left normal shows
+ * cos(angle); lit at a right angle to it, in the arc's plane, it shows sin(angle).
  */
 #include <math.h>
 
@@ -11,8 +11,8 @@
 
 #define COUNT 180 /* px along the arc */
 #define ROWS 9
-#define FAN 8     /* parts of a fan, */
-#define REACH 126 /* and its rays, px */
+#define FAN 8     /* parts that a fan is divided into */
+#define REACH 126 /* length of a fan's rays, px */
 
 int sheen_lecture_angles(int shading, double degrees, int count, double *angle)
 {
@@ -33,7 +33,7 @@ int sheen_lecture_angles(int shading, double degrees, int count, double *angle)
     return SHEEN_OK;
 }
 
-/* Of the normal that is interpolated linearly. */
+/* Degrees that the linearly interpolated normal has turned at t. */
 static double lerp_angle(double degrees, double t)
 {
     double phi = degrees * M_PI / 180;
@@ -41,7 +41,7 @@ static double lerp_angle(double degrees, double t)
     return atan2(t * sin(phi), 1 - t + t * cos(phi)) * 180 / M_PI;
 }
 
-/* Normals at even steps of t, read from the core's pixels, as rays from (x, y). */
+/* Draws normals at even steps of t, read from the core's pixels, as rays from (x, y). */
 static int draw_fan(struct sheen_page *page, double x, double y, int shading, double *widest, double *narrowest)
 {
     enum sheen_ink ink = shading == SHEEN_SLERP ? SHEEN_INK_SLERP : SHEEN_INK_PHONG;
@@ -64,7 +64,7 @@ static int draw_fan(struct sheen_page *page, double x, double y, int shading, do
     return error;
 }
 
-/* The chord is cut into even parts, or the arc. */
+/* Draws what is divided into even parts: the arc for slerp, the chord for lerp. */
 static void draw_cuts(struct sheen_page *page, double x, double y, int slerp)
 {
     double chord = REACH * sqrt(0.5);

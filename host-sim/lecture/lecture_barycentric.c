@@ -1,9 +1,9 @@
 /*
- * lecture_barycentric.c - one triangle: intensities are I = b1 I1 + b2 I2 + b3 I3, with the point's barycentric
- * coordinates, whichever way scan lines run.
+ * lecture_barycentric.c - one triangle: a point's intensity is I = b1 I1 + b2 I2 + b3 I3, with the point's barycentric
+ * coordinates b1, b2, b3, whichever way scan lines run.
  *
- * The coordinates are read from pixels that the core drew: with one corner white and two black, Gouraud shading is
- * that corner's coordinate.
+ * The coordinates are read from pixels that the core drew: with one corner white and two black, Gouraud shading shows
+ * the white corner's coordinate.
  */
 #include <math.h>
 
@@ -11,8 +11,8 @@
 #include "lecture_scene.h"
 
 #define SIZE 241   /* px, odd: the point P is the middle pixel's centre */
-#define SMALL 161  /* the coordinates' pictures */
-#define REACH 1.05 /* units, half a picture */
+#define SMALL 161  /* px, the pictures of the coordinates */
+#define REACH 1.05 /* units, half a picture's height */
 #define LEVELS 16  /* bands, so that lines of equal intensity show */
 #define TURNS 37   /* every 2.5 degrees of a quarter turn */
 
@@ -32,7 +32,7 @@ static void make_triangle(struct sheen_lecture_mesh *m, const double *intensity)
     sheen_lecture_triangle(m, v[0], v[1], v[2]);
 }
 
-/* Corners' intensities to the picture's. */
+/* Draws the triangle with these intensities at its corners. */
 static int measure(const double *intensity, int size, double roll, double *picture)
 {
     static struct sheen_lecture_mesh triangle;
@@ -52,7 +52,7 @@ static double area(const double *a, const double *b)
     return a[0] * b[1] - a[1] * b[0];
 }
 
-/* P's coordinates: a corner's is the area across from it, of the whole. */
+/* P's coordinates: a corner's is the area of the part opposite it, divided by the whole area. */
 static void by_area(double b[3])
 {
     double whole = 0;
@@ -65,7 +65,7 @@ static void by_area(double b[3])
 
 /* ---- the triangle, P, and the three areas ---- */
 
-/* A corner that is white would be lost on the page. */
+/* The outline shows corners that are as white as the page. */
 static void draw_outline(struct sheen_page *page, double x, double y, int size)
 {
     for (int k = 0; k < 3; k++) {
@@ -115,7 +115,7 @@ static int draw_triangle(struct sheen_page *page, double *shaded)
 /* ---- the coordinates ---- */
 
 struct sums {
-    double low, high, off; /* of the coordinates' sum over the pixels, and of what they make of the intensities */
+    double low, high, off; /* range of the coordinates' sum; largest error of b1 I1 + b2 I2 + b3 I3 */
 };
 
 static void add_up(double *const b[3], const double *shaded, struct sums *sums)
@@ -123,7 +123,7 @@ static void add_up(double *const b[3], const double *shaded, struct sums *sums)
     *sums = (struct sums){2, 0, 0};
     for (int i = 0; i < SIZE * SIZE; i++) {
         double sum = b[0][i] + b[1][i] + b[2][i];
-        if (sum < 0.5) /* beside the triangle */
+        if (sum < 0.5) /* outside the triangle */
             continue;
         sums->low = fmin(sums->low, sum);
         sums->high = fmax(sums->high, sum);

@@ -1,5 +1,5 @@
 /*
- * lecture_cost.c - what each shading costs, as the bench measured it last (lecture_cost.h, made of tests/bench/budget).
+ * lecture_cost.c - what each shading costs, as last measured by the bench (lecture_cost.h, from tests/bench/budget).
  */
 #include "lecture_cost.h"
 #include "lecture.h"
@@ -15,7 +15,7 @@ static const struct {
 
 static const char *const processors[2] = {"Cortex-M0+", "Cortex-M3"};
 
-/* The M3's bar is the paler one. Lengths are of the largest cost. */
+/* The M3's bars are the paler ones. The largest cost is `width` px long. */
 static void draw_bars(struct sheen_page *page, double x, double y, double width, const double cost[2][4], int decimals,
                       const char *unit)
 {

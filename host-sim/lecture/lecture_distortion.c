@@ -1,9 +1,9 @@
 /*
- * lecture_distortion.c - a receding plane with intensities interpolated on the screen, and in
- * space by Blinn's way (I/m over 1/m).
+ * lecture_distortion.c - a receding plane whose intensities are interpolated linearly on the
+ * screen, and perspective-correct by Blinn's method (I/m over 1/m).
  *
- * On the screen t* runs evenly, in space t = t* m1 / ((1 - t*) m2 + t* m1). Their difference
- * is largest where the two slopes agree: dI (sqrt q - 1) / (sqrt q + 1) with q = m2/m1.
+ * On the screen t* runs evenly; in space t = t* m1 / ((1 - t*) m2 + t* m1). The intensities
+ * differ most where both have the same slope: by dI (sqrt q - 1) / (sqrt q + 1), q = m2/m1.
  */
 #include <math.h>
 
@@ -12,14 +12,14 @@
 
 #define WIDTH 251 /* px, odd: the middle column runs along the plane's middle */
 #define HEIGHT 300
-#define NEAR_M 1.4 /* depth of both ends, units */
+#define NEAR_M 1.4 /* depth of the plane's near end, and of its far end, units */
 #define FAR_M 7.0
 #define LOW 0.1 /* intensity = LOW + ACROSS u + ALONG v */
 #define ACROSS 0.3
 #define ALONG 0.55
 #define LEVELS 16 /* bands in the pictures, so that lines of equal intensity show */
 
-/* Two quads side by side, so that the middle is an edge. Eye space is model space less the distance. */
+/* Two quads side by side, so that the plane's middle is an edge. In eye space z is the model's z less the distance. */
 static void make_plane(struct sheen_lecture_mesh *m, double distance)
 {
     sheen_lecture_mesh_begin(m, 4);
@@ -38,7 +38,7 @@ static double in_bands(double intensity)
     return intensity > 0 ? (floor(intensity * LEVELS) + 0.5) / LEVELS : 0;
 }
 
-/* The plane's two ends on the middle column, px from the top. */
+/* The row, in px from the top, of a point at height y and depth m. */
 static double row_of(const struct sheen_lecture_scene *scene, double y, double m)
 {
     return HEIGHT / 2.0 * (1 - y / m * scene->distance / scene->reach);
@@ -50,7 +50,7 @@ struct column {
     double off; /* largest |measured - formula| */
 };
 
-/* The middle column as measured, and as the lecture has it. */
+/* The intensities of the middle column, as measured and by the lecture's formula. */
 static void take_column(struct column *c, const struct sheen_lecture_scene *scene, const double *picture)
 {
     double near_row = row_of(scene, -0.6, NEAR_M), far_row = row_of(scene, 2.2, FAR_M);

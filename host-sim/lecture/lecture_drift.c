@@ -1,10 +1,10 @@
 /*
- * lecture_drift.c - the lecture's N_new = (N_old + dN) / |N_old + dN| read as a recursion.
+ * lecture_drift.c - the lecture's N_new = (N_old + dN) / |N_old + dN|, read as a recursion.
  *
- * dN was made for unnormalised normals. Renormalised at each step the normal falls behind:
- * with a its angle to the chord d = N2 - N1, many small steps obey da = -sin(a) ds over the
- * chord's length, so tan(a/2) ends at tan(a0/2) exp(-|d|): at 60 degrees 5 too few. The core
- * keeps N unnormalised and brings a copy to unit length.
+ * dN is the step between unnormalised normals, so a normal that is renormalised at each step
+ * falls behind. Let a be its angle to the chord d = N2 - N1: in the limit of small steps
+ * da = -sin(a) ds along the chord, so that tan(a/2) ends at tan(a0/2) exp(-|d|). For normals
+ * 60 degrees apart that is 5 degrees short. The core keeps N unnormalised and normalises a copy.
  */
 #include <math.h>
 
@@ -14,7 +14,7 @@
 #define STEPS 120 /* px from one normal to the other */
 #define SPANS 91  /* whole degrees 0..90 */
 
-/* In the plane of both normals; angle[i] after i steps, degrees. */
+/* The recursion in the plane of both normals: angle[i] is the degrees turned after i steps. */
 static void naive(double degrees, int steps, double *angle)
 {
     double phi = degrees * M_PI / 180, x = 1, y = 0;
@@ -30,7 +30,7 @@ static void naive(double degrees, int steps, double *angle)
     }
 }
 
-/* Where many small steps end. */
+/* The degrees turned at the end, in the limit of small steps. */
 static double naive_limit(double degrees)
 {
     double phi = degrees * M_PI / 180, start = M_PI / 2 + phi / 2;

@@ -1,8 +1,8 @@
 /*
- * lecture_highlight.c - highlights of Gouraud against Phong, on a ball of 12 x 8 faces.
+ * lecture_highlight.c - the highlight by Gouraud against Phong, on a ball of 12 x 8 faces.
  *
- * Gouraud lights corners only: a highlight between them is missed, one on a corner is
- * smeared over all faces around it, and it flickers as the ball turns.
+ * Gouraud shading lights only the corners: it misses a highlight between them, smears one
+ * on a corner over all faces around it, and so the highlight flickers as the ball turns.
  */
 #include <math.h>
 #include <string.h>
@@ -13,11 +13,11 @@
 #define AROUND 12
 #define RINGS 8
 #define SIZE 185 /* px */
-#define LEFT 36  /* of the pictures on the page, */
+#define LEFT 36  /* place of the pictures on the page, px */
 #define TOP 112
 #define APART 20
-#define TURNS 41    /* samples of two faces' turn */
-#define BRIGHT 0.67 /* what counts as highlight: diffuse and ambient alone stay below */
+#define TURNS 41    /* samples while the ball turns by two faces */
+#define BRIGHT 0.67 /* a pixel above this is part of the highlight: ambient + diffuse alone stay below */
 
 static void make_ball(struct sheen_lecture_mesh *m)
 {
@@ -53,7 +53,7 @@ static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lect
     scene->shininess = 40;
 }
 
-/* Halfway between light and eye: the normal under the highlight, and on a unit ball its place. */
+/* The direction halfway between light and eye: the normal at the highlight and, on a unit ball, its place. */
 static void halfway(const struct sheen_lecture_scene *scene, double h[3])
 {
     const double *l = scene->light;
@@ -67,7 +67,7 @@ static void halfway(const struct sheen_lecture_scene *scene, double h[3])
         h[k] /= length;
 }
 
-/* The ball itself at the centre of pixel (x, y); 0 beside it. */
+/* The intensity of a true ball at the centre of pixel (x, y); 0 outside the ball. */
 static double ball(const struct sheen_lecture_scene *scene, int x, int y)
 {
     double unit = 2 * scene->reach / SIZE, nx = (x + 0.5 - SIZE / 2.0) * unit, ny = (SIZE / 2.0 - y - 0.5) * unit;
@@ -83,7 +83,7 @@ static double ball(const struct sheen_lecture_scene *scene, int x, int y)
            scene->specular * pow(fmax(0, rv), scene->shininess) * fmin(1, 8 * ln);
 }
 
-/* The highlight needs no search for its place: nothing else comes near it. */
+/* The brightest pixel belongs to the highlight, because nothing else is nearly as bright. */
 static double brightest(const double *intensity, int count)
 {
     double most = 0;
@@ -143,7 +143,7 @@ static int draw_turning(struct sheen_page *page, struct sheen_lecture_scene scen
     static const enum sheen_ink ink[2] = {SHEEN_INK_GOURAUD, SHEEN_INK_PHONG};
     static const char *const name[2] = {"Gouraud", "Phong"};
 
-    scene.width = scene.height = 81; /* px: enough to find the brightest */
+    scene.width = scene.height = 81; /* px: enough to find the brightest pixel */
     sheen_page_axes(page, &axes, 15, 0, 0.25, 2);
     sheen_page_axis_names(page, &axes, "degrees that the ball has turned", "its brightest pixel");
     for (int k = 0; k < 2; k++) {

@@ -1,9 +1,9 @@
 /*
  * lecture_increments.c - slerp step by step against its closed form, along a row of 320 px and a right angle.
  *
- * The lecture expands the sines' and cosines' steps: four products a pixel, exact but for rounding. In 16-bit numbers
- * the step's own cosine is rounded, which grows. The core brings arcs to the screen by series, a quadratic over each
- * part of a row (slerp_parts.c): nothing is carried from pixel to pixel for long.
+ * The lecture expands the steps of sines and cosines: four products per pixel, exact except for rounding. With 16-bit
+ * numbers the step's own cosine is rounded, and the error grows along the row. The core approximates arcs by a series,
+ * a quadratic over each part of a row (slerp_parts.c), so that no error is carried from pixel to pixel for long.
  */
 #include <math.h>
 
@@ -13,9 +13,9 @@
 #define COUNT 320
 #define ROWS 9
 #define DEGREES 90
-#define FROM 20.0 /* the light, degrees left of the eye's direction */
+#define FROM 20.0 /* direction of the light, degrees left of the eye's */
 
-/* L.N1 and L.N2 with normals DEGREES / 2 to either side. */
+/* Angles from the light to N1 and N2, the normals DEGREES / 2 to either side of the eye's direction. */
 static const double ends[2] = {-DEGREES / 2.0 + FROM, DEGREES / 2.0 + FROM};
 
 static double closed_form(double t)
@@ -25,13 +25,13 @@ static double closed_form(double t)
     return (sin((1 - t) * phi) * cos(ends[0] * M_PI / 180) + sin(t * phi) * cos(ends[1] * M_PI / 180)) / sin(phi);
 }
 
-/* To `bits` after the point; 0: not at all. */
+/* x rounded to `bits` bits after the point; 0: not rounded. */
 static double rounded(double x, int bits)
 {
     return bits > 0 ? floor(ldexp(x, bits) + 0.5) / ldexp(1, bits) : x;
 }
 
-/* The lecture's four lines, each sine and cosine kept with that many bits. */
+/* The lecture's four lines, each sine and cosine rounded to `bits` bits. */
 static void lecture_steps(int bits, double *row)
 {
     double phi = DEGREES * M_PI / 180, step = phi / COUNT, at = step / 2; /* the first pixel's centre */
@@ -51,8 +51,8 @@ static void lecture_steps(int bits, double *row)
 
 struct rows {
     double x[COUNT], exact[COUNT], core[COUNT], lecture[COUNT]; /* px, L.N */
-    double core_off[COUNT], lecture_off[COUNT];                 /* of 255 */
-    double core_most, lecture_most, doubles_most;               /* of 255 */
+    double core_off[COUNT], lecture_off[COUNT];                 /* error, levels of 255 */
+    double core_most, lecture_most, doubles_most;               /* largest error, levels of 255 */
 };
 
 static int take_rows(struct rows *r)

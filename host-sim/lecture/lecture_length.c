@@ -1,9 +1,9 @@
 /*
- * lecture_length.c - D(t), the square of an interpolated normal's length, by second differences.
+ * lecture_length.c - D(t), the squared length of an interpolated normal, by second differences.
  *
- * With c = N1.N2, D(t) = (1 - t)^2 + t^2 + 2 t (1 - t) c. The lecture's print loses a sign in the first line of its
- * change, so E and F, which follow, are wrong too. Mended, the second difference is constant: 4 (1 - c) dt^2. The core
- * steps D like that, UQ1.31, modulo 2^32 (phong_rows.c).
+ * With c = N1.N2, D(t) = (1 - t)^2 + t^2 + 2 t (1 - t) c. The lecture as printed loses a sign in the first line of D's
+ * change, so E and F, derived from that line, are wrong too. With the sign put right the second difference is constant:
+ * 4 (1 - c) dt^2. The core steps D in this way, in UQ1.31, modulo 2^32 (phong_rows.c).
  */
 #include <math.h>
 
@@ -18,7 +18,7 @@ static double exact(double t, double c)
     return (1 - t) * (1 - t) + t * t + 2 * t * (1 - t) * c;
 }
 
-/* By the lecture's second line of the change, and by its E - F(t). */
+/* D as printed: by the second line of the lecture's change of D, and by its E - F(t). */
 static void printed(double c, double *second_line, double *e_less_f)
 {
     double dt = 1.0 / STEPS, e = 2 * dt * (1 + dt + (1 + dt) * c);
@@ -31,7 +31,7 @@ static void printed(double c, double *second_line, double *e_less_f)
     }
 }
 
-/* As the core's rows step it: two adds a pixel. */
+/* D as the core's rows step it: two adds per pixel. */
 static void stepped(double c, double *d)
 {
     const double one = 2147483648.0, dt = 1.0 / STEPS;

@@ -1,8 +1,8 @@
 /*
  * lecture_mach.c - Mach bands: a prism of 16 sides that stands for a cylinder, along one scan line.
  *
- * The eye sees bands where intensity jumps (flat) or its slope does (Gouraud); both stand
- * out in the second difference I(x-1) - 2 I(x) + I(x+1).
+ * The eye sees bands where the intensity jumps (flat) or where its slope jumps (Gouraud).
+ * Both are peaks of the second difference I(x-1) - 2 I(x) + I(x+1).
  */
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 
 #define SIDES 16
 #define WIDTH 320 /* px */
-#define LEFT 116  /* of the strips on the page */
+#define LEFT 116  /* place of the strips on the page */
 #define HEIGHT 60
 #define RADIUS_PX 151.0
 
@@ -53,7 +53,7 @@ static void set_scene(struct sheen_lecture_scene *scene, const struct sheen_lect
     scene->diffuse = 0.85;
 }
 
-/* The cylinder itself at the centre of column x; the prism ends at radius cos(pi / SIDES) in places. */
+/* Intensity of a true cylinder at the centre of column x. In places the prism's radius is only cos(pi / SIDES). */
 static double cylinder(const struct sheen_lecture_scene *scene, int x)
 {
     const double *l = scene->light;
@@ -63,11 +63,11 @@ static double cylinder(const struct sheen_lecture_scene *scene, int x)
     return scene->ambient + scene->diffuse * fmax(0, (l[0] * sine + l[2] * cosine) / length);
 }
 
-/* What is compared: 31 degrees off the rim, where a cylinder itself bends, and off the light's edge. */
+/* The columns compared: 31 degrees off the rim, where a cylinder's own intensity bends, and off the terminator. */
 enum {
     FIRST = 30,
     LAST = WIDTH - 31,
-    MIDDLE = 61 /* and what turns less than 41 degrees from the eye: steps and bends are taken there */
+    MIDDLE = 61 /* step and bend: MIDDLE..WIDTH - 1 - MIDDLE, less than 41 degrees from the eye */
 };
 
 struct findings {
@@ -88,7 +88,7 @@ static void look_at(const struct sheen_lecture_scene *scene, const double *row, 
     }
 }
 
-/* A row of the page: the strip and what was found along it. */
+/* One shading's strip, and the line of what was found along it. */
 static void draw_strip(struct sheen_page *page, int number, const double *picture, const struct findings *f)
 {
     double y = 112 + (HEIGHT + 16) * number;
@@ -100,7 +100,7 @@ static void draw_strip(struct sheen_page *page, int number, const double *pictur
                       columns[number].name, f->step, f->bend, 255 * f->off);
 }
 
-/* Both plots take a shading's row; the second clips what flat does. */
+/* Adds a shading's row to both plots. The second one clips the curve of flat shading. */
 static int draw_shading(struct sheen_page *page, struct sheen_lecture_scene *scene, int number,
                         const struct sheen_axes plots[2])
 {

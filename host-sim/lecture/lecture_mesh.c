@@ -17,7 +17,7 @@ void sheen_lecture_mesh_begin(struct sheen_lecture_mesh *m, int reach)
                                   .scale = (sheen_q24_t)reach << 24};
 }
 
-/* Positions are off by at most reach / 65536, a hundredth of a pixel in every figure. */
+/* Rounding moves a position by at most reach / 65536 units, about a hundredth of a pixel in every figure. */
 unsigned sheen_lecture_vertex(struct sheen_lecture_mesh *m, const double position[3], const double normal[3])
 {
     unsigned number = m->mesh.vertices++;

@@ -1,8 +1,8 @@
 /*
  * lecture_newell.c - a polygon's normal by Newell's sum: corners on a straight line do it no harm, its length is
- * twice the area, and the origin does not matter.
+ * twice the polygon's area, and the choice of origin does not matter.
  *
- * The polygon is drawn by the core, cut and faced by it too, and the pixels are counted.
+ * The core computes the normal, cuts the polygon into triangles and draws it; the figure counts the pixels.
  */
 
 #include "lecture.h"
@@ -12,7 +12,7 @@
 #define UNIT 30 /* px */
 #define WIDTH (10 * UNIT)
 #define HEIGHT (8 * UNIT)
-#define LEFT 70 /* of the picture on the page */
+#define LEFT 70 /* place of the picture on the page */
 #define TOP 128
 #define ORIGINS 3
 
@@ -21,13 +21,13 @@ static const int corner[CORNERS][2] = {{0, 0}, {3, 0}, {6, 0}, {10, 0}, {10, 3},
                                        {4, 3}, {4, 6}, {4, 8}, {0, 8},  {0, 4}};
 static const int origin[ORIGINS][2] = {{0, 0}, {5, 4}, {10, 0}};
 
-/* z of the cross product of a - o and b - o. */
+/* The z component of (a - o) x (b - o). */
 static int cross(const int *a, const int *b, const int *o)
 {
     return (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
 }
 
-/* What three neighbouring corners alone say: the way it turns there. */
+/* Which way the outline turns at corner k, by its two neighbours alone: > 0 left, < 0 right, 0 straight on. */
 static int turn(int k)
 {
     const int *before = corner[(k + CORNERS - 1) % CORNERS], *here = corner[k], *next = corner[(k + 1) % CORNERS];
@@ -37,7 +37,7 @@ static int turn(int k)
 
 /* ---- by the core ---- */
 
-/* The normal from each corner as the first; *least: the smallest z. */
+/* Computes the normal with each corner as the first. normal: from corner 0; *least: the smallest z of all. */
 static int core_normals(sheen_q30_t normal[3], sheen_q30_t *least)
 {
     int32_t points[3 * CORNERS];
@@ -124,7 +124,7 @@ static void draw_corners(struct sheen_page *page)
     page->heart = (struct sheen_box){LEFT - 16, TOP - 14, LEFT + WIDTH + 16, TOP + HEIGHT + 44};
 }
 
-/* The sum so far, from each origin. */
+/* Plots how the sum grows, edge by edge, for each origin. */
 static void draw_sums(struct sheen_page *page)
 {
     static const enum sheen_ink ink[ORIGINS] = {SHEEN_INK_PHONG, SHEEN_INK_SLERP, SHEEN_INK_GOURAUD};

@@ -1,6 +1,6 @@
 /*
- * lecture_newton.c - Newton's root: each step doubles the digits that are right. The core begins at a table's
- * seed, so that one step is enough; a pixel of 565 needs none.
+ * lecture_newton.c - Newton's root: each step doubles the number of correct digits. The core starts from a seed
+ * in a table, so that one step is enough; a 565 pixel needs none.
  */
 #include <math.h>
 
@@ -8,11 +8,11 @@
 #include "math/newton.h"
 
 #define STEPS 6
-#define BINS 96    /* of D in [1/4, 1) */
-#define SAMPLES 64 /* in each */
+#define BINS 96    /* intervals that D in [1/4, 1) is divided into */
+#define SAMPLES 64 /* per bin */
 #define MOST_BITS 36.0
 
-/* Of a value that should be 1. */
+/* The number of correct bits of a value that should be 1, at most 52. */
 static double bits_of(double ratio)
 {
     double off = fabs(ratio - 1);
@@ -20,7 +20,7 @@ static double bits_of(double ratio)
     return off > 0 ? fmin(-log2(off), 52) : 52;
 }
 
-/* The lecture's x - (x^2 - D) / 2x from x = 1. */
+/* The lecture's x - (x^2 - D) / 2x, started at x = 1; bits[i]: correct bits after i steps. */
 static void lecture_steps(double d, double *bits)
 {
     double x = 1;
@@ -31,7 +31,7 @@ static void lecture_steps(double d, double *bits)
     }
 }
 
-/* What the core's 1/sqrt(D) has right at least: of its table's seed, and after its step. */
+/* Fewest correct bits of the core's 1/sqrt(D), per bin and over all bins: of the table's seed and after the step. */
 struct core_bits {
     double d[BINS], seed[BINS], step[BINS], worst_seed, worst_step;
 };
@@ -43,7 +43,7 @@ static void core_steps(struct core_bits *core)
         core->d[bin] = 0.25 + 0.75 * (bin + 0.5) / BINS;
         core->seed[bin] = core->step[bin] = 52;
         for (int i = 0; i < SAMPLES; i++) {
-            /* UQ0.32, odd places, so that they do not stand on the table's entries */
+            /* UQ0.32; the 0.37 keeps samples off the D of the table's entries */
             uint32_t x = (uint32_t)((0.25 + 0.75 * (bin + (i + 0.37) / SAMPLES) / BINS) * 4294967296.0);
             double root = sqrt(x / 4294967296.0);
             core->seed[bin] = fmin(core->seed[bin], bits_of(root_seed(x >> 1) / 32768.0 * root));

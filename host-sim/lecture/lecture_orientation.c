@@ -1,10 +1,10 @@
 /*
  * lecture_orientation.c - a quad turned by 45 degrees: as a polygon by scan lines, and as triangles.
  *
- * Two opposite corners are bright, two dark. By scan lines the centre takes its light from
- * whichever edges its row meets, so it changes as the quad turns; a triangle's does not,
- * but which diagonal was cut decides it. Normals on great arcs depend on the scan line
- * even within a triangle.
+ * Two opposite corners are bright, two dark. By scan lines the centre gets its light from
+ * the edges that its row meets, so it changes as the quad turns. In triangles it does not
+ * change, but depends on the diagonal along which the quad was cut. Normals on great arcs
+ * depend on the scan line even within a triangle.
  */
 #include <math.h>
 #include <string.h>
@@ -12,8 +12,8 @@
 #include "lecture.h"
 #include "lecture_scene.h"
 
-#define SIZE 129  /* px, odd: a pixel's centre is the picture's */
-#define SMALL 45  /* likewise, where the centre alone is wanted */
+#define SIZE 129  /* px, odd: the picture's centre is a pixel's centre */
+#define SMALL 45  /* likewise, for pictures of which only the centre is used */
 #define TURNS 37  /* every 2.5 degrees of a quarter turn */
 #define REACH 1.5 /* units, half the picture */
 
@@ -22,7 +22,7 @@ static const double level[4] = {0.95, 0.15, 0.95, 0.15};
 
 /* ---- the lecture's scan lines, on the whole polygon ---- */
 
-/* Intensity at (x, y): along the two edges that the scan line meets, then along it. 0 outside. */
+/* Intensity at (x, y), interpolated along the two edges that the scan line meets, then along that line; 0 outside. */
 static double polygon_at(double degrees, double x, double y)
 {
     double c = cos(degrees * M_PI / 180), s = sin(degrees * M_PI / 180), at[2], value[2];
@@ -52,7 +52,7 @@ static void polygon_picture(double degrees, double *intensity)
 
 /* ---- the core's triangles ---- */
 
-/* other: cut between the dark corners. */
+/* Cut between the bright corners or, if `other`, between the dark ones. */
 static void make_quad(struct sheen_lecture_mesh *m, int other)
 {
     unsigned v[4];
@@ -80,7 +80,7 @@ static void make_triangle(struct sheen_lecture_mesh *m)
     sheen_lecture_triangle(m, v[0], v[1], v[2]);
 }
 
-/* The picture's centre while the mesh, and the light with it, turns. */
+/* The intensity at the picture's centre, and its range, while mesh and light turn together. */
 static int turn_mesh(const struct sheen_lecture_mesh *m, int shading, double *centre, double *range)
 {
     static double picture[SMALL * SMALL];

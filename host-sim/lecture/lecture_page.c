@@ -1,5 +1,5 @@
 /*
- * lecture_page.c - pages, what is wrong with one, and the contact sheet of all.
+ * lecture_page.c - opens, closes and checks pages, and draws the contact sheet.
  */
 #include <cairo-svg.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "lecture_plot.h"
 
-#define HEART_WIDTH 300.0 /* px of the sheet, at most */
+#define HEART_WIDTH 300.0 /* largest size of a heart on the sheet, px */
 #define HEART_HEIGHT 218.0
 #define HEART_TOP 82 /* below a cell's top */
 #define COLUMNS (SHEEN_SHEET_WIDTH / SHEEN_SHEET_CELL)
@@ -58,7 +58,7 @@ static int within(const struct sheen_box *a, const struct sheen_box *b)
     return a->x0 >= b->x0 && a->x1 <= b->x1 && a->y0 >= b->y0 && a->y1 <= b->y1;
 }
 
-/* Of the page on the sheet; 0 where nothing of it is there. */
+/* The scale at which the sheet shows a page; 0 if it shows nothing of it. */
 static double heart_scale(const struct sheen_box *heart)
 {
     if (heart->x1 <= heart->x0 || heart->y1 <= heart->y0)
@@ -71,7 +71,7 @@ static int refuse(struct sheen_problem *problem, const struct sheen_page *page, 
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: the text '%s' %s", page->name, text, why);
 }
 
-/* The place of a page's heart on the sheet, whose first cell is the key's. */
+/* Where the sheet shows page i's heart. The sheet's first cell is the key's. */
 static struct sheen_box shown_box(int i, const struct sheen_box *heart)
 {
     double scale = heart_scale(heart), width = (heart->x1 - heart->x0) * scale;

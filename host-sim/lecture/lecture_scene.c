@@ -1,5 +1,5 @@
 /*
- * lecture_scene.c - scenes of the lecture, drawn by the core into plain memory.
+ * lecture_scene.c - the lecture's scenes, drawn by the core into plain memory.
  */
 #include "lecture_scene.h"
 
@@ -9,7 +9,7 @@
 
 #include "glass.h"
 
-#define DITHER 8 /* px: the pattern repeats */
+#define DITHER 8 /* px: period of the dither pattern */
 
 static sheen_angle_t to_angle(double degrees)
 {
@@ -50,7 +50,7 @@ void sheen_lecture_facet_scene(struct sheen_lecture_scene *scene, const struct s
     scene->light[2] = cos(from * M_PI / 180);
 }
 
-/* Every scene lies between m = 0.5 and 20; fov is given by what half the picture shows at `distance`. */
+/* Every scene lies at depths from 0.5 to 20. fov follows from `reach`, half the picture's height at `distance`. */
 static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view *view)
 {
     sheen_q24_t distance = (sheen_q24_t)lround(scene->distance * 16777216);
@@ -62,7 +62,7 @@ static void set_view(const struct sheen_lecture_scene *scene, struct sheen_view 
                                 .affine = (uint8_t)scene->affine};
 }
 
-/* Light along its largest part to 1.0, as the core takes any length. */
+/* The light's direction is scaled so that its largest component is 1.0: the core accepts any length. */
 static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_material *material, struct sheen_shine *shine,
                     struct sheen_light *light, struct sheen_object *draw)
 {
@@ -88,7 +88,7 @@ static int set_draw(const struct sheen_lecture_scene *scene, struct sheen_materi
     return sheen_shine_make(shine, (unsigned)scene->shininess);
 }
 
-/* A scene's frame and all that it borrows. */
+/* A scene's frame and everything that the frame points to. */
 struct stage {
     struct sheen_target target;
     struct sheen_memory memory;
@@ -101,7 +101,7 @@ struct stage {
     void *arena;
 };
 
-/* Close in either case. */
+/* Call stage_close() in either case. */
 static int stage_open(struct stage *stage, const struct sheen_lecture_scene *scene, int margin, enum sheen_pixel pixel)
 {
     const uint16_t width = (uint16_t)(scene->width + margin), height = (uint16_t)(scene->height + margin);
@@ -142,8 +142,8 @@ static int stage_draw(struct stage *stage)
 }
 
 /*
- * The viewport moves over the dither, not the dither over the picture: a threshold belongs to a place on the target,
- * and the shift is whole pixels, so what the core interpolates is the same bits in all 64 pictures.
+ * A dither threshold belongs to a place on the target, so the viewport is shifted over the pattern. The shifts are
+ * whole pixels, so that what the core interpolates has the same bits in all 64 pictures.
  */
 int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *intensity)
 {
@@ -155,7 +155,7 @@ int sheen_lecture_measure(const struct sheen_lecture_scene *scene, double *inten
     memset(intensity, 0, sizeof *intensity * (size_t)(width * height));
     int error = stage_open(&stage, &white, DITHER, SHEEN_GREY256);
     stage.view.dither = 1;
-    /* The picture at each place of the dither's pattern. */
+    /* The picture at each position relative to the dither pattern. */
     for (int shift = 0; !error && shift < DITHER * DITHER; shift++) {
         int x0 = shift % DITHER, y0 = shift / DITHER;
         stage.view.viewport =

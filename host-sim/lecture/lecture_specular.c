@@ -1,6 +1,6 @@
 /*
- * lecture_specular.c - the highlight without a root: R.V = 2 (L.N)(N.V) - L.V, and where N is interpolated the
- * products of what is linear, over D = N.N.
+ * lecture_specular.c - the highlight without a root: R.V = 2 (L.N)(N.V) - L.V. For an interpolated N, L.N and N.V are
+ * linear, and their product is divided by D = N.N.
  */
 #include <math.h>
 
@@ -9,8 +9,8 @@
 
 #define COUNT 320  /* px along the row */
 #define ROWS 49    /* odd: the middle one is measured */
-#define DEGREES 40 /* between the ends' normals */
-#define FROM 18.0  /* the light, degrees left of the eye's direction */
+#define DEGREES 40 /* between the normals at the row's ends */
+#define FROM 18.0  /* direction of the light, degrees left of the eye's */
 #define SHININESS 8
 
 static double dot(const double a[2], const double b[2])
@@ -18,7 +18,7 @@ static double dot(const double a[2], const double b[2])
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/* In the plane of all vectors: x to the right, z to the eye. */
+/* A unit vector in the plane that all vectors lie in: v[0] points right, v[1] to the eye. */
 static void unit(double degrees, double v[2])
 {
     v[0] = sin(degrees * M_PI / 180);
@@ -26,7 +26,7 @@ static void unit(double degrees, double v[2])
 }
 
 struct ways {
-    double root, quotient, neither; /* R.V: of the normalised N, over D, and where D is forgotten */
+    double root, quotient, neither; /* R.V with N normalised, with the quotient by D, and without either */
 };
 
 static struct ways reflected(double t)
@@ -50,7 +50,7 @@ static struct ways reflected(double t)
 
 struct rows {
     double x[COUNT], exact[COUNT], neither[COUNT];
-    double apart; /* of the two formulas, at most */
+    double apart; /* largest difference between `root` and `quotient` */
 };
 
 static void take_rows(struct rows *rows)
@@ -65,7 +65,7 @@ static void take_rows(struct rows *rows)
     }
 }
 
-/* A highlight alone, of that shininess. */
+/* Draws the highlight alone. */
 static int measure(int shininess, double *picture)
 {
     static struct sheen_lecture_mesh facet;
@@ -91,7 +91,7 @@ static int draw_strips(struct sheen_page *page)
         if (error)
             return error;
         for (int i = 0; i < COUNT * ROWS; i++)
-            picture[i] = fmax(picture[i], 1e-6); /* it is drawn everywhere */
+            picture[i] = fmax(picture[i], 1e-6); /* not 0, which would show as not drawn */
         sheen_page_intensity(page, 552, y, 1, picture, COUNT, ROWS);
         sheen_page_text(page, 890, y + 30, SHEEN_LEFT, SHEEN_INK_PHONG, "n = %d", shininess[k]);
     }

@@ -10,7 +10,7 @@
 #include "quantise.h"
 
 #define WIDTH 184 /* px */
-#define SMALL 166 /* px wide, where n changes */
+#define SMALL 166 /* width of the pictures with different n, px */
 #define HEIGHT 118
 #define PLOTTED 241
 
@@ -91,7 +91,7 @@ static int draw_exponents(struct sheen_page *page, struct sheen_lecture_scene sc
     return SHEEN_OK;
 }
 
-/* s^n as the core's rows look it up, by the angle whose cosine is s. */
+/* Plots s^n, looked up as the core's rows do, against the angle whose cosine is s. */
 static int draw_powers(struct sheen_page *page)
 {
     static const int n[3] = {4, 16, 64};

@@ -12,7 +12,7 @@
 #define TEXT_SIZE 16
 #define MARGIN 36
 
-/* Told apart also by those who see no red or no green (Okabe and Ito's palette). */
+/* Readers who cannot see red or green can tell these colours apart too (Okabe and Ito's palette). */
 void sheen_page_ink(struct sheen_page *page, enum sheen_ink ink)
 {
     static const uint32_t rgb[] = {
@@ -38,7 +38,7 @@ static void note_text(struct sheen_page *page, const cairo_text_extents_t *e, do
     snprintf(t->start, sizeof t->start, "%s", text);
 }
 
-/* As outlines: the letters are the same wherever the SVG is looked at. */
+/* Writes letters as outlines, so that an SVG looks the same on every machine. */
 static void write_text(struct sheen_page *page, double x, double y, enum sheen_align align, const char *text)
 {
     cairo_text_extents_t extents;
@@ -54,7 +54,7 @@ static void write_text(struct sheen_page *page, double x, double y, enum sheen_a
     cairo_fill(page->cr);
 }
 
-/* Whatever font the machine calls sans-serif: figures are not compared bit by bit. */
+/* Any font that the machine calls sans-serif will suffice, because figures are not compared bit by bit. */
 static void set_font(cairo_t *cr, double size, cairo_font_weight_t weight)
 {
     cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, weight);
@@ -75,7 +75,7 @@ int sheen_page_has_font(void)
     return has_font;
 }
 
-/* How many bytes of text, up to a space or the end, fit into width; at least one word. */
+/* How many bytes of the text fit into `width`, up to a space or the end; at least one word. */
 static size_t fitting(cairo_t *cr, const char *text, double width)
 {
     char line[256];
@@ -156,11 +156,11 @@ void sheen_page_number(struct sheen_page *page, double x, double y, enum sheen_i
 
 /* ---- pictures ---- */
 
-/* Pixels of 32 bits, 0x00rrggbb in the machine's order, from bytes or, where rgb is NULL, from intensities. */
+/* An image of 32-bit pixels, 0x00rrggbb in the machine's byte order, from rgb or, if that is NULL, from intensity. */
 static cairo_surface_t *image_of(const uint8_t *rgb, const double *intensity, int width, int height)
 {
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    unsigned char *data = cairo_image_surface_get_data(image); /* NULL where memory is short: drawing then fails */
+    unsigned char *data = cairo_image_surface_get_data(image); /* NULL if memory is short: drawing then fails */
     size_t stride = (size_t)cairo_image_surface_get_stride(image);
 
     for (int i = 0; data && i < width * height; i++) {

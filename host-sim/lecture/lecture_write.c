@@ -7,7 +7,7 @@
 #include "out_file.h"
 #include "png_file.h"
 
-/* Rows of 32-bit pixels, 0x00rrggbb in the machine's order, to bytes r, g, b. */
+/* Writes an image of 32-bit pixels, 0x00rrggbb in the machine's byte order, as PNG. */
 static int write_surface(cairo_surface_t *surface, int width, int height, const char *path,
                          struct sheen_problem *problem)
 {
