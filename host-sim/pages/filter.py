@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""filter.py HEADER - a public header with its comments as doxygen reads them; HEADER itself stays as it is.
+"""filter.py HEADER - prints a public header with its comments in doxygen's form; HEADER itself is not changed.
 
-The head is the file's. A comment before declarations speaks of all of them up to the next blank line or comment; one
-behind a declaration, of all that this declares.
+The first comment describes the file. A comment before declarations describes all of them up to the next blank line or
+comment. A comment behind a declaration describes every name in it.
 """
 import itertools
 import re
@@ -13,7 +13,7 @@ SEVERAL = re.compile(r"^(\s*)((?:extern |const |struct |enum |unsigned )*\w+) (\
 
 
 def split(line):
-    """int a, b; as one declaration each."""
+    """Splits `int a, b;` into one declaration per name."""
     found = SEVERAL.match(line)
     if not found:
         return [line]
@@ -42,7 +42,7 @@ def main(path):
             while "*/" not in lines[end]:
                 end += 1
             text = "\n".join(lines[at:end + 1])
-            while end + 1 < len(lines) and re.match(r"^\s*/\*[^*].*\*/$", lines[end + 1]): # a second line of the same
+            while end + 1 < len(lines) and re.match(r"^\s*/\*[^*].*\*/$", lines[end + 1]): # the comment's second line
                 end += 1
                 text = text[:text.rindex("*/")] + lines[end].strip()[2:]
             text = text.replace("/*", "/** @file\n" if at == 0 else "/**", 1)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """gallery.py SHEEN_SOURCE CORE_LIBRARY OUT - the gallery: each example's last frame, and the lines that draw it.
 
-Compiles and runs the examples; OUT/pictures gets a PNG each, standard output the page.
+Compiles and runs the examples. Writes one PNG per example to OUT/pictures, and the page to standard output.
 """
 import glob
 import os
@@ -30,7 +30,7 @@ def png(ppm):
 
 
 def heart(text):
-    """The lines that draw: the body of the loop over frames, at most so many."""
+    """The lines that draw: the loop over frames, cut to LINES lines."""
     body = re.search(r"^    for \(unsigned i = 0; i < frames.*?^    }$", text, re.M | re.S)
     lines = [line[4:] for line in body[0].splitlines()]
     return lines if len(lines) <= LINES else lines[:LINES - 1] + ["    ..."]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""numbers.py BUDGET - what a frame costs, by processor and on the Pico, as a page: from tests/bench/budget, which the
-bench holds to what it measures."""
+"""numbers.py BUDGET - the page of what a frame costs, by processor and on the Pico. BUDGET is tests/bench/budget, which
+the bench checks against what it measures."""
 import re
 import sys
 
@@ -13,7 +13,7 @@ PICO_MHZ = 125
 
 
 def budget(path):
-    """{what: measured}"""
+    """A dictionary from each row's name to its measured value."""
     with open(path, encoding="utf-8") as f:
         rows = (re.match(r"(\S.*?)\s{2,}(?:M|px|KB)\s+(-?[\d.]+)\s", line) for line in f)
         return {row[1]: float(row[2]) for row in rows if row}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""panels.py SHEEN - the panels that there are drivers for, as a page: what `sheen panels` prints, from the records."""
+"""panels.py SHEEN - the page of panels that have a driver: the table that `sheen panels` prints from the records."""
 import re
 import subprocess
 import sys
@@ -18,7 +18,7 @@ def main(sheen):
     for line in lines[1:]:
         cells = re.split(r"\s{2,}", line.strip(), maxsplit=len(heads) - 1)
         if len(cells) < len(heads) - 1:
-            break # below the table stands text
+            break # the table ends; text follows
         cells += [""] * (len(heads) - len(cells))
         print("| " + " | ".join(cells) + " |")
 

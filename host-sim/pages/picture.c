@@ -1,9 +1,9 @@
 /*
- * picture.c - an example of firmware/examples on this machine: its last frame, in memory, to standard output.
+ * picture.c - runs an example of firmware/examples on this machine, and writes its last frame to standard output.
  *
- *   picture WIDTH[xHEIGHT] FRAMES      so many pixels, a square without the height, as PPM
+ *   picture WIDTH[xHEIGHT] FRAMES      a PPM of that size; without HEIGHT it is a square
  *
- * What an example asks its board for: the other core is a thread, the knob is turned once, at the beginning.
+ * Stands in for the board: a thread is the other core, and the knob is turned once, at the beginning.
  */
 #include <pthread.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""plan.py SHEEN [--readme README.md [--update]] - what `sheen plan` says of the demo's teapot, as a page.
+"""plan.py SHEEN [--readme README.md [--update]] - the page of what `sheen plan` says about the demo's teapot.
 
---readme: its table stands in that file between two marks; ends with 1 where it is another, --update writes it.
+--readme: checks the page's table between two marks in that file, and exits with 1 if it differs; --update rewrites it.
 """
 import argparse
 import json
@@ -26,7 +26,7 @@ def row(*cells):
 
 
 def rate(board):
-    """Frames a second of what changes, two buffers: mean and worst; or why there are none."""
+    """Mean and worst frames per second, sending only what changes, with two buffers; or why it does not fit."""
     if board["ram"]["short"]:
         return "no RAM"
     if board["flash"]["short"]:
