@@ -7,8 +7,8 @@
 #include <math.h>
 
 /*
- * The nearest 32-bit float; -0 becomes 0. Volatile, because gcc 12.2 at -O2 leaves
- * (double)(float)x out where it computes two at once.
+ * The nearest 32-bit float; -0 becomes 0. Volatile, because gcc 12.2 at -O2 omits the
+ * conversion (double)(float)x when it computes two values at once.
  */
 static inline double as_float(double x)
 {
@@ -30,8 +30,8 @@ static inline void cross3(const double a[3], const double b[3], double out[3])
 }
 
 /*
- * v to unit length; 1, or 0 and v untouched where it is zero. The largest part
- * goes to 1 first, so that squares neither vanish nor overflow.
+ * Normalises v and returns 1; returns 0 and leaves v unchanged if it is zero. v is first divided
+ * by its largest component, so that squares neither underflow nor overflow.
  */
 static inline int unit3(double v[3])
 {
