@@ -162,10 +162,10 @@ static int sends_rubbish(struct sheen_polygons *polygons, const char *path, stru
 static void a_broken_one_is_one_line(void **state)
 {
     (void)state;
-    says(gives_up, "broke down");
+    says(gives_up, "importer crashed");
     says(leaves, "no answer");
     says(sends_rubbish, "no answer");
-    says(crashes, "broke down");
+    says(crashes, "importer crashed");
 }
 
 /* Allocates memory and writes to it, because address space alone does not count. */

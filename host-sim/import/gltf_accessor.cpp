@@ -33,7 +33,8 @@ size_t size_of(uint64_t component, const item &whom)
     case F32:
         return 4;
     }
-    refuse("%s: componentType %llu is none of glTF 2.0's", whom.name(), static_cast<unsigned long long>(component));
+    refuse("%s: componentType %llu does not exist in glTF 2.0", whom.name(),
+           static_cast<unsigned long long>(component));
 }
 
 /* Little-endian, like everything in glTF. */

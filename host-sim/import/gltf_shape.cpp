@@ -157,7 +157,7 @@ shape read_primitive(document &file, const item &primitive, const std::vector<do
     shape out{primitive.name(), {}, {}, {}, {}, {}, {}, {}, primitive.get("material")};
 
     if (mode > FAN)
-        refuse("%s: mode %llu is none of glTF 2.0's", primitive.name(), static_cast<unsigned long long>(mode));
+        refuse("%s: mode %llu does not exist in glTF 2.0", primitive.name(), static_cast<unsigned long long>(mode));
     if (mode < TRIANGLES) {
         sheen_note(&file.notes, SHEEN_NOTE_WARNING, "%s: has points or lines, which are left out", file.path());
         return out;

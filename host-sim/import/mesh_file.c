@@ -60,11 +60,10 @@ static int explain(int status, const char *path, struct sheen_problem *problem)
         return sheen_problem(problem, SHEEN_ERR_TIMEOUT, "%s: reading it takes more than %u s of processor time", path,
                              SHEEN_IMPORT_SECONDS);
     if (number == SIGSYS)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer was stopped: it tried more than reading",
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer was stopped: it tried to do more than read",
                              path);
     if (number)
-        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer broke down over it (%s)", path,
-                             strsignal(number));
+        return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer crashed (%s)", path, strsignal(number));
     return sheen_problem(problem, SHEEN_ERR_ARGUMENT, "%s: its importer gave no answer, or one too large", path);
 }
 
@@ -103,7 +102,8 @@ int sheen_mesh_file_read_by(sheen_mesh_reader *reader, struct sheen_polygons *po
     if (child > 0)
         return receive(polygons, path, child, ends[0], problem);
     close(ends[0]);
-    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: no process to read it: %s", path, strerror(error));
+    return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "%s: cannot start a process to read it: %s", path,
+                         strerror(error));
 }
 
 int sheen_mesh_file_read(struct sheen_polygons *polygons, const char *path,

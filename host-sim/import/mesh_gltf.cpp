@@ -73,7 +73,7 @@ matrix blend(const shape &from, size_t vertex, const std::vector<matrix> &joints
             if (weight == 0)
                 continue;
             if (!(joint >= 0 && joint < static_cast<double>(joints.size())))
-                refuse("%s: vertex %zu hangs on joint %.0f, there are %zu", from.name.c_str(), vertex, joint,
+                refuse("%s: vertex %zu uses joint %.0f, there are %zu", from.name.c_str(), vertex, joint,
                        joints.size());
             for (size_t i = 0; i < out.size(); i++)
                 out[i] += weight * joints[static_cast<size_t>(joint)][i];

@@ -165,7 +165,7 @@ static void read_lines(struct sheen_polygons *polygons, const struct sheen_word 
             note_opacity(text, &polygons->notes);
         else if (group && sheen_word_is(&word, "map_d"))
             sheen_note(&polygons->notes, SHEEN_NOTE_WARNING,
-                       "%s: map_d is not read: where a texture is transparent is of map_Kd's picture", text->path);
+                       "%s: map_d is not read; transparency comes from the alpha of map_Kd's picture", text->path);
     }
 }
 

@@ -94,7 +94,7 @@ static int read_format(struct sheen_ply *ply)
     sheen_text_word(&ply->text, &version);
     if (!sheen_word_is(&word, "ascii") && !sheen_word_is(&word, "binary_little_endian") &&
         !sheen_word_is(&word, "binary_big_endian"))
-        return sheen_text_problem(&ply->text, "format '%.*s' is none of PLY's", SHEEN_WORD(word));
+        return sheen_text_problem(&ply->text, "format '%.*s' is no PLY format", SHEEN_WORD(word));
     if (!sheen_word_is(&version, "1.0"))
         return sheen_text_problem(&ply->text, "version '%.*s' of PLY is not read, only 1.0", SHEEN_WORD(version));
     ply->format = sheen_word_is(&word, "ascii")                  ? PLY_ASCII

@@ -278,8 +278,8 @@ function answerFrom(given, name, words) {
         const timer = setTimeout(() => end(reject, `${name}: reading it takes more than ${READ_SECONDS} s`),
             1000 * READ_SECONDS);
         worker.onmessage = ({ data }) => data.answer ? end(resolve, data.answer)
-            : end(reject, `${name}: its importer broke down over it (${data.broken})`);
-        worker.onerror = event => end(reject, `${name}: its importer broke down over it (${event.message})`);
+            : end(reject, `${name}: its importer crashed (${data.broken})`);
+        worker.onerror = event => end(reject, `${name}: its importer crashed (${event.message})`);
         worker.postMessage({ code, files: [...given], name, words });
     });
 }

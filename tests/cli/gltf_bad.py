@@ -136,7 +136,7 @@ def deformed():
                                 "WEIGHTS_0": box.accessor([[1, 0, 0, 0]] * 24)}
     binds = box.accessor([[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]])
     box.show([primitive], nodes=[{"mesh": 0, "skin": 0}, {}, {}], skins=[{"joints": [1, 2]}])
-    yield "joint-2-of-2", box.text(), "vertex 0 hangs on joint 2, there are 2"
+    yield "joint-2-of-2", box.text(), "vertex 0 uses joint 2, there are 2"
     yield "one-matrix", changed(("skins.0.inverseBindMatrices", binds), box=box), "1 matrices for 2 joints"
     yield "joint-not-there", changed(("skins.0.joints", [1, 9]), box=box), "skins[0].joints[1] is 9, there are 3 nodes"
     yield "skin-not-there", changed(("nodes.0.skin", 1), box=box), "nodes[0].skin is 1, there are 1 skins"
