@@ -107,7 +107,7 @@ void accuracy_more_lights(struct ref_scene *scene)
 
     memcpy(scene->light[1], more, sizeof more);
     scene->light_count = 4;
-    scene->diffuse /= 2; /* most pixels stay below 1, where they can be told apart */
+    scene->diffuse /= 2; /* so that most pixels stay below 1, where differences show */
     scene->specular /= 2;
 }
 
@@ -134,7 +134,7 @@ void accuracy_points(struct ref_scene *scene)
 void accuracy_ortho(struct ref_scene *scene)
 {
     scene->ortho = true;
-    scene->affine = false; /* the same there */
+    scene->affine = false; /* makes no difference without perspective */
 }
 
 static enum sheen_pixel format_of(int levels)

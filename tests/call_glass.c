@@ -53,7 +53,7 @@ static void show(struct glass *g, struct sheen_rect r, const uint8_t *row)
             g->shown[y * g->target.width + x] = value_at(row, pixel_of(g), (unsigned)(x - r.x0));
 }
 
-/* The code that was ordered, if any; from then on the panel shows anything. */
+/* Return the code that was ordered, if any, once; the panel shows noise then. */
 static int fault(struct glass *g, int *ordered)
 {
     int code = *ordered;
@@ -73,7 +73,7 @@ static int push(void *ctx, struct sheen_rect r, const void *pixels)
     struct glass *g = ctx;
 
     g->events++;
-    assert_false(g->flying); /* two pushes under way */
+    assert_false(g->flying); /* else two pushes are under way */
     assert_false(g->broken);
     assert_true(g->locked == g->has_lock);
     check_rect(g, r);
@@ -103,7 +103,7 @@ static int wait(void *ctx)
     if (!g->flying)
         return SHEEN_OK;
     g->flying = false;
-    /* the buffer was not touched since its push */
+    /* the core has not touched the buffer since the push */
     assert_memory_equal(g->copy, g->pixels, row_bytes(g, g->rect) * (size_t)(g->rect.y1 - g->rect.y0));
     int error = fault(g, &g->fail_wait);
     if (error == SHEEN_OK && g->late)

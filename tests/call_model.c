@@ -1,5 +1,5 @@
 /*
- * call_model.c - the contract of a frame's calls.
+ * call_model.c - a model of the contract of a frame's calls.
  */
 #include "call_model.h"
 
@@ -13,7 +13,7 @@
 
 #include "frame/frame.h"
 
-/* ---- a fresh full frame ---- */
+/* ---- a fresh frame that sends everything ---- */
 
 static void plain_begin(struct model *m)
 {
@@ -23,7 +23,7 @@ static void plain_begin(struct model *m)
     assert_int_equal(sheen_begin(m->full.frame, &m->view), SHEEN_OK);
 }
 
-/* What a draw would add to the lists, and whether it needs a clipper. */
+/* Count what a draw would add to the lists; true if it needs a clipper. */
 static bool count(struct model *m, const struct sheen_object *draw, unsigned *listed, unsigned *pieces)
 {
     plain_begin(m);
@@ -56,13 +56,13 @@ static void check_picture(struct model *m)
 
 /* ---- around each call ---- */
 
-/* What a push or a wait returned during this call, or an earlier one of the frame. */
+/* The error that a push or a wait returned during this call or an earlier one of the frame; 0: none. */
 static int error_now(const struct model *m)
 {
     return m->error != 0 ? m->error : m->glass.failed;
 }
 
-/* Errors of this call count for this frame, if there is one, and for the next; then the last frame is looked at. */
+/* A push that failed during this call spoils the open frame and makes the next one send all; then check what is due. */
 static void call_ends(struct model *m)
 {
     struct glass *g = &m->glass;
@@ -149,7 +149,7 @@ void model_draw(struct model *m, const struct sheen_object *draw, int valid)
     }
     int result = sheen_draw(m->f.frame, draw);
     if (expected == SHEEN_ERR_ARGUMENT && full && result == SHEEN_ERR_CAPACITY)
-        expected = result; /* either is true */
+        expected = result; /* both errors apply, so either is right */
     assert_int_equal(result, expected);
     assert_int_equal(m->glass.events, events);
     if (expected == SHEEN_OK) {
@@ -169,7 +169,7 @@ void model_mark(struct model *m, struct sheen_rect rect)
                 m->marked[y * m->glass.target.width + x] = true;
 }
 
-/* May be called from the user's own 2D of another worker's band. */
+/* May be called from a 2D callback while another worker draws a band. */
 void model_band(struct model *m, unsigned worker, unsigned band)
 {
     bool outermost = !m->busy[0] && !m->busy[1] && !m->busy[2] && !m->busy[3];
@@ -195,7 +195,7 @@ void model_band(struct model *m, unsigned worker, unsigned band)
         call_ends(m);
 }
 
-/* The frame is over: what it owed was sent, and nothing twice. */
+/* The frame is over: check that all it had to send was sent, and no pixel twice. */
 static void frame_closes(struct model *m)
 {
     const struct glass *g = &m->glass;
@@ -235,7 +235,7 @@ void model_end(struct model *m)
     bool idle = m->state == MODEL_IDLE;
     unsigned events = m->glass.events;
 
-    memset(m->busy, true, sizeof m->busy); /* all workers are sheen_end's */
+    memset(m->busy, true, sizeof m->busy); /* so that no callback starts another worker's band */
     int result = sheen_end(m->f.frame);
     memset(m->busy, false, sizeof m->busy);
     assert_int_equal(result, idle ? SHEEN_ERR_STATE : error_now(m));

@@ -1,8 +1,9 @@
 /*
- * call_model.h - the contract of a frame's calls, small enough to be read: three states, a done bit a band, one error.
+ * call_model.h - a model of the contract of a frame's calls, small enough to be read: three states, a done bit per
+ * band, one error.
  *
- * Each function makes the call, and checks what it returns and what the panel shows against the model. What is drawn
- * is not modelled: a picture has to be the one that a fresh full frame of the accepted draws gives.
+ * Each function makes the call and checks what it returns, and what the panel shows, against the model. Drawing itself
+ * is not modelled: the picture has to equal that of a fresh frame with the accepted draws that sends everything.
  */
 #ifndef CALL_MODEL_H
 #define CALL_MODEL_H
@@ -25,29 +26,29 @@ struct model {
     struct core_frame f;
 
     enum model_state state;
-    int error;                                /* the frame's: the first that a push or a wait of it returned */
-    bool all, all_next;                       /* this frame, the next one sends everything */
-    bool whole;                               /* nothing has spoiled what this frame sends */
-    bool due;                                 /* the last frame is to be seen once its last push has landed */
-    bool done[GLASS_HEIGHT];                  /* a band: it was taken */
-    bool busy[MODEL_WORKERS];                 /* a worker: it is in sheen_band */
-    unsigned bands;                           /* of the view */
+    int error;                                /* the first error of a push or a wait of this frame; 0: none */
+    bool all, all_next;                       /* this frame, the next frame has to send everything */
+    bool whole;                               /* no error and no missing band has spoiled this frame's picture */
+    bool due;                                 /* check the last frame's picture once its last push has ended */
+    bool done[GLASS_HEIGHT];                  /* per band: sheen_band has accepted it */
+    bool busy[MODEL_WORKERS];                 /* per worker: it is in sheen_band */
+    unsigned bands;                           /* number of the view's bands */
     struct sheen_view view;                   /* of the last frame that began, if any */
     struct sheen_rect viewport;               /* px */
     bool marked[GLASS_PIXELS];                /* pixels that a mark of this frame asked to be sent */
-    unsigned vertices, listed, pieces, draws; /* accepted of this frame */
+    unsigned vertices, listed, pieces, draws; /* totals of this frame's accepted draws */
     struct sheen_object draw[MODEL_DRAWS];
 
-    struct glass plain; /* for a fresh full frame, and for counting */
-    struct core_frame full;
-    bool aside; /* that frame is at work, not the one under test */
+    struct glass plain;     /* the panel of `full` */
+    struct core_frame full; /* a second frame, for pictures that are sent whole, and for counting */
+    bool aside;             /* `full` is drawing, not the frame under test */
 };
 
-/* config: its target and lock are set to the model's glass, which glass_make has made. */
+/* The model's glass MUST be made; target and lock of config are replaced by the glass and its functions. */
 void model_make(struct model *m, const struct sheen_config *config, bool lock);
 void model_free(struct model *m);
 
-/* valid: 0, or what is owed to an argument out of range. */
+/* valid: the result that the arguments call for: 0, or an error if one of them is out of range. */
 void model_begin(struct model *m, const struct sheen_view *view, int valid);
 void model_draw(struct model *m, const struct sheen_object *draw, int valid);
 void model_mark(struct model *m, struct sheen_rect rect);

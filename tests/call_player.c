@@ -1,5 +1,5 @@
 /*
- * call_player.c - a random sequence of calls.
+ * call_player.c - a random sequence of calls on one frame.
  */
 #include "call_player.h"
 
@@ -13,7 +13,7 @@
 
 static const struct stage *stage;
 
-/* The user's own 2D: what it draws depends on the place and on which of the two it is. */
+/* The user's own 2D; what it draws depends on the pixel's place and on which of the two painters it is. */
 struct painter {
     struct player *player;
     unsigned which;
@@ -59,7 +59,7 @@ static void underlay(void *ctx, const struct sheen_canvas *canvas)
                 ((unsigned)x * 7u + (unsigned)y * 13u + own->which * 5u) * 0x1357u);
 }
 
-/* Another worker's band in the midst of this one, as on a second core; only where there is a lock. */
+/* Draws another worker's band in the middle of this one, as a second core might; only if there is a lock. */
 static void another_worker(struct player *p)
 {
     unsigned worker = below(p, p->model.config.workers);
@@ -100,7 +100,7 @@ static struct sheen_rect random_rect(struct player *p)
     return r;
 }
 
-/* Half of them: everything; else a rectangle on the alignment. */
+/* Half of the viewports are the whole target, the others aligned rectangles. */
 static void change_viewport(struct player *p)
 {
     const struct sheen_target *t = p->model.config.target;
@@ -164,7 +164,7 @@ static void begin(struct player *p)
     model_begin(&p->model, &bad, SHEEN_ERR_ARGUMENT);
 }
 
-/* Forty thin triangles: more than a word of pending bits. */
+/* Forty thin triangles: more than one word of pending bits can hold. */
 static void make_fan(struct player *p)
 {
     for (int i = 0; i < 42; i++) {
@@ -185,7 +185,7 @@ static void make_fan(struct player *p)
                                  .scale = SHEEN_Q24(1)};
 }
 
-/* A cube or the fan, somewhere: in the view, across its edges, through the near plane, seen from behind. */
+/* Draws a cube or the fan somewhere: in the view, across its edges, through the near plane, seen from behind. */
 static void draw(struct player *p)
 {
     struct actor actor = {.mesh = STAGE_CUBE,
@@ -226,13 +226,13 @@ static void draw(struct player *p)
     p->counts->clipped += p->model.pieces > 0;
 }
 
-/* The bands of a frame in some order, by some workers; now and then one is asked for twice. */
+/* Draws a frame's bands in a random order by random workers; now and then asks for one twice. */
 static void all_bands(struct player *p)
 {
     struct model *m = &p->model;
     unsigned step = 1 + 2 * below(p, 12), first = below(p, 32);
 
-    for (unsigned i = 0; i < 32; i++) { /* an odd step meets every residue of 32 */
+    for (unsigned i = 0; i < 32; i++) { /* an odd step reaches each of the 32 */
         unsigned band = (first + i * step) % 32, worker = below(p, m->config.workers);
         if (band < m->bands && (!m->done[band] || one_in(p, 40)))
             model_band(m, worker, band);
@@ -247,7 +247,7 @@ static void order_faults(struct player *p)
     g->fail_wait = one_in(p, 40) ? -1000 - (int)below(p, 1000) : g->fail_wait;
 }
 
-/* Any call at any time, but oftener one that leads on: begin while idle, draw while open, the bands after some. */
+/* Any call at any time, but half of the time one that leads on: begin while idle, draw while open, then all bands. */
 void player_call(struct player *p)
 {
     static const uint8_t leads_on[3] = {[MODEL_IDLE] = 0, [MODEL_OPEN] = 22, [MODEL_BANDS] = 60};

@@ -1,22 +1,22 @@
 /*
- * call_player.h - a random sequence of calls: of which kinds, in what configuration, on what view.
+ * call_player.h - a random sequence of calls on one frame, with a random configuration and random views.
  */
 #ifndef CALL_PLAYER_H
 #define CALL_PLAYER_H
 
 #include "call_model.h"
 
-/* How often things happened: a test that meets nothing proves nothing. */
+/* How often things happened, because a test in which nothing happens proves nothing. */
 struct call_counts {
-    unsigned frames, drawn, incremental; /* that arrived; of these, with triangles; and not sent whole */
-    unsigned failures;                   /* frames that a push or a wait broke off */
-    unsigned nested;                     /* bands in the midst of another worker's */
+    unsigned frames, drawn, incremental; /* complete frames; those with triangles; those that did not send everything */
+    unsigned failures;                   /* frames that a failed push or wait ended */
+    unsigned nested;                     /* bands drawn in the middle of another worker's band */
     unsigned clipped;                    /* draws that listed pieces */
 };
 
-/* A sequence: the model, the generator, and what the next view is. */
+/* A sequence: the model, the random generator's state, the view of the next frame. */
 struct player {
-    unsigned number, calls; /* of the sequence; made so far */
+    unsigned number, calls; /* the sequence's number; calls made so far */
     struct model model;
     struct call_counts *counts;
     uint32_t state;
@@ -26,7 +26,7 @@ struct player {
     uint8_t index[3 * 40];
 };
 
-/* counts and stage are borrowed; the stage is made. One player at a time. */
+/* counts and stage are borrowed; stage_make() has made the stage. Only one player may be open at a time. */
 void player_open(struct player *p, const struct stage *stage, unsigned number, struct call_counts *counts);
 void player_call(struct player *p);
 void player_close(struct player *p);

@@ -9,11 +9,11 @@
 
 #define TURN 360.0
 
-/* Corners in an order that brings those together which become one vertex. */
+/* A corner, sorted so that corners which become one vertex are neighbours. */
 struct key {
     uint32_t weld, corner;
-    int16_t normal[2][3], uv[2]; /* of frames */
-    uint8_t color[4];            /* three of them */
+    int16_t normal[2][3], uv[2]; /* normal: per frame */
+    uint8_t color[4];            /* three are used */
 };
 
 static int key_order(const void *a, const void *b)
@@ -33,7 +33,7 @@ static int16_t to_q15(double c)
     return (int16_t)lround(32767 * c);
 }
 
-/* The finest power of two that 16 bits hold, about the middle, on the grid itself. */
+/* Choose the uv grid: the finest power of two that fits 16 bits around an offset, the middle rounded to the grid. */
 static void choose_grid(const struct ref_mesh *from, struct sheen_mesh *mesh)
 {
     double low[2] = {0, 0}, high[2] = {0, 0}, span = 0;
@@ -58,7 +58,7 @@ static int16_t to_grid(const struct sheen_mesh *mesh, const double uv[2], int i)
     return (int16_t)lround((uv[i] - mesh->uv_offset[i] / 65536.0) * (1 << mesh->uv_bits));
 }
 
-/* frame: of `frames`, the first of which has weld and uv. */
+/* frame: `frames` frames of one mesh; weld, uv and colours are read from the first. */
 static uint32_t number_vertices(const struct ref_mesh *const frame[], unsigned frames, const struct sheen_mesh *mesh,
                                 struct key *keys, uint32_t *vertex_of)
 {
@@ -117,7 +117,7 @@ static double reach_of(const struct ref_mesh *from)
     return reach;
 }
 
-/* mesh: what uvs are on the grid of. */
+/* mesh: has the uv grid. */
 static int make_frame(struct core_mesh *to, const struct ref_mesh *from, const struct sheen_mesh *mesh,
                       uint32_t vertices, const uint32_t *vertex_of, double reach)
 {
@@ -231,7 +231,7 @@ void core_pose(struct sheen_pose *pose, const struct ref_scene *scene)
         pose->translation[k] = (sheen_q24_t)lround(scene->translation[k] * 16777216);
 }
 
-/* 1 where a light has a colour, or is a point. */
+/* Whether a light or the ambient light has a colour, or a light is a point. */
 static bool is_tinted(const struct ref_scene *scene)
 {
     bool tinted = false;
@@ -290,7 +290,7 @@ int core_frame_make(struct core_frame *f, const struct sheen_config *config)
     f->arena = f->arena_bytes ? malloc(f->arena_bytes) : NULL;
     if (!f->arena)
         return SHEEN_ERR_MEMORY;
-    static uint32_t noise; /* nothing may be taken for granted */
+    static uint32_t noise; /* the core must not rely on what the arena contains */
     for (size_t i = 0; i < f->arena_bytes; i++)
         ((uint8_t *)f->arena)[i] = (uint8_t)((noise = noise * 1664525u + 1013904223u) >> 24);
     int status = sheen_init(&f->frame, f->arena, &f->arena_bytes, config);
@@ -313,14 +313,14 @@ int core_draw_scene(const struct sheen_target *target, const struct ref_scene *s
     return core_draw_scene_way(target, scene, mesh, band_rows, 0, &unused);
 }
 
-/* Texels as the core keeps them. */
+/* A texture in the core's form. */
 struct core_texture {
     struct sheen_texture texture;
     uint16_t palette[256];
     uint8_t *numbers;
 };
 
-/* The palette's number of a colour, where it is new a new one. */
+/* The number of a colour in the palette; a new colour gets a new number. */
 static unsigned number_of(struct core_texture *to, unsigned *count, uint16_t value)
 {
     for (unsigned i = 0; i < *count; i++) {
@@ -332,7 +332,7 @@ static unsigned number_of(struct core_texture *to, unsigned *count, uint16_t val
     return (*count)++;
 }
 
-/* 0, or -1 where memory or the palette's numbers are short. */
+/* 0, or -1 if memory is short or the palette has too few numbers. */
 static int core_texture_make(struct core_texture *to, const struct ref_texture *from)
 {
     unsigned count = 0, texels = (unsigned)(from->width * from->height);

@@ -1,5 +1,5 @@
 /*
- * core_raster.c - the core's set-up and edge stepping.
+ * core_raster.c - runs one triangle through the core's set-up and edge stepping.
  */
 #include "core_raster.h"
 
@@ -40,12 +40,12 @@ unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struc
     struct gradients g;
 
     for (int k = 0; k < 3; k++) {
-        int corner = (3 - k) % 3; /* meshes are counterclockwise */
+        int corner = (3 - k) % 3; /* reversed, because meshes are counter-clockwise */
         c.at.v[k] = &r->vertex[corner];
         c.at.normal[k] = parts != NULL ? parts + size * corner : NULL;
     }
     if (sheen_twice_area(&r->vertex[0], &r->vertex[1], &r->vertex[2]) == 0)
-        return 0; /* such triangles are never listed */
+        return 0; /* the core never lists triangles without area */
     to->s.draw = &r->draw;
     unsigned rows = sheen_triangle_begin(&r->screen, rect, spans, &c, &g, &to->s);
     if (rows > 0)
@@ -66,7 +66,7 @@ int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, str
         r->vertex[k].flags = t->x[k] < 64 * rect.x0 || t->x[k] > 64 * rect.x1 ? OFF_VIEW : 0;
     }
     *first = rect.y0;
-    /* two bands, the first of which may have nothing of it */
+    /* As in two bands: set up in the upper one and continued below or, if the upper one has no row, set up later. */
     upper.y1 = (int16_t)((rect.y0 + rect.y1) / 2);
     unsigned rows = core_raster_set_up(r, upper, spans, &setup);
     if (rows == 0 && (rows = core_raster_set_up(r, rect, spans, &setup)) == 0)

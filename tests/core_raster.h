@@ -1,5 +1,5 @@
 /*
- * core_raster.h - one triangle through the core's set-up and rows, without a frame.
+ * core_raster.h - runs one triangle through the core's set-up and rows, without a frame.
  */
 #ifndef CORE_RASTER_H
 #define CORE_RASTER_H
@@ -7,39 +7,39 @@
 #include "exact_cover.h"
 #include "shading/shading.h"
 
-/* What a shading's room is given: a draw record, a triangle, and of the view what its set-up needs. */
+/* What a shading's room needs: a draw record, a triangle, and the parts of the view that a set-up reads. */
 struct core_raster {
     struct screen screen;
-    struct pixel_format format; /* 565 in this machine's order */
+    struct pixel_format format; /* 565 in this machine's byte order */
     struct sheen_mesh mesh;
     struct sheen_material material;
     struct draw draw;
     struct vertex vertex[3];
 };
 
-/* A set-up's slot. */
+/* A set-up with room for the shading's own part. */
 struct core_setup {
     struct setup s;
     uint64_t room[(SETUP_BYTES - sizeof(struct setup) + 7) / 8];
 };
 
-/* A picture of width x height px, flat shading without lights. */
+/* A picture of width x height px, with flat shading and no lights. */
 void core_raster_begin(struct core_raster *r, int width, int height);
 
-/* Set the triangle up from the rectangle's rows on; the number of its rows there, whose spans are filled. */
+/* Set up the triangle for a rectangle and fill the spans of its rows there; returns the number of these rows. */
 unsigned core_raster_set_up(struct core_raster *r, struct sheen_rect rect, struct span *spans, struct core_setup *to);
 
 /*
- * The spans of a triangle in the rectangle, corners in 1/64 px of the picture, within +-511 px of its centre;
- * either winding. Returns the number of rows; spans[0] is row *first.
+ * The spans of a triangle in the rectangle. Corners in 1/64 px of the picture, within +-511 px of its centre; either
+ * winding. Returns the number of rows; spans[0] is row *first.
  */
 int core_raster_spans(struct core_raster *r, const struct cover_triangle *t, struct sheen_rect rect, struct span *spans,
                       int *first);
 
-/* Draws the triangle, by its shader: depths, z16, and pixels, both of core_raster_begin's size. */
+/* Draw the triangle with its shader. depth (z16) and pixels have the size given to core_raster_begin. */
 void core_raster_draw(struct core_raster *r, uint16_t *depth, uint16_t *pixels);
 
-/* The triangle's depths, z16, where they are nearer than what is there: width x height of core_raster_begin. */
+/* Write the triangle's depths (z16) wherever they are nearer than what depth holds; size likewise. */
 void core_raster_depths(struct core_raster *r, uint16_t *depth);
 
 #endif

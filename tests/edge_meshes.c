@@ -1,6 +1,6 @@
 /*
- * edge_meshes.c - a gear: two lids that are no convex polygons, sides that meet in sharp edges, a bore; and a rabbit:
- * some 5,000 triangles, round, with ears that stand before each other.
+ * edge_meshes.c - makes a gear: two lids with a toothed outline, sides that meet in sharp edges, a bore; and a rabbit:
+ * some 5,000 triangles, round, with ears of which one can hide the other.
  */
 #include "edge_meshes.h"
 
@@ -18,7 +18,7 @@ enum {
     AROUND = 56
 };
 
-/* The outline of a lid, and the bore with as many corners. */
+/* A ring of points at height y: the outline of a lid or, with as many points, of the bore. */
 static int gear_ring(struct shape *s, double y, int bore)
 {
     int status = 0;
@@ -53,7 +53,7 @@ static int make_gear(struct shape *s)
     return status;
 }
 
-/* A body, a head, two ears and a tail: how far the surface lies out in a direction. */
+/* How far the surface is from the centre in direction d: a body with a head, two ears, a tail and two paws. */
 static double rabbit_radius(const double d[3])
 {
     static const double lump[][5] = {/* direction, height, width */

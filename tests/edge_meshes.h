@@ -1,6 +1,6 @@
 /*
- * edge_meshes.h - what edges are judged on: a teapot, a gear, a rabbit and a cube, for the reference and for the
- * core.
+ * edge_meshes.h - the meshes on which edges are tested, for the reference and for the core: a teapot, a gear, a rabbit
+ * and a cube.
  */
 #ifndef EDGE_MESHES_H
 #define EDGE_MESHES_H
@@ -13,7 +13,7 @@ enum edge_mesh_name {
     EDGE_TEAPOT,
     EDGE_GEAR,
     EDGE_RABBIT,
-    EDGE_MESHES, /* those above, which smoothing is judged on */
+    EDGE_MESHES, /* smoothing is tested on those above */
     EDGE_CUBE = EDGE_MESHES,
     EDGE_ALL_MESHES
 };

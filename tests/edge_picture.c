@@ -1,5 +1,5 @@
 /*
- * edge_picture.c - a scene with its edges.
+ * edge_picture.c - draws a scene with its edges by the core.
  */
 #include "edge_picture.h"
 

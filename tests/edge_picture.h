@@ -1,27 +1,27 @@
 /*
- * edge_picture.h - pictures of meshes with their edges, by the core.
+ * edge_picture.h - draws meshes with their edges by the core.
  */
 #ifndef EDGE_PICTURE_H
 #define EDGE_PICTURE_H
 
 #include "edge_meshes.h"
 
-/* How a scene is drawn; zero is no edges, RGB565 high byte first, bands of 16 rows, one buffer, one worker. */
+/* How a scene is drawn; all zero: no edges, RGB565 high byte first, bands of 16 rows, one buffer, one worker. */
 struct edge_drawing {
     const struct sheen_edges *edges;
     enum sheen_pixel pixel;
     int band_rows;
     int buffers, workers;
-    bool bottom_up; /* bands in the other order */
-    bool second;    /* after a frame of it elsewhere: bands are drawn in part */
+    bool bottom_up; /* bands from the bottom to the top */
+    bool second;    /* draw the mesh elsewhere in a frame before, so that only parts of the bands are drawn */
     uint8_t line[3];
 };
 
-/* Values of 565 or grey levels, row by row. 0, or the code of what failed. */
+/* values: 565 or grey levels, row by row. 0, or the error of the call that failed. */
 int edge_picture(uint16_t *values, const struct ref_scene *scene, const struct sheen_mesh *mesh,
                  const struct edge_drawing *drawing);
 
-/* A value's channels, 0..1. */
+/* The channels of a value, 0..1. */
 void edge_channels(double out[3], const struct edge_drawing *drawing, unsigned value);
 
 #endif

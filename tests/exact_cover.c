@@ -21,7 +21,7 @@ bool cover_inside(const struct cover_triangle *t, int32_t px, int32_t py)
     if (area == 0)
         return false;
     for (int k = 0; k < 3; k++) {
-        /* Walk clockwise as seen: then inside is e > 0, a left edge goes up, a top edge goes right. */
+        /* Walk clockwise as seen: then e > 0 is inside, left edges lead up, top edges lead right. */
         int a = area > 0 ? k : (k + 1) % 3, b = area > 0 ? (k + 1) % 3 : k;
         int64_t e = edge(t->x[a], t->y[a], t->x[b], t->y[b], x, y);
         bool left = t->y[b] < t->y[a], top = t->y[b] == t->y[a] && t->x[b] > t->x[a];

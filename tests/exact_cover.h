@@ -1,5 +1,5 @@
 /*
- * exact_cover.h - coverage by 64-bit edge functions, nothing rounded.
+ * exact_cover.h - coverage by 64-bit edge functions, without any rounding.
  */
 #ifndef EXACT_COVER_H
 #define EXACT_COVER_H
@@ -12,12 +12,12 @@ struct cover_triangle {
     int32_t x[3], y[3];
 };
 
-/* Twice the signed area in 1/4096 px^2; > 0 where the corners run clockwise as seen. */
+/* Twice the signed area in 1/4096 px^2; > 0 if the corners run clockwise as seen. */
 int64_t cover_area(const struct cover_triangle *t);
 
 /*
- * True where the centre of pixel (px, py) lies inside, on a top edge (horizontal, the interior below it) or on a
- * left edge (the interior to its right). Either winding; an area of zero covers nothing.
+ * Whether the centre of pixel (px, py) lies inside, on a top edge (horizontal, the interior below it) or on a left edge
+ * (the interior to its right). Either winding; a triangle without area covers nothing.
  */
 bool cover_inside(const struct cover_triangle *t, int32_t px, int32_t py);
 

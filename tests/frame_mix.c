@@ -151,7 +151,7 @@ static void random_material(uint32_t *seed, struct mix_look *look, bool textured
     random_color(seed, m->highlight);
     random_color(seed, m->ambient_color);
     random_color(seed, m->line);
-    if (!unlit && one_in(seed, 12)) /* as much as there may be */
+    if (!unlit && one_in(seed, 12)) /* the largest values allowed */
         m->ambient = m->diffuse = m->specular = SHEEN_Q16(4);
     if (one_in(seed, 2))
         memset(m->base, 255, sizeof m->base);
@@ -176,7 +176,7 @@ static unsigned random_lights(uint32_t *seed, struct sheen_light lights[SHEEN_MA
             l->to[k] = (sheen_q30_t)stage_random(seed) / 4;
             l->at[k] = SHEEN_Q24(stage_uniform(seed, -2, 2));
         }
-        l->to[2] |= 1; /* some direction */
+        l->to[2] |= 1; /* so that the direction is not zero */
         l->at[2] -= SHEEN_Q24(3);
         if (one_in(seed, 2))
             random_color(seed, l->color);
@@ -222,7 +222,7 @@ static void random_object(uint32_t *seed, struct mix *mix, unsigned i, const str
 
 /* ---- frames ---- */
 
-/* Edges on the target's alignment. */
+/* A rectangle with its edges on the target's alignment. */
 static struct sheen_rect random_rect(uint32_t *seed, int align_x, int align_y)
 {
     const int x = (int)below(seed, MIX_WIDTH / 2) / align_x * align_x;
@@ -264,7 +264,7 @@ static void random_view(uint32_t *seed, struct mix_frame *f, int align_x, int al
     v->fog = &f->fog;
 }
 
-/* Somewhere in the view, now and then through one of its sides, or the near or far plane. */
+/* Places an object in the view, now and then across one of its sides or the near or far plane. */
 static void place(uint32_t *seed, struct sheen_object *o, const struct sheen_view *view)
 {
     const double near = view->z_near / 16777216.0, far = view->z_far / 16777216.0;
@@ -277,7 +277,7 @@ static void place(uint32_t *seed, struct sheen_object *o, const struct sheen_vie
         o->pose.translation[k] = SHEEN_Q24(stage_uniform(seed, -reach, reach));
 }
 
-/* The frame after: objects stay, move, leave or come back; seldom the view changes. */
+/* Makes the next frame: objects stay, move, leave or come back; now and then the view changes. */
 static void next_frame(uint32_t *seed, struct mix *mix, unsigned f, int align_x, int align_y)
 {
     struct mix_frame *to = &mix->frame[f];

@@ -1,5 +1,5 @@
 /*
- * frame_mix.h - a few frames of random objects: any shading with any of what a draw and a view may have besides.
+ * frame_mix.h - a few frames of random objects: any shading combined with any options of a draw and of a view.
  */
 #ifndef FRAME_MIX_H
 #define FRAME_MIX_H
@@ -10,18 +10,18 @@
 #define MIX_HEIGHT 80
 #define MIX_FRAMES 3
 #define MIX_OBJECTS 3
-#define MIX_VERTICES 300 /* of a mesh at the most */
+#define MIX_VERTICES 300 /* of a mesh, at most */
 #define MIX_TRIANGLES 400
 
-/* A mesh of the stage with all that a mesh may have. */
+/* A mesh of the stage with all optional parts of a mesh. */
 struct mix_mesh {
-    struct sheen_mesh mesh, second; /* second: another frame */
+    struct sheen_mesh mesh, second; /* second: another frame of it, for morphs */
     int16_t uvs[2 * MIX_VERTICES], positions[3 * MIX_VERTICES], normals[3 * MIX_VERTICES];
     uint8_t colors[3 * MIX_VERTICES], warp[MIX_TRIANGLES];
     struct sheen_triangle_edges edges[MIX_TRIANGLES];
 };
 
-/* What an object points to. */
+/* All that an object points to, except its mesh. */
 struct mix_look {
     struct sheen_material material;
     struct sheen_texture texture;
@@ -30,7 +30,7 @@ struct mix_look {
     struct sheen_morph morph;
 };
 
-/* What stands in one frame; what is marked besides. */
+/* The contents of one frame, and the rectangle that is marked in it. */
 struct mix_frame {
     struct sheen_view view;
     struct sheen_fog fog;
@@ -43,19 +43,19 @@ struct mix_frame {
 struct mix {
     struct mix_look look[MIX_OBJECTS];
     unsigned shader[MIX_OBJECTS];
-    unsigned count; /* of objects; some frames lack some */
+    unsigned count; /* of objects; some are missing in some frames */
     struct mix_frame frame[MIX_FRAMES];
 };
 
 void mix_meshes(struct mix_mesh meshes[STAGE_MESHES], const struct stage *stage);
 
-/* Mix `number` of all: objects and views from it alone. align_x, align_y: the target's. */
+/* Make mix number `number`, which alone determines objects and views. align_x, align_y: the target's. */
 void mix_make(struct mix *mix, unsigned number, const struct mix_mesh meshes[STAGE_MESHES], int align_x, int align_y);
 
 unsigned mix_shaders(void);
 const char *mix_shader_name(unsigned shader);
 
-/* For a failure's message: what the mix is made of. */
+/* Print what the mix consists of, for the message of a failure. */
 void mix_print(const struct mix *mix);
 
 #endif

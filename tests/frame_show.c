@@ -1,5 +1,5 @@
 /*
- * frame_show.c - a stage on which things move, leave and come back.
+ * frame_show.c - a stage on which objects move, leave and come back.
  */
 #include "frame_show.h"
 
@@ -59,7 +59,7 @@ static void place_marker(struct show *s, int x, int y)
     s->painter.marker_y = y;
 }
 
-/* A viewport keeps to the target's alignment, as its owner would. */
+/* The whole target, or a rectangle on the target's alignment, as the core demands. */
 static struct sheen_rect random_viewport(const struct show_way *way, uint32_t *seed)
 {
     int ax = way->align_x ? way->align_x : 1, ay = way->align_y ? way->align_y : 1;

@@ -1,5 +1,5 @@
 /*
- * frame_show.h - a stage on which things move, leave and come back, with a user's own 2D.
+ * frame_show.h - a stage on which objects move, leave and come back, with a user's own 2D.
  */
 #ifndef FRAME_SHOW_H
 #define FRAME_SHOW_H
@@ -10,7 +10,7 @@
 #define SHOW_HEIGHT 120
 #define SHOW_ACTORS 4
 
-/* A user's 2D: a pattern below and a marker above, drawn in the target's bytes. */
+/* A user's own 2D: a pattern under and a marker over the triangles, in the target's byte order. */
 struct show_painter {
     enum sheen_pixel pixel;
     int marker_x, marker_y; /* px, 9x9 */
@@ -23,7 +23,7 @@ struct show_way {
     bool delayed, underlay, overlay, failures;
 };
 
-/* What a frame shows; changed a little from frame to frame. */
+/* What a frame shows; it changes a little from frame to frame. */
 struct show {
     struct actor actors[SHOW_ACTORS];
     bool on[SHOW_ACTORS];
@@ -35,10 +35,10 @@ struct show {
 
 void show_enter(struct actor *actor, uint32_t *seed);
 
-/* The next frame: some move, some leave or come, now and then another viewport or background. */
+/* Make the next frame: some actors move, leave or come; now and then viewport or background change. */
 void show_change(struct show *show, const struct show_way *way, uint32_t *seed);
 
-/* Begin, draw what is on, mark where the marker was and is, end. 0 or the first negative code. */
+/* Begin, draw the actors that are on, mark where the marker was and is, end. 0 or the first negative code. */
 int show_play(struct sheen_frame *frame, const struct stage *stage, const struct show *show);
 
 /* Callbacks of the view; ctx is a struct show_painter. */

@@ -26,7 +26,7 @@ struct stage {
 int stage_make(struct stage *stage);
 void stage_free(struct stage *stage);
 
-/* Where an object stands and how it looks. Lengths in units, the eye at the origin looking along -z. */
+/* Where an object is and how it looks. Lengths in units; the eye is at the origin and looks along -z. */
 struct actor {
     enum stage_mesh mesh;
     int material;
@@ -44,10 +44,10 @@ void stage_view(struct sheen_view *view);
 int stage_frame(struct sheen_frame *frame, const struct sheen_view *view, const struct stage *stage,
                 const struct actor *actors, int count);
 
-/* Room for `actors` of any mesh of the stage. */
+/* A configuration with room for `actors` actors with any of the stage's meshes. */
 void stage_config(struct sheen_config *config, const struct memory_target *target, int actors);
 
-/* A generator for tests: the same numbers on every machine. */
+/* A random generator for tests: the same numbers on every machine. */
 uint32_t stage_random(uint32_t *state);
 /* Uniform in [low, high). */
 double stage_uniform(uint32_t *state, double low, double high);

@@ -1,8 +1,8 @@
 /*
- * frame_sum.c - one checksum a picture: the same on every compiler and machine.
+ * frame_sum.c - prints one checksum per picture, which has to be the same with every compiler and on every machine.
  *
- * Integers only, no file, no libm: what differs between two machines comes from
- * the core. tests/golden/frame_sums.txt holds what it must print.
+ * It uses integers only, no files and no libm, so that any difference between two machines comes from the core.
+ * tests/golden/frame_sums.txt holds the expected output.
  */
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "frame_sum_mesh.h"
 #include "sheen.h"
 
-/* Where all take too long, a build draws one scene of so many: a prime to which no table below comes back early. */
+/* If all scenes take too long, a build draws one of so many: a prime, to stay out of step with the loops below. */
 #ifndef SUM_EVERY
 #define SUM_EVERY 1
 #endif
@@ -25,13 +25,13 @@ static uint64_t arena[40 * 1024];
 static const char *const mesh_name[] = {"ball", "torus", "box", "globe"};
 static const char *const format_name[] = {"rgb565be", "rgb565le", "grey2", "grey16", "grey256"};
 
-/* Beyond the lecture's. */
+/* Shadings besides the lecture's. */
 enum {
     TEXTURED = SHEEN_SHADINGS,
-    MATCAP,  /* of the pixel or of vertices, by mesh and view */
+    MATCAP,  /* per pixel or per vertex, depending on mesh and view */
     COLORED, /* flat or Gouraud, likewise */
     TEXTURED_FLAT,
-    SHADINGS, /* of every loop; beyond: */
+    SHADINGS, /* loops over all shadings end here; those that follow have loops of their own */
     TEXTURED_COLORED = SHADINGS,
     MATCAP_COLORED,
     PHONG_COLORED,
@@ -41,21 +41,21 @@ enum {
 static const char *const shading_name[ALL_SHADINGS] = {"flat",    "gouraud", "phong",  "slerp",  "texture", "matcap",
                                                        "colored", "texflat", "texcol", "matcol", "phocol",  "slecol"};
 
-/* What a draw has besides, all shadings alike. */
+/* What a draw of any shading can have in addition. */
 enum beside {
     BESIDE_NOTHING,
-    BESIDE_FOG, /* biased in depth: some views' fog is nearer or farther for it */
+    BESIDE_FOG, /* with a depth bias, which in some views moves the object in the fog */
     BESIDE_STIPPLE,
     BESIDE_BOTH,
     BESIDES
 };
 static const char *const beside_name[BESIDES] = {"", "fog ", "stipple ", "both "};
 
-/* Lights of shaders that are colored. */
+/* Lights of the colored shaders. */
 enum own_lights {
     LIGHTS_WHITE,
     LIGHTS_COLORED,
-    LIGHTS_AT, /* points with and without a colour, one of them with the eye */
+    LIGHTS_AT, /* point lights with and without a colour, one of which moves with the eye */
 };
 static const char *const lights_name[] = {"view", "tints", "points"};
 
@@ -70,16 +70,15 @@ enum ramp {
 };
 static const char *const ramp_name[RAMPS] = {"", "half ", "toon ", "gamma "};
 
-/* What is drawn. */
 struct scene {
     int mesh, shading, view, format;
     int beside, lights, ramp;
     unsigned edging;
-    uint16_t weight;      /* of another frame */
-    uint8_t orthographic; /* 1: drawn so */
-    uint8_t mixed;        /* 1: a texture is bilinear in all views, with a key but for matcaps */
-    uint8_t quads;        /* 1: of polygons with four corners, with warp */
-    uint8_t twice;        /* 1: drawn once more in another colour, which lies at the same depths and does not show */
+    uint16_t weight;      /* of a morph to a second frame; 0: no morph */
+    uint8_t orthographic; /* 1: an orthographic view */
+    uint8_t mixed;        /* 1: the texture is bilinear in all views, and keyed except for matcaps */
+    uint8_t quads;        /* 1: polygons have four corners, and the mesh has warp */
+    uint8_t twice;        /* 1: drawn again in another colour at the same depths, which MUST NOT show */
 };
 
 static int push(void *ctx, struct sheen_rect rect, const void *pixels)
@@ -106,8 +105,9 @@ static uint32_t checksum(const uint8_t *bytes, size_t count)
 }
 
 /*
- * Views: 0 a light and a highlight; 1 affine, three lights, over 1; 2 cut by the near plane, both sides, a window;
- * 3 lit from behind, a wide highlight that fades; 4 affine, magnified, so that the guard band cuts.
+ * Views: 0: one light with a highlight; 1: affine, three lights, intensities beyond 1; 2: cut by the near plane,
+ * two-sided, in a viewport; 3: lit from behind, a wide highlight that fades; 4: affine, magnified, so that the guard
+ * band cuts.
  */
 #define VIEWS 5
 
@@ -149,8 +149,8 @@ static int set_material(struct sheen_material *material, struct sheen_shine *shi
 }
 
 /*
- * x and y are u and v; a view has texels of 16, 8, 4 bits, bilinear, with a key, or held at the edges, as a bilinear
- * matcap has to be.
+ * uv are computed from the positions. The view decides whether texels have 16, 8 or 4 bits and are bilinear, keyed or
+ * clamped; a bilinear matcap is clamped, as it has to be.
  */
 static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture, const struct scene *s)
 {
@@ -185,7 +185,7 @@ static void hang_texture(struct sheen_mesh *mesh, struct sheen_texture *texture,
     texture->clamp_v = view == 4 || held;
 }
 
-/* Each vertex by where it is. */
+/* Gives each vertex a colour that depends on its position. */
 static void paint_vertices(struct sheen_mesh *mesh)
 {
     static uint8_t colors[3 * 1400];
@@ -195,7 +195,7 @@ static void paint_vertices(struct sheen_mesh *mesh)
     mesh->colors = colors;
 }
 
-/* Another frame: a quarter turn about z, flattened; normals are turned alone. */
+/* The second frame of a morph: a quarter turn about z, and flattened; normals are only turned. */
 static void make_second(const struct sheen_mesh *mesh, struct sheen_mesh *second)
 {
     static int16_t positions[3 * 1400], normals[3 * 1400];
@@ -219,7 +219,7 @@ static uint32_t corner_index(const struct sheen_mesh *mesh, uint32_t corner)
                                   : ((const uint16_t *)mesh->indices)[corner];
 }
 
-/* Each triangle is a polygon, or two that follow each other, a fan, are one. */
+/* Makes each triangle a polygon or, with quads, each two successive triangles, which form a fan. */
 static void find_polygons(struct sheen_mesh *mesh, int quads)
 {
     static int16_t normals[3 * 1400];
@@ -264,7 +264,7 @@ static void add_beside(struct sheen_view *view, struct sheen_object *draw, int b
 {
     static const struct sheen_fog fogs[VIEWS] = {
         {TENTHS(22), TENTHS(34), {200, 210, 220}, &sheen_fog_mixer},
-        {TENTHS(1), TENTHS(30), {255, 255, 255}, &sheen_fog_mixer}, /* begins before near, */
+        {TENTHS(1), TENTHS(30), {255, 255, 255}, &sheen_fog_mixer}, /* begins in front of near */
         {TENTHS(5), TENTHS(400), {90, 20, 0}, &sheen_fog_mixer},    /* ends beyond far */
         {TENTHS(26), TENTHS(29), {0, 0, 0}, &sheen_fog_mixer},
         {TENTHS(20), TENTHS(40), {8, 16, 40}, &sheen_fog_mixer}};
@@ -305,13 +305,13 @@ static void color_lights(struct sheen_view *view, struct sheen_object *draw, str
     material->ambient_color[2] = 255;
 }
 
-/* How a picture is run: all ways give the same pixels. */
+/* How a picture's bands are drawn, which MUST NOT change its pixels. */
 struct way {
     uint8_t rows, buffers, workers, carried; /* of the configuration */
     uint8_t backward;                        /* 1: the lowest band first; the workers take turns */
 };
 
-/* Without and with dither. */
+/* Three without and three with dither. */
 static const struct way ways[2][3] = {{{1, 1, 1, 0, 0}, {16, 2, 3, 1, 1}, {HEIGHT, 1, 1, 0, 0}},
                                       {{1, 2, 1, 0, 0}, {16, 1, 2, 2, 0}, {HEIGHT, 1, 1, 0, 0}}};
 
@@ -342,7 +342,7 @@ static const struct sheen_shader *shader_of(const struct scene *s)
     return s->shading == TEXTURED ? &sheen_textured : sheen_shader_of((unsigned)s->shading);
 }
 
-/* Of a texture by mesh: in its colours, white, none (lit a polygon: white). */
+/* The ball keeps the material's colours, others are white. TEXTURED_FLAT and TEXTURED_COLORED alone light the box. */
 static void light_texels(struct sheen_material *material, const struct scene *s)
 {
     if (s->mesh == SUM_BALL)
@@ -366,7 +366,7 @@ static int set_ramp(struct sheen_material *material, int ramp)
     return ramp == RAMP_GAMMA ? sheen_ramp_make_gamma(&gamma, material->ambient, material->diffuse) : SHEEN_OK;
 }
 
-/* Two frames, the second turned on, so that what is sent is what changed. */
+/* Draws two frames between which the mesh turns, so that the second one sends only what changed. */
 static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct sheen_object *draw,
                        struct sheen_material *material, const struct way *way, int dither)
 {
@@ -448,7 +448,7 @@ static int left_out(void)
     return scenes++ % SUM_EVERY != 0;
 }
 
-/* A line for each way that the picture is run. */
+/* Prints a line for each of `ways`. */
 static int print_sums(const struct scene *s)
 {
     if (left_out())
@@ -492,9 +492,9 @@ static int print_sums(const struct scene *s)
     return SHEEN_OK;
 }
 
-/* ---- which ---- */
+/* ---- the scenes ---- */
 
-/* Every mesh, view and format. */
+/* Every view and format of a shading and a mesh. */
 static int plain(int shading, int mesh)
 {
     int status = SHEEN_OK;
@@ -515,7 +515,7 @@ static int shadings(void)
     return status;
 }
 
-/* The same depths twice: of two that are equal the first drawn stays, in each shading's short rows and long ones. */
+/* The same depths twice: the first drawn has to stay, in short rows (ball) and long ones (box) of each shading. */
 static int ties(void)
 {
     int status = SHEEN_OK;
@@ -529,7 +529,7 @@ static int ties(void)
     return status;
 }
 
-/* Every shading and view, under each beside; the mesh by what these are. */
+/* Shadings up to MATCAP in every view with each enum beside; these choose the mesh. */
 static int besides(void)
 {
     int status = SHEEN_OK;
@@ -595,7 +595,7 @@ static int own_lights(void)
     return status;
 }
 
-/* Mesh, format and beside by shading and view, so that they meet in most ways. */
+/* A scene whose shading and view choose mesh, format and beside, so that most combinations occur. */
 static struct scene varied(int shading, int view)
 {
     const int sum = shading + view;
@@ -607,7 +607,7 @@ static struct scene varied(int shading, int view)
                           .beside = (sum + view / 2) % BESIDES};
 }
 
-/* Textures lit a polygon, and what the loops above leave out under fog and stipple. */
+/* Textures lit per polygon, and the shadings that besides() leaves out with fog and stipple. */
 static int flat_texels(void)
 {
     int status = SHEEN_OK;
@@ -637,7 +637,7 @@ static int bilinear_texels(void)
     return status;
 }
 
-/* Every shading that has light at every ramp; texels of a box have no light. */
+/* Every lit shading with every ramp. TEXTURED does not use the box, because texels are unlit there. */
 static int ramps(void)
 {
     int status = SHEEN_OK;
@@ -653,7 +653,7 @@ static int ramps(void)
     return status;
 }
 
-/* Every shading, then all edges. */
+/* Every shading, then every kind of edges. */
 static int orthographic(void)
 {
     int status = SHEEN_OK;
@@ -668,7 +668,7 @@ static int orthographic(void)
     return status;
 }
 
-/* Points and tints with what stands above. */
+/* Point lights and coloured lights with fog, stipple, ramps, morphs and orthographic views. */
 static int own_lights_besides(void)
 {
     int status = SHEEN_OK;
@@ -686,7 +686,7 @@ static int own_lights_besides(void)
     return status;
 }
 
-/* Each view plain, under fog, stippled, bilinear, orthographic, by a ramp, with other lights in turns. */
+/* Each view in six turns: plain, fog, stipple, bilinear, orthographic, ramp; the lights change with the turn. */
 static int colored_texels(void)
 {
     static const int lights[3] = {LIGHTS_WHITE, LIGHTS_COLORED, LIGHTS_AT};
@@ -708,7 +708,7 @@ static int colored_texels(void)
     return status;
 }
 
-/* By pixels: as own_lights and own_lights_besides, without points. */
+/* Colored shadings with light per pixel: as own_lights() and own_lights_besides(), but without point lights. */
 static int colored_pixels(void)
 {
     int status = SHEEN_OK;
@@ -727,7 +727,7 @@ static int colored_pixels(void)
     return status;
 }
 
-/* Plane quads, from the front, affine, where they are lit from behind and orthographic. */
+/* Plane quads in view 0, affine, lit from behind, and orthographic. */
 static int quads(void)
 {
     static const uint8_t views[4] = {0, 1, 3, 0};

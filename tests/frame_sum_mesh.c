@@ -1,5 +1,5 @@
 /*
- * frame_sum_mesh.c - meshes from integers alone.
+ * frame_sum_mesh.c - meshes computed with integers only.
  */
 #include "frame_sum_mesh.h"
 
@@ -22,7 +22,7 @@ static int64_t root(int64_t x)
     return r;
 }
 
-/* v to length 32767; C rounds quotients towards zero on every machine. */
+/* Scale v to length 32767. Equal everywhere, because C rounds quotients towards zero on every machine. */
 static void unit(const int32_t v[3], int16_t out[3])
 {
     int64_t length = root(((int64_t)v[0] * v[0] + (int64_t)v[1] * v[1] + (int64_t)v[2] * v[2]) << 16); /* Q8 */
@@ -40,7 +40,7 @@ static void add_triangle(unsigned a, unsigned b, unsigned c)
     out[2] = (uint16_t)c;
 }
 
-/* Eight octants of CELLS^2 triangles each; rows of a triangular grid, pushed out to the sphere. */
+/* Eight octants of CELLS^2 triangles each: rows of a triangular grid, projected onto the sphere. */
 static void make_ball(void)
 {
     enum {
@@ -91,7 +91,7 @@ static void make_torus(void)
     enum {
         ALONG = 5,
         AROUND = 3
-    }; /* a quarter's */
+    }; /* steps of a quarter turn */
 
     for (int32_t i = 0; i < 4 * ALONG; i++) {
         int32_t c, s;
@@ -117,7 +117,7 @@ static void make_torus(void)
     }
 }
 
-/* One-byte indices, corners' normals pointing out of the corners. */
+/* One-byte indices; a corner's normal points away from the centre. */
 static void make_box(void)
 {
     static const uint8_t faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -141,7 +141,7 @@ static void make_box(void)
 static void make_globe(void)
 {
     enum {
-        STEPS = 16, /* a quarter's: 7 degrees at the most */
+        STEPS = 16, /* of a quarter turn, each at most 7 degrees */
         EAST = 20,
         NORTH = 16
     };

@@ -1,5 +1,5 @@
 /*
- * frame_sum_mesh.h - meshes from integers alone, so that every machine makes the same.
+ * frame_sum_mesh.h - meshes computed with integers only, so that every machine makes the same ones.
  */
 #ifndef FRAME_SUM_MESH_H
 #define FRAME_SUM_MESH_H
@@ -10,11 +10,11 @@ enum sum_mesh {
     SUM_BALL,
     SUM_TORUS,
     SUM_BOX,
-    SUM_MESHES,            /* of which most scenes draw each */
-    SUM_GLOBE = SUM_MESHES /* a part of one, of small plane quads whose normals are linear */
+    SUM_MESHES,            /* most loops draw each of those above */
+    SUM_GLOBE = SUM_MESHES /* part of a globe: small plane quads whose normals are linear */
 };
 
-/* Lives until the next call. */
+/* The mesh is valid until the next call. */
 const struct sheen_mesh *sum_mesh(enum sum_mesh which);
 
 #endif

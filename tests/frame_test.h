@@ -1,5 +1,5 @@
 /*
- * frame_test.h - what the test programs of whole frames begin with: cmocka, and a stage for a group of tests.
+ * frame_test.h - the common beginning of test programs for whole frames: cmocka, and a stage for a group of tests.
  */
 #ifndef FRAME_TEST_H
 #define FRAME_TEST_H

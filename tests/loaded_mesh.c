@@ -1,5 +1,5 @@
 /*
- * loaded_mesh.c - a mesh by name, in two ways that share the file's reader alone.
+ * loaded_mesh.c - a mesh by name, built in two ways that share only the reader of files.
  */
 #include "loaded_mesh.h"
 

@@ -1,5 +1,6 @@
 /*
- * loaded_mesh.h - a mesh by name, once through the command's own reader and numbers, once through the reference's.
+ * loaded_mesh.h - a mesh by name, built twice from what the command's reader reads: with the command's code for the
+ * core, and with the reference's.
  */
 #ifndef LOADED_MESH_H
 #define LOADED_MESH_H

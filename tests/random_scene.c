@@ -9,9 +9,9 @@
 
 #include "frame_stage.h"
 
-/* ---- scenes that once were wrong ---- */
+/* ---- scenes that the core once drew wrongly ---- */
 
-#define OCTAHEDRON 4 /* of accuracy_mesh_make */
+#define OCTAHEDRON 4 /* numbers of accuracy_mesh_make */
 #define ICOSAHEDRON 6
 
 static const struct known {
@@ -19,13 +19,13 @@ static const struct known {
     double pose[5]; /* yaw, pitch, roll, distance, fov */
     double light[3], ambient, diffuse, specular, shininess;
 } known[KNOWN_SCENES] = {
-    /* under affine cut by the guard band: the cuts' corners had attributes linear in space, no pixel was right */
+    /* affine, cut by the guard band: at the new corners attributes were linear in space, so no pixel was right */
     {ICOSAHEDRON, 240, 1, {-96.5357, -35.4437, 162.451, 1.50011, 1}, {-0.963, 1.6496, 0.4668}, 1, 0.6, 0.3, 5},
     {OCTAHEDRON, 240, 1, {30, 20, 0, 1.2, 30}, {-0.5, 0.7, 0.5}, 0.1, 0.6, 0.3, 32},
-    /* large triangles with strong highlights: N.N was off where it was stepped far from its corner */
+    /* large triangles with strong highlights: N.N was wrong where it had been stepped far from its corner */
     {ICOSAHEDRON, 320, 0, {143.7777, 73.3442, 87.7114, 1.13013, 71.4566}, {0.3058, -1.1355, 1.6241}, 0.1, 0.3, 1, 127},
     {ICOSAHEDRON, 320, 0, {143.7777, 73.3442, 87.7114, 1.13013, 71.4566}, {0.3058, -1.1355, 1.6241}, 0.1, 0.3, 1, 32},
-    /* lit from behind: without the fade the highlight ends in a jump */
+    /* lit from behind: without the fade the highlight ended in a jump */
     {ICOSAHEDRON, 240, 0, {30, 20, 0, 3, 40}, {-0.6, 0.3, -0.7}, 0.1, 0.3, 1, 1},
     {OCTAHEDRON, 240, 0, {75, -35, 20, 2.2, 55}, {0.5, 0.8, -0.4}, 0.1, 0.3, 1, 2},
 };
@@ -86,8 +86,8 @@ static bool is_clear_color(const struct ref_scene *scene, double intensity)
 }
 
 /*
- * What no light reaches is one colour, and so is what lies on the treads of a toon ramp; a channel of it that lies on
- * the edge between two levels is a matter of luck.
+ * All pixels that no light reaches have one colour, and so have all pixels on a tread of a toon ramp. If a channel of
+ * such a colour lies on the edge between two levels, one chance rounding decides them all: the scene is not clear.
  */
 static bool is_clear(const struct ref_scene *scene)
 {
@@ -123,7 +123,7 @@ static void random_ramp(struct ref_scene *scene, uint32_t *state)
         scene->ambient += 0.001;
 }
 
-/* Nearest texels, in as few bits as hold the picture, or more. */
+/* A texture without filtering, in as few bits as hold the picture or in more. */
 static void random_texture(struct random_scene *to, const struct random_meshes *meshes, uint32_t *state)
 {
     static const int fewest[TEXTURED_PICTURES] = {8, 8, 16, 4};
@@ -155,7 +155,7 @@ static void random_fog(struct ref_scene *scene, uint32_t *state)
         scene->fog_color[k] = (stage_random(state) >> 24) / 255.0;
 }
 
-/* Colours of some lights and of ambient light; some are points before the mesh. */
+/* Gives some lights and the ambient light colours; makes some lights points around the mesh. */
 static void random_tints(struct ref_scene *scene, uint32_t *state)
 {
     for (int i = 0; i < scene->light_count; i++) {

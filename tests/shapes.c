@@ -80,7 +80,7 @@ static int triangle(struct shape *s, int a, int b, int c)
     return shape_polygon(s, 3, (uint32_t[]){(uint32_t)a, (uint32_t)b, (uint32_t)c});
 }
 
-/* Points: the rings from 0 (north pole, around times the same position) to `rings`; the seam repeats no point. */
+/* Points: rings 0 (north pole: `around` times the same position) to `rings`; no point is repeated at the seam. */
 int shape_sphere(struct shape *s, int rings, int around)
 {
     int status = 0;
@@ -150,7 +150,7 @@ static double distance(const double a[3], const double b[3])
     return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* Corners i, j, k run counter-clockwise seen from outside: their triple product is positive. */
+/* Whether a, b, c run counter-clockwise seen from outside: their triple product is positive. */
 static bool outwards(const double a[3], const double b[3], const double c[3])
 {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
@@ -158,7 +158,7 @@ static bool outwards(const double a[3], const double b[3], const double c[3])
            0;
 }
 
-/* Three rectangles of the golden ratio at right angles; three corners that are 2 apart are a face. */
+/* The corners of three golden rectangles at right angles; any three of them that are 2 apart form a face. */
 int shape_icosahedron(struct shape *s)
 {
     const double golden = (1 + sqrt(5)) / 2;

@@ -39,7 +39,7 @@ void polygon_reverse(int32_t (*at)[2], unsigned from, unsigned to)
         }
 }
 
-/* Edges that meet are uncrossed, which shortens the polygon, until none do. */
+/* Uncrosses edges that meet until none do; each time the outline gets shorter. */
 int polygon_make_simple(int32_t (*at)[2], unsigned count, uint32_t extent, uint32_t *state)
 {
     for (unsigned i = 0; i < count; i++)

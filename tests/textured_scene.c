@@ -1,5 +1,5 @@
 /*
- * textured_scene.c - what the tests of textures draw.
+ * textured_scene.c - meshes, textures and scenes for the tests of textures.
  */
 #include "textured_scene.h"
 
@@ -17,7 +17,7 @@ static double on_grid(double x)
     return floor(x * GRID + 0.5) / GRID;
 }
 
-/* Corners of a quad, as a picture hangs on it; of a triangle the first three. */
+/* Puts the picture, `times` times, on each quad; a triangle gets the uv of three of its corners. */
 static void uv_of_sides(const struct ref_polygons *p, double (*uv)[2], double times)
 {
     static const double at[4][2] = {{0, 0}, {0, 1}, {1, 1}, {1, 0}};
@@ -30,7 +30,7 @@ static void uv_of_sides(const struct ref_polygons *p, double (*uv)[2], double ti
     }
 }
 
-/* By longitude and height, `around` times about the y axis; a polygon on the seam goes on beyond 1. */
+/* uv by longitude and height, the picture `around` times about the y axis; across the seam a polygon's u exceeds 1. */
 static void uv_of_globe(const struct ref_polygons *p, double (*uv)[2], double around, double down)
 {
     for (size_t polygon = 0; polygon < p->polygon_count; polygon++) {
@@ -47,7 +47,7 @@ static void uv_of_globe(const struct ref_polygons *p, double (*uv)[2], double ar
     }
 }
 
-/* A square of 2 by 2 cells that lies under the eye. */
+/* A square of 2 by 2 units in two quads, lying under the eye. */
 static int shape_floor(struct shape *shape)
 {
     static const uint32_t quads[2][4] = {{0, 1, 3, 2}, {2, 3, 5, 4}};
@@ -124,7 +124,7 @@ static uint16_t texel_at(int index, int i, int j)
 {
     static const uint16_t few[16] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0xffe0, 0xf81f, 0x07ff,
                                      0x8410, 0xc618, 0x8000, 0x0400, 0x0010, 0x8400, 0xfc00, 0x2945};
-    const int block = index == 0 ? 2 : index == 2 ? 1 : 4; /* of equal texels: their borders are not settled */
+    const int block = index == 0 ? 2 : index == 2 ? 1 : 4; /* texels of equal colour: at borders none is settled */
     uint32_t noise = scrambled((uint32_t)(index << 20 | j / block << 10 | i / block));
 
     switch (index) {
@@ -134,7 +134,7 @@ static uint16_t texel_at(int index, int i, int j)
         return (i ^ j) & 1 ? rgb(0.9, 0.8 - 0.05 * i, 0.2 + 0.1 * j) : rgb(0.1 + 0.1 * i, 0.3, 0.9 - 0.1 * j);
     case 1:
         return (uint16_t)(noise & 0xffff);
-    case 2: { /* smooth, and so where it repeats */
+    case 2: { /* smooth, even where it repeats */
         double x = 2 * PI * i / 32, y = 2 * PI * j / 32;
         return rgb(0.5 + 0.2 * sin(x) + 0.15 * cos(y), 0.55 + 0.2 * cos(x + y), 0.4 + 0.15 * sin(y) + 0.1 * cos(2 * x));
     }
@@ -171,7 +171,7 @@ static void set_light(struct ref_scene *scene, enum textured_light light)
 
     scene->shading = textured_is_flat(light) ? REF_FLAT : REF_GOURAUD;
     scene->shininess = 16;
-    scene->ambient = light == TEXTURED_SCENE_UNLIT ? 1 : 0.23; /* 1/4 would be a tie of many texels */
+    scene->ambient = light == TEXTURED_SCENE_UNLIT ? 1 : 0.23; /* 1/4 would make many texels ties in rounding */
     scene->diffuse = light == TEXTURED_SCENE_UNLIT ? 0 : light == TEXTURED_SCENE_GLOSSY ? 0.9 : 0.7;
     scene->specular = light >= TEXTURED_SCENE_GLOSSY ? 0.6 : light == TEXTURED_SCENE_FLAT ? 0.2 : 0;
     if (light < TEXTURED_SCENE_GLOSSY)
@@ -200,7 +200,7 @@ void textured_view(struct ref_scene *scene, const struct ref_mesh *mesh, int vie
     if (view == 4)
         scene->fov = 9;
     set_light(scene, light);
-    scene->colored = light >= TEXTURED_SCENE_COLORS; /* flat without, a whole picture may hang on one tie */
+    scene->colored = light >= TEXTURED_SCENE_COLORS; /* flat without colours, one tie may decide a whole picture */
     if (light == TEXTURED_SCENE_TINTS || light == TEXTURED_SCENE_POINTS)
         scene->colored = view % 2;
 }
