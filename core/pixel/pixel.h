@@ -180,13 +180,13 @@ struct loop_terms {
     uint32_t ab[6], c[3];
     uint32_t power_end;    /* the power table's argument from which on there is no highlight */
     const uint32_t *power; /* the power table */
-    uint8_t usable;        /* 1: the target is 565 and the colours have LOOP_FRACTION bits */
+    uint8_t usable;        /* 1: 565, LOOP_FRACTION bits, no ramp, no fog: these loops will do */
 };
 
 /*
- * The specular intensity up to which a highlight is left out; least: `dim`. When an area of one colour is dithered,
- * each 1/64 level of a channel changes 1/64 of its pixels: 3/256 level of green and half as much of red and blue change
- * 1.5 in 64.
+ * How much a highlight may give and still be left out; least: what gives 1/32 level. When an area of one colour is
+ * dithered, each 1/64 level of a channel changes 1/64 of its pixels: 3/256 level of green and half as much of red and
+ * blue change 1.5 in 64.
  */
 static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
 {
@@ -194,7 +194,7 @@ static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
 }
 
 /*
- * Light on texels, for draws with a texture: channel k's light is a + b * diffuse, in [0, 20]; c * specular is added in
+ * Light on texels, for draws with a texture: channel k's light is a + b * diffuse, in [0, 36]; c * specular is added in
  * levels of 565.
  */
 #define LIGHT_BITS 24  /* fraction bits of light, and of channels if light is at most 1.0 */
@@ -203,7 +203,7 @@ static inline uint32_t faint_highlight(uint32_t least, unsigned dither)
 
 struct texel_terms {
     const struct sheen_texture *texture;
-    uint32_t a[3];    /* with `fraction` bits; below 2^30 with b * 1.0 */
+    uint32_t a[3];    /* with `fraction` bits; about 2^30 at most with b * 1.0 */
     uint16_t b[3];    /* with 15 bits less, for diffuse in UQ1.15 */
     uint16_t c[3];    /* c * specular, UQ1.15, is in levels / 2^(BRIGHT_BITS + c_shift) */
     uint16_t gloss;   /* what 1.0 of specular gives if the highlight is white, UQ1.15 */
@@ -353,7 +353,7 @@ void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *forma
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* Fills in dim, eighth, low and high, for set-ups that ask whether an intensity shows. */
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
-/* Sets the power table's limits: where a highlight gives less than faint_highlight. */
+/* Sets `limit`, where a highlight gives less than faint_highlight, and `faint`, where it gives less than 1/32 level. */
 void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
                      unsigned dither);
 /* Whether a texture is as sheen.h demands; t may be NULL. */
@@ -387,7 +387,7 @@ static inline const struct span *next_span(const struct span *span)
     return span;
 }
 
-/* The polygon that was lit last in a tile: triangles of a polygon mostly follow each other. */
+/* The facet (a side of a polygon or triangle) that was lit last in a tile: a polygon's triangles mostly follow. */
 struct lit_facet {
     const void *draw; /* NULL: none yet */
     uint32_t facet;
@@ -615,7 +615,7 @@ SPECIALISED uint32_t clamped_565(uint32_t r, uint32_t g, uint32_t b, int below)
     return (r << 6 | g) << 5 | b;
 }
 
-/* Channels with LOOP_FRACTION bits. lit: L.N, UQ1.15; shines: a constant, 0: there is no highlight. */
+/* Channels with LOOP_FRACTION bits. lit: L.N, UQ1.15; shines: 0: no highlight is added. */
 struct loop_channels {
     uint32_t r, g, b;
 };
