@@ -180,7 +180,7 @@ struct loop_terms {
     uint32_t ab[6], c[3];
     uint32_t power_end;    /* the power table's argument from which on there is no highlight */
     const uint32_t *power; /* the power table */
-    uint8_t usable;        /* 1: 565, LOOP_FRACTION bits, no ramp, no fog: these loops will do */
+    uint8_t usable;        /* 1: 565, LOOP_FRACTION bits, no ramp, no fog: these loops suffice */
 };
 
 /*
