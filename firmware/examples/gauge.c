@@ -57,21 +57,21 @@ static int pose_all(struct sheen_object *marks, struct sheen_object *needle, uns
 
 #define NEEDLE 16
 
-int example(const struct sheen_target *target, unsigned frames)
+static struct figures figures;
+static struct sheen_view view = {.z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .background = {14, 16, 20}};
+static struct sheen_object objects[MARKS + NEEDLE];
+
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[64000 / 8];
+    static const sheen_q24_t eye[3] = {0, SHEEN_Q24(-1.2), SHEEN_Q24(3.2)}, centre[3] = {0, 0, 0};
+    static const int32_t up[3] = {0, 1, 0};
     size_t size = sizeof arena;
-    struct figures figures = {.line = {0}};
-    struct sheen_view view = {.z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .background = {14, 16, 20}};
     struct sheen_config config = {.target = target,
                                   .max_vertices = (uint16_t)((MARKS + NEEDLE) * cube.vertices),
                                   .max_triangles = (uint16_t)((MARKS + NEEDLE) * cube.triangles),
                                   .max_draws = MARKS + NEEDLE};
-    static struct sheen_object objects[MARKS + NEEDLE];
-    static const sheen_q24_t eye[3] = {0, SHEEN_Q24(-1.2), SHEEN_Q24(3.2)}, centre[3] = {0, 0, 0};
-    static const int32_t up[3] = {0, 1, 0};
-    struct sheen_frame *frame;
-    int error = sheen_init(&frame, arena, &size, &config);
+    int error = sheen_init(frame, arena, &size, &config);
 
     for (unsigned i = 0; i < MARKS + NEEDLE; i++)
         objects[i] = (struct sheen_object){.mesh = &cube,
@@ -79,29 +79,28 @@ int example(const struct sheen_target *target, unsigned frames)
                                            .shader = i < MARKS ? &sheen_flat : &sheen_phong,
                                            .lights = &lamp,
                                            .light_count = 1};
+    figures.text = (struct sheen_text){.line = figures.line,
+                                       .x = (int16_t)(target->width / 2 - 22),
+                                       .y = (int16_t)(target->height * 3 / 4),
+                                       .scale = 4,
+                                       .rgb = {230, 225, 205}};
     view.ctx = &figures;
     view.overlay = over;
-    if (!error)
-        error = sheen_pose_look_at(&view.pose, eye, centre, up);
-    for (unsigned i = 0; i < frames && !error; i++) {
-        unsigned value = (70 + i) % 100;
+    return error ? error : sheen_pose_look_at(&view.pose, eye, centre, up);
+}
 
-        figures.line[0] = (char)('0' + value / 10);
-        figures.line[1] = (char)('0' + value % 10);
-        figures.text = (struct sheen_text){.line = figures.line,
-                                           .x = (int16_t)(target->width / 2 - 22),
-                                           .y = (int16_t)(target->height * 3 / 4),
-                                           .scale = 4,
-                                           .rgb = {230, 225, 205}};
-        error = pose_all(objects, objects + MARKS, NEEDLE, LOWEST + (int32_t)value * 240 / 100);
-        if (!error)
-            error = sheen_begin(frame, &view);
-        for (unsigned k = 0; k < MARKS + NEEDLE && !error; k++)
-            error = sheen_draw(frame, &objects[k]);
-        if (!error)
-            error = sheen_mark(frame, sheen_text_rect(&figures.text, NULL));
-        if (!error)
-            error = sheen_end(frame);
-    }
-    return error ? error : sheen_wait(frame);
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    const unsigned value = (70 + i) % 100;
+    int error = pose_all(objects, objects + MARKS, NEEDLE, LOWEST + (int32_t)value * 240 / 100);
+
+    figures.line[0] = (char)('0' + value / 10);
+    figures.line[1] = (char)('0' + value % 10);
+    if (!error)
+        error = sheen_begin(frame, &view);
+    for (unsigned k = 0; k < MARKS + NEEDLE && !error; k++)
+        error = sheen_draw(frame, &objects[k]);
+    if (!error)
+        error = sheen_mark(frame, sheen_text_rect(&figures.text, NULL));
+    return error ? error : sheen_end(frame);
 }

@@ -15,23 +15,27 @@ static const struct sheen_light lamp = {.to = {-5, 7, 5}};
 static const struct sheen_view view = {
     .z_near = SHEEN_Q24(1.9), .z_far = SHEEN_Q24(4.1), .background = {235, 232, 225}};
 
-int example(const struct sheen_target *target, unsigned frames)
+static struct sheen_object object = {
+    .mesh = &teapot, .material = &jade, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
+
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[64000 / 8];
     size_t size = sizeof arena;
     struct sheen_config config = {.target = target, .max_vertices = teapot.vertices, .max_triangles = teapot.triangles};
-    struct sheen_object object = {
-        .mesh = &teapot, .material = &jade, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
-    struct sheen_frame *frame;
-    int32_t yaw = 30 * 16, speed = 0; /* 1/16 degree, 1/16 degree per frame */
-    int error = sheen_init(&frame, arena, &size, &config);
 
-    for (unsigned i = 0; i < frames && !error; i++) {
-        speed += board_turned() * 24;
-        yaw += speed;
-        speed = speed * 7 / 8;
-        sheen_pose_orbit(&object.pose, sheen_degrees(yaw) / 16, sheen_degrees(20), 0, SHEEN_Q24(3));
-        error = sheen_render(frame, &view, &object, 1);
-    }
-    return error ? error : sheen_wait(frame);
+    return sheen_init(frame, arena, &size, &config);
+}
+
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    static sheen_angle_t yaw = SHEEN_DEGREES(30);
+    static int32_t speed; /* 1/16 degree per picture */
+
+    (void)i;
+    speed += board_turned() * 24;
+    yaw += (sheen_angle_t)speed * SHEEN_DEGREES(1 / 16.);
+    speed = speed * 7 / 8;
+    sheen_pose_orbit(&object.pose, yaw, sheen_degrees(20), 0, SHEEN_Q24(3));
+    return sheen_render(frame, &view, &object, 1);
 }

@@ -20,6 +20,8 @@ static const struct sheen_material glaze = {.base = {40, 128, 140},
                                             .specular = SHEEN_Q16(.75),
                                             .shine = &sheen_shine_32};
 
+static struct sheen_object objects[PARTS + 1];
+
 /* Parts that are not lit show their colours as they are: the floor's texture contains its light; shadows need none. */
 static void make_part(struct sheen_object *object, struct sheen_material *material, size_t i)
 {
@@ -46,13 +48,10 @@ static void make_part(struct sheen_object *object, struct sheen_material *materi
     sheen_pose_translate(&object->pose, 0, SHEEN_Q24(1.95), SHEEN_Q24(-5));
 }
 
-int example(const struct sheen_target *target, unsigned frames)
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[56320 / 8];
-    static const sheen_q24_t middle[3] = {SHEEN_Q24(-.1), SHEEN_Q24(.95), SHEEN_Q24(-7)};
-    static const int32_t up[3] = {0, 1, 0};
-    struct sheen_object objects[PARTS + 1];
-    struct sheen_material materials[PARTS];
+    static struct sheen_material materials[PARTS];
     size_t size = sizeof arena;
     struct sheen_config config = {.target = target,
                                   .band_rows = 8,
@@ -62,14 +61,6 @@ int example(const struct sheen_target *target, unsigned frames)
                                   .max_draws = PARTS + 1,
                                   .max_clipped = 50,
                                   .clipper = &sheen_clipper};
-    struct sheen_view view = {.fov = SHEEN_DEGREES(50),
-                              .z_near = SHEEN_Q24(.5),
-                              .z_far = SHEEN_Q24(18),
-                              .background = MIST,
-                              .fog = &fog,
-                              .dither = 1};
-    struct sheen_frame *frame;
-    int error = sheen_init(&frame, arena, &size, &config);
 
     for (size_t i = 0; i < PARTS; i++)
         make_part(&objects[i], &materials[i], i);
@@ -78,13 +69,22 @@ int example(const struct sheen_target *target, unsigned frames)
     sheen_pose_rotate(&objects[PARTS].pose, 1, SHEEN_DEGREES(40));
     sheen_pose_scale(&objects[PARTS].pose, SHEEN_Q16(.42));
     sheen_pose_translate(&objects[PARTS].pose, SHEEN_Q24(-.95), SHEEN_Q24(1.01), SHEEN_Q24(-.6));
-    for (unsigned i = 0; i < frames && !error; i++) {
-        const sheen_angle_t at = sheen_degrees(40 + 4 * (int32_t)i);
-        const sheen_q24_t eye[3] = {sheen_sin(at) / 96, SHEEN_Q24(1.6), SHEEN_Q24(2.4) + sheen_cos(at) / 128};
+    return sheen_init(frame, arena, &size, &config);
+}
 
-        error = sheen_pose_look_at(&view.pose, eye, middle, up);
-        if (!error)
-            error = sheen_render(frame, &view, objects, PARTS + 1);
-    }
-    return error ? error : sheen_wait(frame);
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    static const sheen_q24_t middle[3] = {SHEEN_Q24(-.1), SHEEN_Q24(.95), SHEEN_Q24(-7)};
+    static const int32_t up[3] = {0, 1, 0};
+    struct sheen_view view = {.fov = SHEEN_DEGREES(50),
+                              .z_near = SHEEN_Q24(.5),
+                              .z_far = SHEEN_Q24(18),
+                              .background = MIST,
+                              .fog = &fog,
+                              .dither = 1};
+    const sheen_angle_t at = sheen_degrees(40 + 4 * (int32_t)(i % 90));
+    const sheen_q24_t eye[3] = {sheen_sin(at) / 96, SHEEN_Q24(1.6), SHEEN_Q24(2.4) + sheen_cos(at) / 128};
+    int error = sheen_pose_look_at(&view.pose, eye, middle, up);
+
+    return error ? error : sheen_render(frame, &view, objects, PARTS + 1);
 }

@@ -54,32 +54,36 @@ static const struct sheen_material steel = {.base = {150, 160, 175},
                                             .shine = &sheen_shine_16};
 static const struct sheen_light lamp = {.to = {-5, 7, 5}};
 
-int example(const struct sheen_target *target, unsigned frames)
+static struct hud hud;
+static struct sheen_object object = {
+    .mesh = &cube, .material = &steel, .shader = &sheen_phong, .lights = &lamp, .light_count = 1};
+
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[40000 / 8];
     size_t size = sizeof arena;
-    int16_t w = (int16_t)target->width, h = (int16_t)target->height;
-    struct hud hud = {.sky = {{0, 0, w, h}, {20, 40, 110}, {150, 100, 120}}};
-    struct sheen_view view = {
-        .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .ctx = &hud, .underlay = under, .overlay = over};
     struct sheen_config config = {.target = target, .max_vertices = cube.vertices, .max_triangles = cube.triangles};
-    struct sheen_object object = {
-        .mesh = &cube, .material = &steel, .shader = &sheen_phong, .lights = &lamp, .light_count = 1};
-    struct sheen_frame *frame;
-    int error = sheen_init(&frame, arena, &size, &config);
+    struct sheen_rect all = {0, 0, (int16_t)target->width, (int16_t)target->height};
 
-    for (unsigned i = 0; i < frames && !error; i++) {
-        set_charge(&hud, 42 + i, w, h);
-        sheen_pose_orbit(&object.pose, sheen_degrees(30 + 6 * (int32_t)i), sheen_degrees(25), 0, SHEEN_Q24(3.4));
-        error = sheen_begin(frame, &view);
-        if (!error)
-            error = sheen_draw(frame, &object);
-        if (!error)
-            error = sheen_mark(frame, sheen_text_rect(&hud.text, NULL));
-        if (!error)
-            error = sheen_mark(frame, (struct sheen_rect){8, (int16_t)(h - 16), (int16_t)(w - 8), (int16_t)(h - 8)});
-        if (!error)
-            error = sheen_end(frame);
-    }
-    return error ? error : sheen_wait(frame);
+    hud = (struct hud){.sky = {all, {20, 40, 110}, {150, 100, 120}}};
+    return sheen_init(frame, arena, &size, &config);
+}
+
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    const struct sheen_view view = {
+        .z_near = SHEEN_Q24(1), .z_far = SHEEN_Q24(6), .ctx = &hud, .underlay = under, .overlay = over};
+    const int16_t w = hud.sky.rect.x1, h = hud.sky.rect.y1;
+    int error;
+
+    set_charge(&hud, (42 + i) % 100, w, h);
+    sheen_pose_orbit(&object.pose, sheen_degrees(30 + 3 * (int32_t)(i % 120)), sheen_degrees(25), 0, SHEEN_Q24(3.4));
+    error = sheen_begin(frame, &view);
+    if (!error)
+        error = sheen_draw(frame, &object);
+    if (!error)
+        error = sheen_mark(frame, sheen_text_rect(&hud.text, NULL));
+    if (!error)
+        error = sheen_mark(frame, (struct sheen_rect){8, (int16_t)(h - 16), (int16_t)(w - 8), (int16_t)(h - 8)});
+    return error ? error : sheen_end(frame);
 }

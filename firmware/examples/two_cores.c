@@ -21,7 +21,10 @@ static const struct sheen_material gold = {.base = {200, 160, 80},
 static const struct sheen_light lamp = {.to = {-5, 7, 5}};
 static const struct sheen_view view = {.z_near = SHEEN_Q24(1.9), .z_far = SHEEN_Q24(4.1), .background = {20, 20, 28}};
 
-int example(const struct sheen_target *target, unsigned frames)
+static struct sheen_object object = {
+    .mesh = &teapot, .material = &gold, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
+
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[104000 / 8];
     size_t size = sizeof arena;
@@ -31,23 +34,22 @@ int example(const struct sheen_target *target, unsigned frames)
                                   .max_triangles = teapot.triangles,
                                   .lock = board_lock,
                                   .unlock = board_unlock};
-    struct sheen_object object = {
-        .mesh = &teapot, .material = &gold, .shader = &sheen_phong, .lights = &lamp, .light_count = 1, .two_sided = 1};
-    struct sheen_frame *frame;
-    int error = sheen_init(&frame, arena, &size, &config);
 
-    for (unsigned i = 0; i < frames && !error; i++) {
-        sheen_pose_orbit(&object.pose, sheen_degrees(30 + 6 * (int32_t)i), sheen_degrees(20), 0, SHEEN_Q24(3));
-        error = sheen_begin(frame, &view);
-        if (!error)
-            error = sheen_draw(frame, &object);
-        if (!error) {
-            board_start(draw_other_share, frame);
-            (void)sheen_bands(frame, 0);
-            while (!board_ended())
-                ;
-            error = sheen_finish(frame);
-        }
-    }
-    return error ? error : sheen_wait(frame);
+    return sheen_init(frame, arena, &size, &config);
+}
+
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    int error = sheen_begin(frame, &view);
+
+    sheen_pose_orbit(&object.pose, sheen_degrees(30 + 3 * (int32_t)(i % 120)), sheen_degrees(20), 0, SHEEN_Q24(3));
+    if (!error)
+        error = sheen_draw(frame, &object);
+    if (error)
+        return error;
+    board_start(draw_other_share, frame);
+    (void)sheen_bands(frame, 0);
+    while (!board_ended())
+        ;
+    return sheen_finish(frame);
 }

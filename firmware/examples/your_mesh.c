@@ -15,26 +15,24 @@ static const struct sheen_light lamp = {.to = {-5, 7, 5}};
 static const struct sheen_view view = {
     .z_near = SHEEN_Q24(1.5), .z_far = SHEEN_Q24(4.5), .background = {230, 230, 220}};
 
-int example(const struct sheen_target *target, unsigned frames)
+static struct sheen_object object = {.mesh = &MESH,
+                                     .material = &clay,
+                                     .shader = &sheen_gouraud,
+                                     .lights = &lamp,
+                                     .light_count = 1,
+                                     .two_sided = 1}; /* in case one can see into it */
+
+int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     struct sheen_config config = {.target = target, .max_vertices = MESH.vertices, .max_triangles = MESH.triangles};
     size_t size = sheen_arena_size(&config);
-    void *arena = malloc(size); /* an arena must be aligned to 8, and malloc does that */
-    struct sheen_frame *frame;
-    struct sheen_object object = {.mesh = &MESH,
-                                  .material = &clay,
-                                  .shader = &sheen_gouraud,
-                                  .lights = &lamp,
-                                  .light_count = 1,
-                                  .two_sided = 1}; /* in case one can see into it */
-    int error = arena ? sheen_init(&frame, arena, &size, &config) : SHEEN_ERR_MEMORY;
+    void *arena = malloc(size); /* an arena must be aligned to 8, and malloc does that; keep it as long as the frame */
 
-    for (unsigned i = 0; i < frames && !error; i++) {
-        sheen_pose_orbit(&object.pose, sheen_degrees(30 + 6 * (int32_t)i), sheen_degrees(20), 0, SHEEN_Q24(3));
-        error = sheen_render(frame, &view, &object, 1);
-    }
-    if (!error)
-        error = sheen_wait(frame);
-    free(arena);
-    return error;
+    return arena ? sheen_init(frame, arena, &size, &config) : SHEEN_ERR_MEMORY;
+}
+
+int example_draw(struct sheen_frame *frame, unsigned i)
+{
+    sheen_pose_orbit(&object.pose, sheen_degrees(30 + 3 * (int32_t)(i % 120)), sheen_degrees(20), 0, SHEEN_Q24(3));
+    return sheen_render(frame, &view, &object, 1);
 }

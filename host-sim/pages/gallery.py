@@ -30,9 +30,8 @@ def png(ppm):
 
 
 def heart(text):
-    """The lines that draw: the loop over frames, cut to LINES lines."""
-    body = re.search(r"^    for \(unsigned i = 0; i < frames.*?^    }$", text, re.M | re.S)
-    lines = [line[4:] for line in body[0].splitlines()]
+    """The function that draws a picture, cut to LINES lines."""
+    lines = re.search(r"^int example_draw\(.*?^}$", text, re.M | re.S)[0].splitlines()
     return lines if len(lines) <= LINES else lines[:LINES - 1] + ["    ..."]
 
 

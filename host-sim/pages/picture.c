@@ -90,7 +90,7 @@ int main(int argc, char **argv)
                     ? sheen_memory_target(&target, &memory, (uint16_t)width, (uint16_t)height, SHEEN_RGB565_LE)
                     : SHEEN_ERR_MEMORY;
     if (!error)
-        error = example(&target, frames);
+        error = example_run(&target, frames);
     if (error)
         fprintf(stderr, "picture: %s\n", sheen_strerror(error));
     else

@@ -22,7 +22,7 @@ static uint32_t count(unsigned frames)
         .push = throw_away, .width = BENCH_WIDTH, .height = BENCH_HEIGHT, .pixel = SHEEN_RGB565_BE};
 
     guest_count();
-    int status = example(&target, frames);
+    int status = example_run(&target, frames);
     uint32_t counted = guest_counted();
     if (status != SHEEN_OK) {
         guest_print(sheen_strerror(status));

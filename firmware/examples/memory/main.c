@@ -20,7 +20,7 @@ int main(void)
         sheen_memory_target(&target, &memory, 240, 240, *(const uint8_t *)&probe ? SHEEN_RGB565_LE : SHEEN_RGB565_BE);
 
     if (!error)
-        error = example(&target, 3);
+        error = example_run(&target, 3);
     if (error) {
         fprintf(stderr, "memory: %s\n", sheen_strerror(error));
         return 1;

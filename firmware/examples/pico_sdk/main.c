@@ -87,6 +87,6 @@ int main(void)
     if (!error)
         error = sheen_panel_target(&panel, &target);
     if (!error)
-        error = example(&target, 3);
+        error = example_run(&target, EXAMPLE_FRAMES);
     return error;
 }

@@ -14,19 +14,19 @@
 
 extern SPI_HandleTypeDef hspi1;
 
-static volatile int flying;
+static volatile int in_flight;
 
 void HAL_SPI_TxCpltCallback(SPI_HandleTypeDef *spi)
 {
     if (spi == &hspi1)
-        flying = 0;
+        in_flight = 0;
 }
 
 /* Stops the transfer and deselects the panel, so that the next transfer finds the bus free. */
 static int give_up(int error)
 {
     HAL_SPI_Abort(&hspi1);
-    flying = 0;
+    in_flight = 0;
     HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
     return error;
 }
@@ -41,7 +41,7 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     if (commands && HAL_SPI_Transmit(&hspi1, (uint8_t *)command, (uint16_t)commands, TIMEOUT_MS) != HAL_OK)
         return give_up(SHEEN_ERR_BUS);
     HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_SET);
-    flying = count != 0;
+    in_flight = count != 0;
     if (count && HAL_SPI_Transmit_DMA(&hspi1, (uint8_t *)data, (uint16_t)count) != HAL_OK)
         return give_up(SHEEN_ERR_BUS);
     return SHEEN_OK;
@@ -52,7 +52,7 @@ static int wait(void *ctx)
     uint32_t start = HAL_GetTick();
 
     (void)ctx;
-    while (flying)
+    while (in_flight)
         if (HAL_GetTick() - start > TIMEOUT_MS)
             return give_up(SHEEN_ERR_TIMEOUT);
     HAL_GPIO_WritePin(LCD_CS_GPIO_Port, LCD_CS_Pin, GPIO_PIN_SET);
@@ -82,5 +82,5 @@ int show_on_panel(void)
 
     if (!error)
         error = sheen_panel_target(&panel, &target);
-    return error ? error : example(&target, 3);
+    return error ? error : example_run(&target, EXAMPLE_FRAMES);
 }

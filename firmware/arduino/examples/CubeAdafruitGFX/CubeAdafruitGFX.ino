@@ -5,14 +5,22 @@
 
 Adafruit_ST7789 tft(10, 9, 8); // CS, D/C, reset
 sheen_target target;
+sheen_frame *frame;
+int error;
 
 void setup()
 {
+    Serial.begin(115200);
     tft.init(240, 240);
     sheen_draw_bitmap(&target, tft);
+    error = example_init(&frame, &target);
+    Serial.println(sheen_strerror(error));
 }
 
 void loop()
 {
-    example(&target, 60);
+    static unsigned i;
+
+    if (!error)
+        error = example_draw(frame, i++);
 }

@@ -5,15 +5,23 @@
 
 LGFX lcd;
 sheen_target target;
+sheen_frame *frame;
+int error;
 
 void setup()
 {
+    Serial.begin(115200);
     lcd.init();
     lcd.setRotation(0);
     sheen_push_image(&target, lcd);
+    error = example_init(&frame, &target);
+    Serial.println(sheen_strerror(error));
 }
 
 void loop()
 {
-    example(&target, 60);
+    static unsigned i;
+
+    if (!error)
+        error = example_draw(frame, i++);
 }

@@ -5,15 +5,23 @@
 
 TFT_eSPI tft;
 sheen_target target;
+sheen_frame *frame;
+int error;
 
 void setup()
 {
+    Serial.begin(115200);
     tft.begin();
     tft.setRotation(0);
     sheen_push_image(&target, tft);
+    error = example_init(&frame, &target);
+    Serial.println(sheen_strerror(error));
 }
 
 void loop()
 {
-    example(&target, 60);
+    static unsigned i;
+
+    if (!error)
+        error = example_draw(frame, i++);
 }

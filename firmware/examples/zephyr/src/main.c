@@ -25,6 +25,7 @@ int main(void)
     const struct device *display = DEVICE_DT_GET(DT_CHOSEN(zephyr_display));
     struct display_capabilities caps;
     struct sheen_target target = {.push = push};
+    struct sheen_frame *frame;
     int error;
 
     if (!device_is_ready(display))
@@ -43,6 +44,11 @@ int main(void)
         target.pixel = SHEEN_RGB565_BE;
     else
         return SHEEN_ERR_UNSUPPORTED;
-    error = example(&target, 3);
-    return error ? error : display_blanking_off(display);
+    error = example_init(&frame, &target);
+    for (unsigned i = 0; !error && i < EXAMPLE_FRAMES; i++) {
+        error = example_draw(frame, i);
+        if (i == 0)
+            (void)display_blanking_off(display); /* fails if the driver cannot blank: then nothing was blanked */
+    }
+    return error;
 }

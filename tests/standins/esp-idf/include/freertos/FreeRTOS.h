@@ -1,5 +1,5 @@
 /*
- * FreeRTOS.h - stands for FreeRTOS's types and vTaskDelay(), with a tick of one millisecond.
+ * FreeRTOS.h - stands for FreeRTOS's types, with a tick of one millisecond.
  */
 #ifndef FREERTOS_H
 #define FREERTOS_H
@@ -11,10 +11,5 @@ typedef uint32_t TickType_t;
 #define pdTRUE 1
 #define pdFALSE 0
 #define pdMS_TO_TICKS(ms) ((TickType_t)(ms))
-
-static inline void vTaskDelay(TickType_t ticks)
-{
-    wire_number('T', ticks * 1000u);
-}
 
 #endif
