@@ -392,35 +392,40 @@ SPECIALISED struct texel_part whole_run(const struct texel_run *r, const struct 
     return whole;
 }
 
-SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part, struct way way)
+SPECIALISED void nearest_loop(const struct texel_run *r, const struct texel_part *part, struct way *way)
 {
-    const struct texel_at *from = part.from, *by = part.step;
-    const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
+    const struct texel_at *from = part->from, *by = part->step;
+    const unsigned width = r->d->texel.texture->width_log2, down = way->other ? 0 : 1;
     const uint8_t *texels = r->d->texel.texture->texels;
-    const uint32_t columns = r->columns << down, rows = r->rows << down, mend = way.packed ? r->mend : 0;
-    const struct stepped step = {by->z,         by->light, by->specular, part.fog_step, way.packed ? r->packed : by->u,
-                                 by->v << width};
+    const uint32_t columns = r->columns << down, rows = r->rows << down, mend = way->packed ? r->mend : 0;
+    const struct stepped step = {
+        by->z, by->light, by->specular, part->fog_step, way->packed ? r->packed : by->u, by->v << width};
     struct stepped at = {
-        from->z,         from->light, from->specular, part.fog, way.packed ? packed_at(from, width) : from->u,
+        from->z,         from->light, from->specular, part->fog, way->packed ? packed_at(from, width) : from->u,
         from->v << width};
-    uint16_t *depth = part.depth;
-    const uint16_t *last = depth + part.count;
+    uint16_t *depth = part->depth;
+    const uint16_t *last = depth + part->count;
 
-    way_begin(&way, r);
+    way_begin(way, r);
     for (;;) {
-        const uint16_t *end = part_end(depth, last, &way);
+        const uint16_t *end = part_end(depth, last, way);
         do {
-            const uint32_t row = way.packed ? at.u >> (2 * PACKED_BITS - down) : at.v >> (16 - down);
-            const uint32_t n = (at.u >> ((way.packed ? PACKED_BITS : 16) - down) & columns) | (row & rows);
-            if (!way.other ? nearer(r->t, depth, at.z)
-                           : !is_key(texel_at(texels, n, &way), &way) && nearer(r->t, depth, at.z))
-                put_nearest(depth, &at, texel_at(texels, n, &way), &way);
-            step_on(&at, &step, &way);
+            const uint32_t row = way->packed ? at.u >> (2 * PACKED_BITS - down) : at.v >> (16 - down);
+            const uint32_t n = (at.u >> ((way->packed ? PACKED_BITS : 16) - down) & columns) | (row & rows);
+            if (!way->other ? nearer(r->t, depth, at.z)
+                            : !is_key(texel_at(texels, n, way), way) && nearer(r->t, depth, at.z))
+                put_nearest(depth, &at, texel_at(texels, n, way), way);
+            step_on(&at, &step, way);
         } while (++depth != end);
         if (end == last)
             return;
         at.u += mend;
     }
+}
+
+SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part, struct way way)
+{
+    nearest_loop(r, &part, &way);
 }
 
 /* Rounds channels in 1/32 level, each in its place in the word. */
@@ -505,46 +510,58 @@ SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t s
     *pixel_at(depth, way->to_pixel) = pixel_order(value, way->swap);
 }
 
-SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part, struct way way)
+SPECIALISED void bilinear_loop(const struct texel_run *r, const struct texel_part *part, struct way *way)
 {
-    const struct texel_at *from = part.from, *by = part.step;
-    const unsigned width = r->d->texel.texture->width_log2, down = way.other ? 0 : 1;
+    const struct texel_at *from = part->from, *by = part->step;
+    const unsigned width = r->d->texel.texture->width_log2, down = way->other ? 0 : 1;
     const struct bilinear_at b = {r->d->texel.texture->texels, r->columns << down, r->rows << down,
                                   1u << (width + down), width};
     const struct texel_at middle = {from->z, from->u + TO_MIDDLE, from->v + TO_MIDDLE, from->light, from->specular};
-    const struct stepped step = {by->z, by->light, by->specular, part.fog_step, way.packed ? r->packed : by->u, by->v};
+    const struct stepped step = {by->z, by->light, by->specular, part->fog_step, way->packed ? r->packed : by->u,
+                                 by->v};
     struct stepped at = {
-        from->z, from->light, from->specular, part.fog, way.packed ? packed_at(&middle, width) : middle.u, middle.v};
-    uint16_t *depth = part.depth;
-    const uint16_t *last = depth + part.count;
+        from->z, from->light, from->specular, part->fog, way->packed ? packed_at(&middle, width) : middle.u, middle.v};
+    uint16_t *depth = part->depth;
+    const uint16_t *last = depth + part->count;
     struct texel_cell cell = {~at.u, ~at.v, 0, 0, 0, 0}; /* none yet */
 
-    way_begin(&way, r);
+    way_begin(way, r);
     for (;;) {
-        const uint16_t *end = part_end(depth, last, &way);
+        const uint16_t *end = part_end(depth, last, way);
         do {
             if (nearer(r->t, depth, at.z)) {
-                if (!in_texel_cell(&cell, &at, &b, &way))
-                    texel_cell_at(&cell, &at, &b, &way);
-                put_mixed(depth, &at, cell_mixed(&cell, &at, &b, &way), &way);
+                if (!in_texel_cell(&cell, &at, &b, way))
+                    texel_cell_at(&cell, &at, &b, way);
+                put_mixed(depth, &at, cell_mixed(&cell, &at, &b, way), way);
             }
-            step_on(&at, &step, &way);
+            step_on(&at, &step, way);
         } while (++depth != end);
         if (end == last)
             return;
-        at.u += way.packed ? r->mend : 0;
+        at.u += way->packed ? r->mend : 0;
     }
 }
 
+SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part, struct way way)
+{
+    bilinear_loop(r, &part, &way);
+}
+
 /* ---- fog ---- */
+
+/* The fog that a run is seen through. */
+SPECIALISED void way_through(struct way *way, const struct fog_terms *fog)
+{
+    way->fogged = 1;
+    for (int k = 0; k < 3; k++)
+        way->fog[k] = fog->level[k] >> 10;
+}
 
 SPLIT struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned glossy, unsigned dither, unsigned swap)
 {
     struct way way = way_of(packed, 1, glossy, dither, swap);
 
-    way.fogged = 1;
-    for (int k = 0; k < 3; k++)
-        way.fog[k] = r->d->fog->level[k] >> 10;
+    way_through(&way, r->d->fog);
     return way;
 }
 
@@ -564,36 +581,54 @@ static int is_glossy(const struct texel_part *part)
     return (part->from->specular | part->step->specular) != 0;
 }
 
-/* For any texels, with light and fog linear along the part; faded: see fade. */
-SPLIT struct way any_fogged_way(const struct texel_run *r, const struct texel_part *part, int faded)
+/* What fog does to a run: nothing, dims its light and highlight, or fades unlit texels (see fade). */
+enum fogging {
+    NOT_FOGGED,
+    FOG_DIMS,
+    FOG_FADES
+};
+
+/* For any texels, with light and fog linear along the part. */
+SPLIT void any_way(struct way *way, const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
-    const unsigned glossy = !faded && is_glossy(part);
-    struct way way = fogged_way(r, r->d->texel.packed, glossy, r->t->dither, r->t->format->swap);
 
-    if (faded)
-        fade(&way);
-    way.other = (texture->bits & 15) != 0 || texture->keyed;
-    return way;
+    way->packed = r->d->texel.packed;
+    way->lit = fogging == FOG_DIMS || !r->d->texel.unlit;
+    way->glossy = fogging != FOG_FADES && is_glossy(part);
+    way->dither = r->t->dither;
+    way->swap = r->t->format->swap;
+    way->other = (texture->bits & 15) != 0 || texture->keyed;
+    way->fogged = way->faded = 0;
+    if (fogging != NOT_FOGGED)
+        way_through(way, r->d->fog);
+    if (fogging == FOG_FADES)
+        fade(way);
 }
 
-static APART void any_fogged_bilinear(const struct texel_run *r, const struct texel_part *part, int faded)
+static APART void any_bilinear(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    bilinear_part(r, *part, any_fogged_way(r, part, faded));
+    struct way way;
+
+    any_way(&way, r, part, fogging);
+    bilinear_loop(r, part, &way);
 }
 
-static APART void any_fogged_nearest(const struct texel_run *r, const struct texel_part *part, int faded)
+static APART void any_nearest(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    nearest_part(r, *part, any_fogged_way(r, part, faded));
+    struct way way;
+
+    any_way(&way, r, part, fogging);
+    nearest_loop(r, part, &way);
 }
 
 /* Two functions, so that only the stack of one is used. */
-SPLIT void any_fogged_part(const struct texel_run *r, const struct texel_part *part, int faded)
+SPLIT void any_part(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
     if (r->d->texel.texture->bilinear)
-        any_fogged_bilinear(r, part, faded);
+        any_bilinear(r, part, fogging);
     else
-        any_fogged_nearest(r, part, faded);
+        any_nearest(r, part, fogging);
 }
 
 #if FAST_LOOPS
@@ -619,7 +654,7 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
     const struct sheen_texture *texture = r->d->texel.texture;
 
     if (!r->t->format->swap || (texture->bits & 15) != 0 || texture->keyed || texture->bilinear)
-        any_fogged_part(r, part, 0);
+        any_part(r, part, FOG_DIMS);
     else if (is_glossy(part))
         glossy_fogged_part(r, part);
     else if (r->t->dither)
@@ -632,7 +667,7 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 #else
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
-    any_fogged_part(r, part, 0);
+    any_part(r, part, FOG_DIMS);
 }
 #endif
 
@@ -649,7 +684,7 @@ void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
         return;
     }
 #endif
-    any_fogged_part(r, part, 1);
+    any_part(r, part, FOG_FADES);
 }
 
 void sheen_fogged_any_texels(const struct texel_run *r, const struct texel_at *from)
@@ -696,11 +731,11 @@ static APART void glossy_run(const struct texel_run *r, const struct texel_at *a
 
 static APART void other_run(const struct texel_run *r, const struct texel_at *at)
 {
-    const unsigned lit = !r->d->texel.unlit;
-    struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
+    const struct texel_part whole = whole_run(r, at);
+    struct way way;
 
-    way.other = 1;
-    nearest_part(r, whole_run(r, at), way);
+    any_way(&way, r, &whole, NOT_FOGGED);
+    nearest_loop(r, &whole, &way);
 }
 
 static APART void mixed_run(const struct texel_run *r, const struct texel_at *at)
@@ -717,11 +752,11 @@ static APART void mixed_run(const struct texel_run *r, const struct texel_at *at
 
 static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
 {
-    const unsigned lit = !r->d->texel.unlit;
-    struct way way = way_of(r->d->texel.packed, lit, lit, r->t->dither, r->t->format->swap);
+    const struct texel_part whole = whole_run(r, at);
+    struct way way;
 
-    way.other = 1;
-    bilinear_part(r, whole_run(r, at), way);
+    any_way(&way, r, &whole, NOT_FOGGED);
+    bilinear_loop(r, &whole, &way);
 }
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
@@ -754,7 +789,12 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
-    (r->d->fog ? r->d->fog->mixer->texel_run : any_run)(r, at);
+    const struct texel_part whole = whole_run(r, at);
+
+    if (r->pixels == TEXTURED_ANY || r->pixels == TEXTURED_FOGGED)
+        (r->d->fog ? r->d->fog->mixer->texel_run : any_run)(r, at);
+    else
+        any_part(r, &whole, NOT_FOGGED);
 }
 
 #endif
