@@ -24,11 +24,12 @@ class Guest:
     code: int  # addresses of code and data
     data: int
     machine: list
+    level: str = "-O2"
 
 
-def cortex(cpu, board="mps2-an385", tick_ns=40, code=0, data=0x20000000):
+def cortex(cpu, board="mps2-an385", tick_ns=40, code=0, data=0x20000000, level="-O2"):
     return Guest([*ARM, f"-mcpu={cpu}", f"-DTICK_NS={tick_ns}"], "cortex.c", code, data,
-                 ["qemu-system-arm", "-M", board])
+                 ["qemu-system-arm", "-M", board], level)
 
 
 GUESTS = {
@@ -38,6 +39,11 @@ GUESTS = {
     "M33": cortex("cortex-m33", "mps2-an505", 50, 0x10000000, 0x38000000),
     "rv32imc": Guest(RISCV, "riscv.c", 0x80000000, 0x80400000, ["qemu-system-riscv32", "-M", "virt", "-bios", "none"]),
 }
+# What projects get that compile for size or for debugging; of these only a few rows are measured.
+for level in ("-Os", "-Og", "-O0"):
+    GUESTS[f"M0+ {level}"] = cortex("cortex-m0plus", level=level)
+    GUESTS[f"M3 {level}"] = cortex("cortex-m3", level=level)
+FEW = re.compile(r"(flat|gouraud|phong|textured lit|matcap)$")
 MORE = "( dithered| fogged| stippled| morphed| smooth| outlined| wired)?"
 LINE = re.compile(rf"^(S\d|teapot) (\w+){MORE} (\d+) (\d+) memory (\d+) (\d+) (\d+) (\d+) (\d+) $", re.M)
 
@@ -54,11 +60,11 @@ EXAMPLE = [f"-I{TOP / 'firmware'}", f"-I{TOP / 'firmware/examples'}", HERE / "ex
            TOP / "firmware/examples/mist.c"]
 
 
-FLAGS = ["-std=c11", "-O2", f"-I{HERE}", f"-I{TOP / 'core'}"]
+FLAGS = ["-std=c11", f"-I{HERE}", f"-I{TOP / 'core'}"]
 
 
 def core(compiler, work):
-    """The object files of the core, compiled once for all programs of a compiler."""
+    """The object files of the core, compiled once for all programs of a compiler with its options."""
     folder = Path(work, "_".join(compiler).replace("/", "_"))
     sources = sorted((TOP / "core").rglob("*.c"))
     objects = [folder / f"{i}.o" for i in range(len(sources))]
@@ -72,9 +78,10 @@ def core(compiler, work):
 def build(guest, program, work):
     """Builds an image from a program's flags and sources and the core."""
     image = f"{work}/guest.elf"
-    run([*guest.compiler, *FLAGS, "-nostartfiles", "-T", HERE / "guest.ld",
+    compiler = [*guest.compiler, guest.level]
+    run([*compiler, *FLAGS, "-nostartfiles", "-T", HERE / "guest.ld",
          f"-Wl,--defsym=CODE={guest.code:#x},--defsym=DATA={guest.data:#x}", HERE / guest.source, *program,
-         *core(guest.compiler, work), "-o", image])
+         *core(compiler, work), "-o", image])
     return image
 
 
@@ -131,7 +138,9 @@ def measure(machine, data, work):
     """The rows of a processor. M3 gives the memory as well, since pointers have the same size on all of them."""
     guest = GUESTS[machine]
     lines = list(LINE.finditer(output(guest, [HERE / "guest.c", HERE / "scenes.c", data], work)))
-    example = example_of(output(guest, EXAMPLE, work))
     counts = {(m[1], m[2].replace("_", " "), m[3] or "", int(m[4])): int(m[5]) for m in lines}
+    if guest.level != "-O2":
+        return [row for row in rows_of(machine, counts) if " S1 " in row.name and FEW.search(row.name)]
+    example = example_of(output(guest, EXAMPLE, work))
     return [*rows_of(machine, counts), Row(f"{machine} example mist", example / MILLION, "M"),
             *(memory_rows(lines) if machine == "M3" else ())]
