@@ -1,14 +1,14 @@
 /*
  * start.c - from reset to main on a Cortex-M, and what happens on a fault.
  *
- * The linker script (sections.ld) places the vector table first in flash and defines
- * the addresses below. No interrupts are used, so the 16 system vectors suffice.
+ * The linker script (sections.ld) places the vector table and start() first in flash and
+ * defines the addresses below. No interrupts are used, so the 16 system vectors suffice.
  */
 #include "start.h"
 
 /* Symbols of the linker script; only their addresses mean something. */
-extern uint32_t link_stack_bottom[], link_stack_top[], link_data_load[], link_data_start[], link_data_end[],
-    link_bss_start[], link_bss_end[];
+extern uint32_t link_stack_bottom[], link_stack_top[], link_text_load[], link_text_start[], link_text_end[],
+    link_data_load[], link_data_start[], link_data_end[], link_bss_start[], link_bss_end[];
 
 int main(void);
 
@@ -49,13 +49,20 @@ __attribute__((naked)) static void on_fault(void)
                    "    bx r3\n");
 }
 
-__attribute__((noreturn)) void start(void)
+/* volatile: memcpy() and memset(), which a compiler may call for these loops, may not have been copied to RAM yet. */
+__attribute__((always_inline)) static inline void copy(volatile uint32_t *to, const uint32_t *end, const uint32_t *from)
 {
-    const uint32_t *from = link_data_load;
+    if (to != from)
+        while (to < end)
+            *to++ = *from++;
+}
 
-    for (uint32_t *to = link_data_start; to < link_data_end; to++)
-        *to = *from++;
-    for (uint32_t *to = link_bss_start; to < link_bss_end; to++)
+/* Calls functions only when they are where they run. */
+__attribute__((section(".start"), noreturn)) void start(void)
+{
+    copy(link_text_start, link_text_end, link_text_load);
+    copy(link_data_start, link_data_end, link_data_load);
+    for (volatile uint32_t *to = link_bss_start; to < link_bss_end; to++)
         *to = 0;
     start_board();
     main();

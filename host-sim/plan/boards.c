@@ -27,23 +27,23 @@
 
 static const struct sheen_plan_board boards[] = {
     {"pico", "Raspberry Pi Pico", "Cortex-M0+", 125 * MHZ, 62500000, 264 * KB, 2048 * KB, 2, SHEEN_CPU_RP2040, 1, 0, 1,
-     "cycles in rp2040js, flash always cached"},
+     "cycles in rp2040js", 1},
     {"pico2", "Raspberry Pi Pico 2", "Cortex-M33", 150 * MHZ, 75 * MHZ, 520 * KB, 4096 * KB, 2, SHEEN_CPU_M33, 0, 0,
-     1.2, "M33 instructions in QEMU x 1.2"},
+     1.2, "M33 instructions in QEMU x 1.2", 1},
     {"stm32f103", "STM32F103 (Blue Pill)", "Cortex-M3", 72 * MHZ, 18 * MHZ, 20 * KB, 64 * KB, 1, SHEEN_CPU_M3, 0, 0,
-     1.75, "M3 instructions in QEMU x 1.75, two wait states"},
+     1.75, "M3 instructions in QEMU x 1.75, two wait states", 0},
     {"stm32f411", "STM32F411 (Black Pill)", "Cortex-M4", 100 * MHZ, 50 * MHZ, 128 * KB, 512 * KB, 1, SHEEN_CPU_M4, 0, 0,
-     1.4, "M4 instructions in QEMU x 1.4"},
+     1.4, "M4 instructions in QEMU x 1.4", 0},
     {"esp32-c3", "ESP32-C3", "rv32imc", 160 * MHZ, 80 * MHZ, 300 * KB, 4096 * KB, 1, SHEEN_CPU_RV32IMC, 0, 0, 1.3,
-     "rv32imc instructions in QEMU x 1.3"},
+     "rv32imc instructions in QEMU x 1.3", 0},
     {"esp32", "ESP32", "LX6", 240 * MHZ, 80 * MHZ, 160 * KB, 4096 * KB, 2, SHEEN_CPU_LX106, 0, 1, 1.6,
-     "nearest there is: LX106 instructions in QEMU x 1.6"},
+     "nearest there is: LX106 instructions in QEMU x 1.6", 0},
     {"esp8266", "ESP8266", "LX106", 160 * MHZ, 40 * MHZ, 48 * KB, 1024 * KB, 1, SHEEN_CPU_LX106, 0, 0, 1.6,
-     "LX106 instructions in QEMU x 1.6"},
+     "LX106 instructions in QEMU x 1.6", 0},
     {"microbit-v2", "micro:bit v2", "Cortex-M4", 64 * MHZ, 32 * MHZ, 128 * KB, 512 * KB, 1, SHEEN_CPU_M4, 0, 0, 1.45,
-     "M4 instructions in QEMU x 1.45"},
+     "M4 instructions in QEMU x 1.45", 0},
     {"teensy4", "Teensy 4", "Cortex-M7", 600 * MHZ, 30 * MHZ, 512 * KB, 1984 * KB, 1, SHEEN_CPU_M4, 0, 1, 0.95,
-     "nearest there is: M4 instructions in QEMU x 0.95"},
+     "nearest there is: M4 instructions in QEMU x 0.95", 0},
 };
 
 const struct sheen_plan_board *sheen_plan_board_at(unsigned index)

@@ -19,6 +19,7 @@ struct sheen_plan_board {
     int nearest;             /* 1: cpu is another processor, the nearest that can be counted */
     double cycles;           /* per instruction, an estimate; 1 if measured */
     const char *basis;       /* how the cycles are found, in a few words */
+    int flash_is_slow;       /* 1: the cycles are those of code in RAM, as flash is outside the chip, its cache small */
 };
 
 /* The boards in order; NULL past the last. */

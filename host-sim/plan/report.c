@@ -109,6 +109,11 @@ static void put_flash(FILE *out, const struct sheen_plan *plan, const struct she
             "-Os, slower\n",
             board->nearest ? "estimated" : "counted  ", f->all, board->flash, f->core, f->panel, f->mesh, f->tables,
             f->textures, f->small);
+    if (board->flash_is_slow)
+        fprintf(out,
+                "counted    the times are those of code and constants in RAM (pico-sdk: copy_to_ram), %u B of %u in "
+                "all%s; out of flash a frame takes longer\n",
+                plan->ram.all + f->all, board->ram, plan->ram.all + f->all > board->ram ? ", which is too much" : "");
 }
 
 /*

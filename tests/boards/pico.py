@@ -64,7 +64,7 @@ def print_profile(folder, frames):
     spent = {}
     for frame in frames:
         for address, cycles in frame["profile"].items():
-            name = names[bisect.bisect(starts, 0x10000000 + int(address)) - 1]
+            name = names[bisect.bisect(starts, int(address)) - 1]
             spent[name] = spent.get(name, 0) + cycles
     total = sum(spent.values())
     print("where the cycles of a frame go:")

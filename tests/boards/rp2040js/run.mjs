@@ -19,8 +19,9 @@ import fs from 'node:fs';
 import process from 'node:process';
 import { ConsoleLogger, LogLevel, Simulator } from 'rp2040js';
 import { Cores, enterFault } from './cores.mjs';
+import { FlashCache } from './flash.mjs';
 
-const FLASH = 0x10000000, BOOT2_AT = 0x20041f00, VECTORS = FLASH + 0x100;
+const FLASH = 0x10000000, RAM = 0x20000000, RAM_BYTES = 264 << 10, BOOT2_AT = 0x20041f00, VECTORS = FLASH + 0x100;
 const PIN = { keys: [12, 13, 14, 15], dc: 16, cs: 17, sck: 18, tx: 19, backlight: 20, reset: 21 };
 const WATCHDOG_LOAD = 0x04;
 const PATIENCE_S = 5; /* emulated seconds */
@@ -113,9 +114,11 @@ class Pico {
         this.chip.logger = new ConsoleLogger(LogLevel.Error, false);
         this.chip.flash.set(flash);
         this.wire = new Wire(`${out}.wire`);
-        this.profile = new Float64Array(flash.length / 2);
+        this.cache = new FlashCache(rp2040);
+        this.profile = new Float64Array((flash.length + RAM_BYTES) / 2); /* flash, then RAM */
         this.ran = (pc, cycles) => {
-            if (pc >= FLASH && pc < FLASH + flash.length) this.profile[(pc - FLASH) >> 1] += cycles;
+            if (pc >= RAM && pc < RAM + RAM_BYTES) this.profile[(pc - RAM + flash.length) >> 1] += cycles;
+            else if (pc >= FLASH && pc < FLASH + flash.length) this.profile[(pc - FLASH) >> 1] += cycles;
         };
         this.log = '';
         this.cycles = 0;
@@ -143,6 +146,15 @@ class Pico {
         core.IPSR = 0;
         core.waiting = false;
         core.PC = BOOT2_AT;
+    }
+
+    /* {address: cycles} since `before`, a copy of the profile. */
+    profileSince(before) {
+        const { profile, flash } = this, spent = {};
+        for (let i = 0; i < profile.length; i++)
+            if (profile[i] > before[i])
+                spent[2 * i < flash.length ? FLASH + 2 * i : RAM + 2 * i - flash.length] = profile[i] - before[i];
+        return spent;
     }
 
     level(pin) {
@@ -263,7 +275,7 @@ for (const key of keys) {
         pico.until(/arena .*\n/, from);
         continue;
     }
-    const before = { ...pico, profile: pico.profile.slice() };
+    const before = { ...pico, profile: pico.profile.slice(), misses: pico.cache.misses };
     pico.chip.uart[0].feedByte(key.charCodeAt(0));
     if (key === 'h') {
         pico.untilRead();
@@ -283,7 +295,8 @@ for (const key of keys) {
         bytes: pico.bytes - before.bytes,
         feeds: pico.feeds - before.feeds,
         rectangles: pico.rectangles - before.rectangles,
-        profile: Object.fromEntries([...pico.profile].flatMap((c, i) => (c > before.profile[i] ? [[2 * i, c - before.profile[i]]] : []))),
+        misses: pico.cache.misses - before.misses,
+        profile: pico.profileSince(before.profile),
     });
 }
 pico.wire.flush();
