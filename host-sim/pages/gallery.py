@@ -54,4 +54,7 @@ def main(source, library, out):
         print("\n".join(heart(text)) + "\n```")
 
 
-main(*sys.argv[1:])
+try:
+    main(*sys.argv[1:])
+except (OSError, subprocess.CalledProcessError) as error:
+    sys.exit(f"gallery.py: {error}")
