@@ -56,5 +56,7 @@ def main(source, library, out):
 
 try:
     main(*sys.argv[1:])
-except (OSError, subprocess.CalledProcessError) as error:
+except OSError as error:
+    sys.exit(f"gallery.py: {error.filename or sys.argv[-1]}: {error.strerror}")
+except subprocess.CalledProcessError as error:
     sys.exit(f"gallery.py: {error}")
