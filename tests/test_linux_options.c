@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -75,15 +76,55 @@ static void wrong_files(void **state)
     free(options.file);
 }
 
-/* SIGHUP stays ignored if it was ignored at the start, as under nohup; SIGTERM stops the program. */
+/*
+ * Starts a process that handles signals, sends it one at each of the times (ms from now; 0 ends them). Returns the
+ * signal that ended it; 0: it was asked to stop.
+ */
+static int stopped_by(int number, const unsigned *times)
+{
+    int status;
+    pid_t child = fork();
+
+    if (child == 0) {
+        stop_watch();
+        for (unsigned passed = 0; *times; passed = *times++) {
+            usleep((*times - passed) * 1000);
+            (void)raise(number);
+        }
+        _exit(stop_asked() ? 0 : 99);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status) || WEXITSTATUS(status) == 0);
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+/* Two in a row are one request; a second later, one ends the program at once, however many came before. */
+static void signals_twice(void **state)
+{
+    static const int all[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+    static const unsigned once[] = {1, 0}, twice[] = {1, 20, 0}, late[] = {1, 20, 1200, 0};
+
+    (void)state;
+    (void)signal(SIGHUP, SIG_DFL);
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        assert_int_equal(stopped_by(all[i], once), 0);
+        assert_int_equal(stopped_by(all[i], twice), 0);
+    }
+    assert_int_equal(stopped_by(SIGTERM, late), SIGTERM);
+}
+
+/* SIGHUP and SIGPIPE stay ignored if they were ignored at the start, as under nohup; SIGINT stops the program. */
 static void signals(void **state)
 {
     (void)state;
     (void)signal(SIGHUP, SIG_IGN);
+    (void)signal(SIGPIPE, SIG_IGN);
+    (void)signal(SIGINT, SIG_IGN);
     stop_watch();
     assert_int_equal(raise(SIGHUP), 0);
+    assert_int_equal(raise(SIGPIPE), 0);
     assert_int_equal(stop_asked(), 0);
-    assert_int_equal(raise(SIGTERM), 0);
+    assert_int_equal(raise(SIGINT), 0);
     assert_int_equal(stop_asked(), 1);
 }
 
@@ -106,6 +147,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(texts_stay),
         cmocka_unit_test(wrong_files),
+        cmocka_unit_test(signals_twice), /* before the next, which asks this process to stop */
         cmocka_unit_test(signals),
     };
 

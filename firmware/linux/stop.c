@@ -5,25 +5,50 @@
 
 #include <signal.h>
 #include <stddef.h>
+#include <stdint.h>
+#include <time.h>
+
+#define SAME_REQUEST_NS 1000000000 /* timeout(1) and a shell that loses its terminal send a signal twice */
+
+static const int watched[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+#define WATCHED (sizeof watched / sizeof watched[0])
 
 static volatile sig_atomic_t asked;
+static int64_t asked_ns; /* when; only the handler uses it, and no watched signal interrupts that */
 
-static void ask(int signal)
+static void ask(int number)
 {
-    (void)signal;
-    asked = 1;
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    int64_t now_ns = now.tv_sec * (int64_t)1000000000 + now.tv_nsec;
+    if (!asked) {
+        asked_ns = now_ns;
+        asked = 1;
+    } else if (now_ns - asked_ns > SAME_REQUEST_NS) { /* the bus hangs: end as without a handler, after returning */
+        (void)signal(number, SIG_DFL);
+        (void)raise(number);
+    }
+}
+
+static void fill(sigset_t *set)
+{
+    sigemptyset(set);
+    for (size_t i = 0; i < WATCHED; i++)
+        sigaddset(set, watched[i]);
 }
 
 void stop_watch(void)
 {
-    /* SA_RESETHAND: a second signal has its default effect, if the bus hangs. No SA_RESTART, so that sleeps end. */
-    struct sigaction action = {.sa_handler = ask, .sa_flags = SA_RESETHAND}, before;
+    struct sigaction action = {.sa_handler = ask}, before; /* no SA_RESTART, so that sleeps end */
 
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
-    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) /* under nohup, go on ignoring it */
-        sigaction(SIGHUP, &action, NULL);
+    fill(&action.sa_mask);
+    for (size_t i = 0; i < WATCHED; i++) {
+        /* Under nohup, go on ignoring SIGHUP. SIGINT is ignored in what a script starts with &, and yet must work. */
+        int keep = watched[i] == SIGHUP || watched[i] == SIGPIPE;
+        if (!keep || (sigaction(watched[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN))
+            sigaction(watched[i], &action, NULL);
+    }
 }
 
 int stop_asked(void)
@@ -33,14 +58,11 @@ int stop_asked(void)
 
 void stop_wait(void)
 {
-    sigset_t watched, before;
+    sigset_t all, before;
 
     /* Signals are blocked except in sigsuspend, so that one between the test of `asked` and the sleep is not lost. */
-    sigemptyset(&watched);
-    sigaddset(&watched, SIGINT);
-    sigaddset(&watched, SIGTERM);
-    sigaddset(&watched, SIGHUP);
-    sigprocmask(SIG_BLOCK, &watched, &before);
+    fill(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
     while (!asked)
         sigsuspend(&before);
     sigprocmask(SIG_SETMASK, &before, NULL);

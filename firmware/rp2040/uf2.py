@@ -5,7 +5,9 @@ Refuses an image whose boot2 has a wrong checksum (the boot ROM would not start
 it), and says which one is right.
 Format: microsoft/uf2, README: blocks of 512 bytes, 256 of them payload.
 """
+import contextlib
 import os
+import signal
 import struct
 import sys
 
@@ -37,7 +39,8 @@ def blocks(image):
 
 def main():
     if len(sys.argv) != 3:
-        sys.exit("usage: uf2.py IMAGE.bin OUT.uf2")
+        print("usage: uf2.py IMAGE.bin OUT.uf2", file=sys.stderr)
+        sys.exit(2)
     source, out = sys.argv[1:]
     try:
         with open(source, "rb") as f:
@@ -45,16 +48,19 @@ def main():
         right = crc32(image[:BOOT2])
         if len(image) <= 256 or image[BOOT2:BOOT2 + 4] != struct.pack("<I", right):
             sys.exit(f"{source}: boot2's checksum is wrong; boot2.S should end with .word {right:#010x}")
-        try:
-            with open(out + ".part", "wb") as f:
-                f.writelines(blocks(image))
-            os.replace(out + ".part", out)
-        except OSError:
-            if os.path.exists(out + ".part"):
-                os.unlink(out + ".part")
-            raise
     except OSError as error:
-        sys.exit(f"{error.filename or out}: {error.strerror}")
+        sys.exit(f"{source}: {error.strerror}")
+    for number in (signal.SIGINT, signal.SIGTERM): # too late: the file is there in a moment
+        signal.signal(number, signal.SIG_IGN)
+    try:
+        with open(out + ".part", "wb") as f:
+            f.writelines(blocks(image))
+        os.replace(out + ".part", out)
+    except OSError as error:
+        sys.exit(f"{out}: {error.strerror}")
+    finally:
+        with contextlib.suppress(OSError):
+            os.unlink(out + ".part")
 
 
 if __name__ == "__main__":

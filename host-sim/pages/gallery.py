@@ -54,4 +54,9 @@ def main(source, library, out):
         print("\n".join(heart(text)) + "\n```")
 
 
-main(*sys.argv[1:])
+try:
+    main(*sys.argv[1:])
+except OSError as error:
+    sys.exit(f"gallery.py: {error.filename or sys.argv[-1]}: {error.strerror}")
+except subprocess.CalledProcessError as error:
+    sys.exit(f"gallery.py: {error}")

@@ -4,7 +4,9 @@
 --readme: checks the page's table between two marks in that file, and exits with 1 if it differs; --update rewrites it.
 """
 import argparse
+import contextlib
 import json
+import os
 import re
 import subprocess
 import sys
@@ -56,6 +58,19 @@ def page(sheen, lines):
             " change first.", "", *lines, "", f"Costs: {costs}."]
 
 
+def replace(path, text):
+    """The file is the old one or the new one at any time, never a part of it."""
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_text(text, encoding="utf-8")
+        os.replace(part, path)
+    except OSError as error:
+        sys.exit(f"plan.py: {path}: {error.strerror}")
+    finally:
+        with contextlib.suppress(OSError):
+            part.unlink()
+
+
 def main():
     parser = argparse.ArgumentParser(prog="plan.py")
     parser.add_argument("sheen")
@@ -64,14 +79,14 @@ def main():
     arguments = parser.parse_args()
     lines = list(table(arguments.sheen))
     if not arguments.readme:
-        print("\n".join(page(arguments.sheen, lines)))
+        print("\n".join(page(arguments.sheen, lines)), flush=True)
         return 0
     text = arguments.readme.read_text(encoding="utf-8")
     if not MARKS.search(text):
         sys.exit(f"plan.py: {arguments.readme}: no marks for the table")
     new = MARKS.sub(lambda m: m[1] + "\n".join(["", *lines, "", ""]) + m[2], text)
     if arguments.update:
-        arguments.readme.write_text(new, encoding="utf-8")
+        replace(arguments.readme, new)
     elif new != text:
         print(f"plan.py: {arguments.readme}: its table is not what `sheen plan` says: --update", file=sys.stderr)
         return 1
@@ -79,4 +94,9 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except OSError as error:
+        sys.exit(f"plan.py: {error.filename or 'standard output'}: {error.strerror}")
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"plan.py: {error.stderr.strip() or error}")
