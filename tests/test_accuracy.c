@@ -20,12 +20,12 @@ static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 static const char *prefix;
 static bool draws_all;
 
-/* The pictures that stand for all of a line: each shininess, both sizes, affine too, each turn of `vary`. */
+/* The quick sample of a line has each shininess, both sizes, an affine picture and each case of `vary`. */
 #define SAMPLED(i) ((i) == 0 || (i) == 2 || (i) == 7 || (i) == 9)
 
 #define COARSE 100 /* triangles of a mesh whose highlights are as large as its triangles, at most */
 
-/* What a line varies besides. */
+/* What a line varies, besides meshes and views. */
 enum variant {
     PLAIN,
     LIGHTS,
@@ -45,7 +45,7 @@ enum variant {
 static const char *const variant_name[VARIANTS] = {"",     "lights", "ortho", "behind", "strong", "cut",   "dither",
                                                    "half", "gamma",  "toon",  "colors", "tints",  "points"};
 
-/* The ways that are forced; `exact` is what a triangle takes that does not admit it. */
+/* The ways that are forced; `exact` is the way of triangles that do not admit the forced one. */
 #define FORCED 12
 static const struct forced {
     enum ref_shading shading;
@@ -67,7 +67,7 @@ static const struct forced {
     {REF_SLERP, SHEEN_WAY_PHONG_QUADRATIC, SHEEN_WAY_SLERP_NORMALS, "slerp colours", true},
 };
 
-/* Of one mesh and shading: what was chosen, and what was forced. */
+/* The lines of one mesh and shading: with the ways that the shading chose, and with forced ones. */
 struct mesh_lines {
     struct accuracy_line chosen, by_force[FORCED];
 };
@@ -76,7 +76,7 @@ static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
 static struct accuracy_line lowest[4];         /* by shading: the line that holds the lowest equal share, as chosen */
 static char lowest_mesh[4][24];
 
-/* Without perspective linear is exact and the only way; without colours several lights leave Phong and slerp one. */
+/* Linear is exact without perspective, and the only way. With several lights and no colours, Phong and slerp have one. */
 static bool has_ways(const struct ref_scene *scene, const struct forced *f)
 {
     if (scene->shading > REF_GOURAUD && f->colors != scene->colored)

@@ -3,12 +3,13 @@
  *
  *   test_accuracy_random PICTURES [FIRST [RATIO]]
  *
- * RATIO: the near plane is moved to where the far one is so many times as far away; neither fog nor bias then. Depths,
- * of which 1/m is made, are so few there that from some 300 on a picture in a thousand has too few equal pixels.
+ * RATIO: moves the near plane so that the far one is RATIO times as far away, and leaves out fog and bias. 1/m is
+ * derived from the depth, whose steps are coarse then: from about 300 on, one picture in a thousand has too few equal
+ * pixels.
  *
- * What test_accuracy's views do not have: light from behind, shininess from 1, strong highlights on coarse meshes,
+ * It covers what test_accuracy's views do not: light from behind, shininess from 1, strong highlights on coarse meshes,
  * cuts by the guard band, dither, any way forced, texels, fog, pixels left out (random_scene.c). A picture depends on
- * its number alone, so one that is outside its limits is drawn again by `test_accuracy_random 1 NUMBER`.
+ * its number alone, so one that is outside the limits can be drawn again by `test_accuracy_random 1 NUMBER`.
  *
  * Every picture keeps the limits of its shading, with these differences. Where light is computed at corners and
  * polygons, the 16 bits of one normal move a highlight of n = 128 by some .07 level, over as many pixels as there are
@@ -26,7 +27,7 @@
 static const char *const kind_name[RANDOM_KINDS] = {"any", "from behind", "strong highlight", "guard band", "known"};
 static const char *const shading_name[] = {"flat", "gouraud", "phong", "slerp"};
 
-/* Of one kind and shading. */
+/* The results of one kind and shading. */
 static struct row {
     long pictures, compared, equal;
     double lowest, lowest_within_one;
@@ -89,7 +90,7 @@ static int shoot(struct accuracy_shot *shot, const struct random_scene *random)
     return status;
 }
 
-/* Of a scene whose near plane is not as near already. */
+/* Moves the near plane nearer, unless it is near enough already. */
 static void deepen(struct ref_scene *scene, double ratio)
 {
     scene->near = ratio * scene->near > scene->far ? scene->far / ratio : scene->near;

@@ -34,7 +34,7 @@ static void newell(const int32_t *points, unsigned count, int128 sum[3])
 static const uint32_t in_order[32] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15,
                                       16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31};
 
-/* Out and back the same way but for a step at one corner: large terms cancel, and a sum down to a few units is left. */
+/* The outline returns the way it went, except for one step at a corner: large terms cancel to a few units. */
 static void test_slivers_at_the_ends_of_the_range(void **unused)
 {
     struct worst worst = {0};

@@ -181,7 +181,7 @@ static void test_lists(void **unused)
 
 /* ---- roll-back ---- */
 
-/* All that a draw may change, but for what lies beyond the counts. */
+/* All that a draw may change; of each array only the entries that are counted. */
 struct trace {
     struct band band[HEIGHT];
     struct entry entry[4 * TRIANGLES];

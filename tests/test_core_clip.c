@@ -304,7 +304,7 @@ static void test_near_planes_of_a_few_raw_steps(void **unused)
         for (int k = 0; k < 3; k++) {
             double share = stage_uniform(&state, 0, 1);
             c.mesh.offset[k] = i % 2 == 0 ? 0 : (int32_t)(stage_random(&state) % 200) - 100;
-            if (i % 4 != 0) /* the plane goes through the mesh's origin but for rounding */
+            if (i % 4 != 0) /* up to rounding, the plane goes through the mesh's origin */
                 c.position[6 + k] = (int16_t)(-share * c.position[k] - (1 - share) * c.position[3 + k]);
         }
         assert_int_equal(case_draw(&c, SHEEN_FLAT, 1), SHEEN_OK);

@@ -145,7 +145,7 @@ static double area_seen(const struct facing_case *c, int triangle, double *snapp
     return ((s[1][0] - s[0][0]) * (s[2][1] - s[0][1]) - (s[1][1] - s[0][1]) * (s[2][0] - s[0][0])) / 2;
 }
 
-/* What faces away in space, by the eye's side of the triangle's plane, wherever its corners lie; or has no area. */
+/* 1 if the eye is behind the triangle's plane, wherever its corners are on the screen, or if it has no area. */
 static int faces_away(const struct facing_case *c, int triangle)
 {
     double p[3][3], n[3], eye[3][3], volume = 0;
@@ -217,7 +217,7 @@ static void skipped_faces_away(void **unused)
 #define WIDTH 320
 #define HEIGHT 240
 
-/* The entries that a draw lists, with and without warp: the same, but for what is thin. */
+/* of[triangle]: 1 if a draw lists it, 2 if as half of a quad. With warp and without, only thin triangles may differ. */
 static void listed(const struct facing_case *c, struct core_frame *f, int with, uint8_t *of)
 {
     static const struct sheen_material material = {.base = {255, 255, 255}, .diffuse = 1 << 16};

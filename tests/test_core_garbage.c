@@ -232,7 +232,7 @@ static void test_anything_in_range(void **unused)
     scenes(1, 1);
 }
 
-/* What is no unit vector is lit wrongly, but nothing more. */
+/* Normals that are no unit vectors give wrong light, but do no other harm. */
 static void test_normals_of_any_length(void **unused)
 {
     (void)unused;

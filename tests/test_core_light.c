@@ -100,7 +100,7 @@ static void random_scene(struct scene *s, uint32_t *state, unsigned lights)
     assert_int_equal(light_begin(s), SHEEN_OK);
 }
 
-/* What the definition says, relative to the sums of the intensities. `behind` counts R.V > 0 where N.V < 0. */
+/* The definition's light, relative to the sums of the intensities. `behind` counts lights with R.V > 0 and N.V < 0. */
 static void exact_light(const struct scene *s, const int16_t normal[3], double *diffuse, double *specular, int *behind)
 {
     double unit = sqrt((double)normal[0] * normal[0] + (double)normal[1] * normal[1] + (double)normal[2] * normal[2]);

@@ -24,7 +24,7 @@
 
 static uint32_t stride = 4099;
 
-/* x r - 1 for x: UQ0.32, r: UQ1.31; and x r^2 - 1. Exact but for a rounding or two to 53 bits. */
+/* x r - 1 for x: UQ0.32, r: UQ1.31; below, x r^2 - 1. Exact up to one or two roundings to 53 bits. */
 static double reciprocal_residual(uint32_t x, uint32_t r)
 {
     return (double)(int64_t)((uint64_t)x * r - (UINT64_C(1) << 63)) * 0x1p-63;
@@ -97,7 +97,7 @@ static void test_root(void **unused)
     range_assert(&slow, 2 * RELATIVE, ROOT_SEED, "without the table");
 }
 
-/* What is divided by a root in 16-bit products: INT32_MAX is as good as 2.0 in Q1.30. */
+/* A division by a root, in 16-bit products: INT32_MAX is as good as 2.0 in Q1.30. */
 static void test_over_root(void **unused)
 {
     struct range range = {0};

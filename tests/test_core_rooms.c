@@ -208,8 +208,8 @@ static const uint8_t vertex_colors[9] = {255, 128, 0, 40, 200, 255, 90, 30, 160}
 static const uint8_t light_color[3] = {255, 180, 100}, ambient_color[3] = {120, 160, 255}, white[3] = {255, 255, 255};
 
 /*
- * What a colored room is off by, as steps_off. intensity NULL: corners have their light, of one normal where is_flat,
- * and what it makes of their colours is linear between them; else colours are, and each pixel has its light.
+ * A colored room and its error, as in steps_off. intensity NULL: light is computed at corners (from one normal if
+ * is_flat) and the lit colours are linear between them. Otherwise colours are linear and each pixel has its own light.
  */
 struct colored_room {
     const struct sheen_shader *shader;
@@ -434,7 +434,7 @@ static double texels_off(const struct sheen_texture *texture, uint16_t pixel, co
     return fmax(0, least - 0.5);
 }
 
-/* Of random colours, or to mix smoothly of slow ones. */
+/* A texture of random colours; if bilinear, of colours that change slowly. */
 static void make_texture(struct sheen_texture *texture, uint16_t *texels, int bilinear, int clamp)
 {
     uint32_t state = 9;

@@ -33,7 +33,7 @@ static unsigned random_view(struct sheen_view *view, uint32_t *state, int orthog
     return 8 + stage_random(state) % 473;
 }
 
-/* What a point's x and y are, of the eye's. */
+/* The factor from x and y in the eye's space to those of a transformed point. */
 static double shrunk(const struct projection *p)
 {
     return p->focal.mantissa / 4294967296.0;

@@ -60,7 +60,7 @@ export function differing(a, b) {
     return count;
 }
 
-/* What is counted: `check(what, is so)`; `end()` says how it went. */
+/* Counts checks: `check(what, is_so)`; `end()` prints the result. */
 export function judge() {
     let good = 0, bad = 0;
     return {
@@ -135,7 +135,7 @@ export async function glass(page) {
     return { ...got, rgb: Buffer.from(got.rgb, 'base64') };
 }
 
-/* What the page says, a line each. */
+/* The page's messages, one string per line. */
 export async function said(page) {
     return page.$$eval('#messages li', list => list.map(item => item.textContent));
 }

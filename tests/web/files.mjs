@@ -11,10 +11,10 @@ const browser = await Browser.open(page_file);
 const page = await browser.page({ hash: '#panel=ili9341' });
 const { check, end } = judge();
 
-/* What the page does without it says, and says so in words of its own. */
+/* What the page cannot do it says, in words of its own. */
 const WITHOUT = /; the command sheen reads it, this page does not$/;
 
-/* Of a broken picture libpng and libjpeg say one thing, stb_image another; and the page has no --help. */
+/* About a broken picture libpng and libjpeg say one thing, stb_image another; and the page has no --help. */
 const same = line => line.replace(/ \(see sheen (--help|help [a-z-]+)\)$/, '').replace(/(a broken (PNG|JPEG): ).*?(; --texture off does without)?$/, '$1$3');
 
 function isSaid(command, lines) {

@@ -20,7 +20,7 @@ async function shownWords(page) {
     return execFileSync('bash', ['-c', `printf '%s\\0' ${line}`]).toString().split('\0').slice(2, -3);
 }
 
-/* That the glass is what the command makes of the line that the page shows. */
+/* Checks that the glass is what the command draws, given the line that the page shows. */
 async function checkLine(page, what, cwd = folder) {
     await settle(page);
     const words = await shownWords(page);

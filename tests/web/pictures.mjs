@@ -2,7 +2,7 @@
  * pictures.mjs SHEEN PAGE FOLDER [--fault] - every panel in every shading, orientations, lights, materials: the page's
  * glass is the command's picture, pixel for pixel, and the canvas shows that glass.
  *
- * --fault: the page is told another colour, so that all must differ.
+ * --fault: the page is given another colour, so that all pictures must differ.
  */
 import { execFileSync } from 'node:child_process';
 import { Browser, differing, glass, judge, render } from './browser.mjs';
