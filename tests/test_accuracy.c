@@ -76,7 +76,7 @@ static uint64_t took[FORCED], allowed[FORCED]; /* set-ups of all meshes */
 static struct accuracy_line lowest[4];         /* by shading: the line that holds the lowest equal share, as chosen */
 static char lowest_mesh[4][24];
 
-/* Linear is exact without perspective, and the only way. With several lights and no colours, Phong and slerp have one. */
+/* Without perspective linear is exact and the only way; Phong and slerp have one with several lights and no colours. */
 static bool has_ways(const struct ref_scene *scene, const struct forced *f)
 {
     if (scene->shading > REF_GOURAUD && f->colors != scene->colored)
