@@ -212,6 +212,93 @@ static void skipped_faces_away(void **unused)
     assert_true(tested > 10000 && count.skipped > count.away / 3);
 }
 
+/* ---- the margin ---- */
+
+#define CORNER 56756.0   /* raw units: the farthest that a corner can be from the origin */
+#define ROUNDED 196608.0 /* what the margin holds for n times the eye's error */
+
+/* The exact eye, in the viewpoint's steps: the rotation's inverse, not its transpose, times minus the origin. */
+static void exact_eye(const struct facing_case *c, const struct viewpoint *viewpoint, double eye[3])
+{
+    const double scale = (double)c->pose.scale * c->mesh.scale / 65536;
+    double r[3][3], volume = 0;
+
+    for (int i = 0; i < 9; i++)
+        r[i / 3][i % 3] = c->pose.rotation[i] / 1073741824.;
+    for (int i = 0; i < 3; i++)
+        volume += r[0][i] * (r[1][(i + 1) % 3] * r[2][(i + 2) % 3] - r[1][(i + 2) % 3] * r[2][(i + 1) % 3]);
+    for (int i = 0; i < 3; i++) {
+        eye[i] = 0;
+        for (int j = 0; j < 3; j++) {
+            const double *a = r[(j + 1) % 3], *b = r[(j + 2) % 3];
+            eye[i] -= (a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]) * c->pose.translation[j];
+        }
+        eye[i] *= ldexp(32768, -(int)viewpoint->shift) / volume / scale;
+    }
+}
+
+/* The eye just short of what takes a shift more, along an axis or all of them; the rotation off by nearly 2^-16. */
+static void edge_case(struct facing_case *c, uint32_t *state)
+{
+    const int axis = (int)(stage_random(state) % 4), upright = stage_random(state) % 2 == 0;
+    const double far = ldexp(16384, 1 + (int)(stage_random(state) % 13)),
+                 lean = (double)((int)(stage_random(state) % 3) - 1) * stage_uniform(state, 8000, 8190);
+    double eye[3];
+
+    random_case(c, state);
+    c->view.orthographic = 0;
+    c->pose.scale = 65536;
+    c->mesh.scale = (int32_t)stage_uniform(state, 65536, stage_random(state) % 2 == 0 ? 66000 : 1e7);
+    sheen_pose_identity(&c->pose);
+    if (!upright)
+        sheen_pose_orbit(&c->pose, stage_random(state), stage_random(state), stage_random(state), 0);
+    for (int k = 0; k < 3; k++) {
+        c->mesh.offset[k] = 0;
+        eye[k] = axis == 3 || axis == k ? far - stage_uniform(state, 0, 4) : stage_uniform(state, 0, far / 16384);
+        eye[k] *= stage_random(state) % 2 == 0 ? -1 : 1;
+    }
+    for (int i = 0; i < 3; i++) {
+        const int32_t *row = c->pose.rotation + 3 * i;
+        const double sum = ((double)row[0] + row[1] + row[2]) / 1073741824;
+        double at = 0;
+        for (int j = 0; j < 3; j++) {
+            c->pose.rotation[3 * i + j] += (int32_t)lround(lean * sum);
+            at -= c->pose.rotation[3 * i + j] / 1073741824. * eye[j] * c->mesh.scale / 32768;
+        }
+        c->pose.translation[i] = (int32_t)lround(fmax(-2e9, fmin(2e9, at)));
+    }
+}
+
+static void margin_covers_the_eye(void **unused)
+{
+    static struct facing_case c;
+    uint32_t state = 3;
+    double needed = -100, error = 0;
+    int tested = 0;
+
+    (void)unused;
+    for (int i = 0; i < 30000; i++) {
+        struct projection p = {.orthographic = 0};
+        struct viewpoint viewpoint;
+        double eye[3], square = 0, off = 0;
+        edge_case(&c, &state);
+        sheen_viewpoint_begin(&viewpoint, &p, &c.mesh, &c.pose);
+        if (viewpoint.margin_per_warp == 0)
+            continue;
+        tested++;
+        exact_eye(&c, &viewpoint, eye);
+        for (int k = 0; k < 3; k++) {
+            square += eye[k] * eye[k];
+            off += (eye[k] - viewpoint.eye[k]) * (eye[k] - viewpoint.eye[k]);
+        }
+        needed = fmax(needed, sqrt(square) + ldexp(CORNER, -(int)viewpoint.shift) - viewpoint.margin_per_warp / 32.);
+        error = fmax(error, sqrt(off) * 32768);
+    }
+    print_message("           %d eyes: %.2f steps of distance left, errors of up to %.0f of %.0f\n", tested, -needed,
+                  error, ROUNDED);
+    assert_true(tested > 10000 && needed <= 0 && error <= ROUNDED);
+}
+
 /* ---- pictures ---- */
 
 #define WIDTH 320
@@ -276,7 +363,8 @@ static void nothing_seen_is_skipped(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(skipped_faces_away), cmocka_unit_test(nothing_seen_is_skipped)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(skipped_faces_away), cmocka_unit_test(margin_covers_the_eye),
+                                       cmocka_unit_test(nothing_seen_is_skipped)};
 
     return cmocka_run_group_tests_name("core_facing", tests, NULL, NULL);
 }

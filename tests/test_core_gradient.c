@@ -411,14 +411,29 @@ static void test_phong_set_up(void **unused)
     worst_assert(&cosine, 1, "L.N and V.N in tolerances");
 }
 
+/* ---- excesses ---- */
+
+/* At the ends of its range a cosine's excess is what 64 bits make of it. */
+static void test_cosine_excess(void **unused)
+{
+    static const int32_t ends[] = {-32767, -32766, 0, 1, 32767};
+
+    (void)unused;
+    for (int32_t h = 0; h <= 22400; h += 7)
+        for (int32_t lean = -32768; lean <= 32768; lean += 4096)
+            for (int i = 0; i < 25; i++) {
+                const int64_t first = ends[i / 5], second = ends[i % 5], e = h + (3 * (int64_t)h * h >> 20);
+                const int64_t exact = e * (first + second) + lean * (first - second);
+                assert_int_equal(sheen_cosine_excess(ends[i / 5], ends[i % 5], h, lean), (int32_t)asr64(exact, 17));
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_planes),
-        cmocka_unit_test(test_what_is_too_flat),
-        cmocka_unit_test(test_range_of_gradients),
-        cmocka_unit_test(test_steepest_slopes),
-        cmocka_unit_test(test_phong_set_up),
+        cmocka_unit_test(test_planes),           cmocka_unit_test(test_cosine_excess),
+        cmocka_unit_test(test_what_is_too_flat), cmocka_unit_test(test_range_of_gradients),
+        cmocka_unit_test(test_steepest_slopes),  cmocka_unit_test(test_phong_set_up),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -50,15 +50,24 @@ static uint32_t polygon_of(const struct sheen_mesh *mesh, uint32_t triangle)
     return mesh->polygons != NULL ? mesh->polygons[triangle] : triangle;
 }
 
-/* 1 if polygons a and b face farther apart than the crease, a cosine in Q1.30. Range: |dot| <= 3 * 2^30. */
+/*
+ * 1 if polygons a and b face farther apart than the crease, a cosine in Q1.30. Rounding leaves normals a step or two
+ * too short or too long, so |m| |n| counts, or rather (|m|^2 + |n|^2) / 2, which is as good. It turns each by at most
+ * sqrt(3) / 2 of a step, and that takes up to 56,757 from the dot product: with this slack, edges at exactly the crease
+ * angle are not sharp. Range: |dot| <= 3 * 2^30, squares <= 6 * 2^30.
+ */
+#define ROUNDING_SLACK 65536
+
 static int is_sharp(const struct sheen_mesh *mesh, uint32_t a, uint32_t b, sheen_q30_t crease)
 {
     const int16_t *m = mesh->polygon_normals + 3 * a, *n = mesh->polygon_normals + 3 * b;
-    int64_t dot = 0;
+    int64_t dot = 0, squares = 0;
 
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < 3; k++) {
         dot += m[k] * n[k];
-    return dot < crease - 65536; /* slack for the rounding of normals: 3 * 32768 / 2, and 2^-14 of 1.0 */
+        squares += (int64_t)(m[k] * m[k]) + n[k] * n[k];
+    }
+    return dot < asr64(squares * crease, 31) - ROUNDING_SLACK;
 }
 
 /* The ends of half edge h, as welded vertices; a triangle has 3 half edges. */

@@ -91,7 +91,7 @@ static int normals_are_linear(const struct sheen_mesh *mesh, uint32_t t)
         area[1] = d[0][u] * d[2][v] - d[0][v] * d[2][u];
         area[2] = d[2][u] * d[1][v] - d[2][v] * d[1][u];
     }
-    if (area[0] == 0) /* corners 0, 1, 2 say nothing about what is beside their line, nor 0, 1, 3 about corner 2 */
+    if (area[0] == 0) /* corners 0, 1, 2, which quadrics are made from, say nothing of what is off their line */
         return 0;
     for (int i = 0; i < 3; i++) { /* from corner 0, corner 3 is (area[2] * corner 1 + area[1] * corner 2) / area[0] */
         const int64_t off = n[2][i] * area[0] - n[0][i] * area[2] - n[1][i] * area[1];

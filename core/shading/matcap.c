@@ -80,7 +80,11 @@ static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t ed
 
 /* ---- quadratic ---- */
 
-/* 1 if the quadric might come near the picture's edges: inside it rises by less than k / 6 above the corners. */
+/*
+ * 1 if the quadric might come near the picture's edges. Inside it rises above the corners by at most a third of the
+ * largest excess, b0 b1 + b0 b2 + b1 b2 being at most 1/3: that is k / 6, as k has a bit more than f. k / 2 needs no
+ * division.
+ */
 static int may_leave(const int32_t f[3], const int32_t k[3], int32_t most_cosine)
 {
     const int32_t most = max32(max32(f[0], f[1]), f[2]), least = min32(min32(f[0], f[1]), f[2]);

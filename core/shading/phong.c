@@ -16,9 +16,10 @@ SETUP_FITS(struct phong_cells_setup);
 /* ---- one light, normals far apart ---- */
 
 /*
- * Limits of this way. Steps of 15 bits leave N.N off by h 4^stretch, with 4 h = |Ni - Nj|^2: up to MOST_STRETCHED,
- * UQ.16, of that is allowed, four times as much for n <= 32. And N.N gets too small if normals are over 50 degrees
- * apart (FAR_APART) while 1/m changes along an edge by over 1/4 of its mean (ROOT_LEAN).
+ * Limits of this way. Steps of 15 bits leave N.N off by about h 4^stretch / 2^16, at worst by 8 times that, with 4 h =
+ * |Ni - Nj|^2: h 4^stretch, UQ.16, may be up to MOST_STRETCHED, which is 24.0, and four times as much for n <= 32. And
+ * N.N gets too small if normals are over 50 degrees apart (FAR_APART) while 1/m changes along an edge by over 1/4 of
+ * its mean (ROOT_LEAN).
  */
 #define MOST_STRETCHED (24u << 16)
 #define FAR_APART 767107767u

@@ -116,8 +116,8 @@ static APART struct plane wide_plane(const struct gradients *g, uint32_t base, i
 
 /*
  * Range: in dx and dy each of the two products is at most 2^15 2^15; to_centre, half of such a step times half a pixel,
- * twice, is at most 2^30. A step exceeds 32 bits and wraps only if pixel centres in the triangle lie so close together
- * that the plane is still right modulo 2^32.
+ * twice, is at most 2^30; |b| < 2^15, so the products' sum fits. A step may exceed 32 bits and wrap, on a triangle less
+ * than a pixel across. As pixels are whole steps from the origin pixel, the plane is right modulo 2^32 all the same.
  */
 void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
 {

@@ -38,7 +38,7 @@ SPLIT int pixel_normal(const uint32_t plane[3], struct pixel_normal *p)
         n[i] = min32(max32(n[i], -32768), 32768);
         square += (uint32_t)(n[i] * n[i]); /* three terms <= 2^30 */
     }
-    if (square < 1u << 8)
+    if (square < 1u << 6) /* |n| < 8, half of what LEAST_WEIGHT leaves a corner */
         return 0;
     if (square >= 1u << 30) /* a unit normal, rounded outwards */
         square = 1u << 30;

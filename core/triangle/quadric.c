@@ -8,7 +8,7 @@
  */
 #include "quadric.h"
 
-#define MOST_EXCESS 203 /* of k: the sum of ten products of a k and a number below 2^20 stays below 2^31 */
+#define MOST_EXCESS 203 /* of k; 204 once rounded: ten products of that and a number up to 2^20 stay below 2^31 */
 #define MOST_SLOPE 16383
 
 int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)

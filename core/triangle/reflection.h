@@ -35,7 +35,7 @@ uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3]);
 
 /*
  * A cosine's excess on an edge, 4 (middle - mean of the ends), Q.16. first, second: the cosine at the ends, Q0.15. h (a
- * quarter of |Ni - Nj|^2) and lean: Q0.18, both below 2^15.
+ * quarter of |Ni - Nj|^2) and lean: Q0.18, h at most 22,400 (34 degrees) and |lean| at most 2^15.
  */
 int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t lean);
 

@@ -4,7 +4,10 @@
  */
 #include "normal.h"
 
-/* The least weight of a corner: with less than the planes' error it would have no normal at all. */
+/*
+ * The least weight of a corner. A unit normal is then 16 steps long where pixels read it (pixel_normal), from which
+ * rounding, up to 0.87, and the planes' error take something; less than 8 counts as no normal.
+ */
 #define LEAST_WEIGHT 16
 
 void sheen_corner_weights(struct surface_corners *c, int32_t w[3])

@@ -15,6 +15,7 @@
 #define WARP_BITS 10
 #define CORNER 56756          /* sqrt(3) * 2^15: how far a raw position may lie from the origin */
 #define ROUNDED (3 << 16)     /* n times the error of e: 56,760 from its cut, as much from the origin, 45,000 from R */
+#define EYE_ROUNDED 6         /* |e| beyond the sum of its parts: cuts 1.8, origin 1.8, R 1.4; and 1 for CORNER */
 #define STRAIGHT (1 << 14)    /* Q1.30: a rotation whose rows are off by more is not relied on */
 #define LEAST_SCALE (1 << 16) /* Q7.24: the origin is off by at most 4 of its steps, here at most 2 raw steps */
 
@@ -43,7 +44,7 @@ static void find_eye(struct viewpoint *viewpoint, const sheen_q30_t rotation[9],
                    room = clz32(scale | magnitude32(origin[0]) | magnitude32(origin[1]) | magnitude32(origin[2])) - 1;
     const int32_t inverse = (int32_t)(sheen_reciprocal(scale << zeros) >> 1);
     unsigned shift = 1, drop = 16 + room - zeros; /* room = up + 1 */
-    uint32_t all = 0, distance = 6;               /* a step for each number that is cut */
+    uint32_t all = 0, distance = EYE_ROUNDED;
     int32_t v[3], eye[3];
 
     for (int k = 0; k < 3; k++)

@@ -200,7 +200,7 @@ struct tinted {
 
 /*
  * tinted_light.c; at: the lit point from the mesh's origin, along the model's axes, in units, Q11.20, as the places of
- * point lights are stored, |part| <= 2^30; not read if there are no point lights.
+ * point lights are stored, |part| < 2^27 (a posed mesh's scale is below 64 units); not read if there are none.
  */
 void sheen_light_tinted(const struct lighting *l, const struct power *power, const struct tint_terms *tint,
                         const int32_t at[3], const int16_t normal[3], struct tinted *out);
