@@ -54,7 +54,7 @@ class SheenSPI
     {
         uint8_t part[64];
 
-        digitalWrite(dc_, dc);
+        digitalWrite(dc_, dc ? HIGH : LOW); /* an enum, not a number, in cores on ArduinoCore-API */
         for (size_t at = 0, n; at < count; at += n) {
             n = count - at < sizeof part ? count - at : sizeof part;
             memcpy(part, (const uint8_t *)bytes + at, n);
@@ -69,8 +69,8 @@ class SheenSPI
         self->spi_.beginTransaction(SPISettings(self->clock_, MSBFIRST, self->mode_));
         if (self->cs_ >= 0)
             digitalWrite(self->cs_, LOW);
-        self->put(LOW, command, commands);
-        self->put(HIGH, data, count);
+        self->put(0, command, commands);
+        self->put(1, data, count);
         if (self->cs_ >= 0)
             digitalWrite(self->cs_, HIGH);
         self->spi_.endTransaction();
@@ -87,7 +87,7 @@ class SheenSPI
 
     static int reset(void *ctx, int level)
     {
-        digitalWrite(((SheenSPI *)ctx)->reset_, level);
+        digitalWrite(((SheenSPI *)ctx)->reset_, level ? HIGH : LOW);
         return SHEEN_OK;
     }
 

@@ -2,7 +2,10 @@
  * panel.c - sheen with STM32Cube's HAL: DMA sends the pixels by SPI, and its callback says when they have left.
  *
  * In CubeMX set up hspi1 (transmit only, 8 bits, high bit first, CPOL high and CPHA 2nd edge, which modules without CS
- * need, at most 62.5 MHz, with a DMA stream) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
+ * need, at most 62.5 MHz, with a DMA stream and the SPI's global interrupt, by which newer chips such as the H7 report
+ * the end of a DMA transfer) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
+ * DMA does not see the data cache of an F7 or H7, nor reach the H7's DTCM: there the arena belongs into RAM that DMA
+ * reaches and the MPU keeps uncached.
  * Call show_on_panel() from main(), after the MX_..._Init() calls.
  */
 #include "example.h"

@@ -11,8 +11,8 @@ const struct device standin_display = {"display"};
 static uint8_t glass[240 * 240][2];
 static int blanked = 1;
 
-int display_write(const struct device *device, uint16_t x, uint16_t y, const struct display_buffer_descriptor *d,
-                  const void *pixels)
+int display_write(const struct device *device, const uint16_t x, const uint16_t y,
+                  const struct display_buffer_descriptor *d, const void *pixels)
 {
     if (!device_is_ready(device) || d->pitch < d->width || x + d->width > 240 || y + d->height > 240 ||
         d->buf_size < (uint32_t)d->pitch * d->height * 2)
@@ -25,7 +25,7 @@ int display_write(const struct device *device, uint16_t x, uint16_t y, const str
 void display_get_capabilities(const struct device *device, struct display_capabilities *caps)
 {
     (void)device;
-    *caps = (struct display_capabilities){240, 240, FORMAT};
+    *caps = (struct display_capabilities){240, 240, FORMAT, 0, FORMAT, DISPLAY_ORIENTATION_NORMAL};
 }
 
 int display_blanking_off(const struct device *device)

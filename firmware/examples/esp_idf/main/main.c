@@ -21,7 +21,7 @@ struct pins {
 
 /* On all but the ESP32, SPI2 reaches sclk, mosi and cs directly, not through the GPIO matrix. */
 #if CONFIG_IDF_TARGET_ESP32
-static const struct pins pins = {.sclk = 18, .mosi = 23, .cs = 5, .dc = 16, .reset = 17, .light = 4};
+static const struct pins pins = {.sclk = 18, .mosi = 23, .cs = 5, .dc = 21, .reset = 22, .light = 4};
 #elif CONFIG_IDF_TARGET_ESP32S2 || CONFIG_IDF_TARGET_ESP32S3
 static const struct pins pins = {.sclk = 12, .mosi = 11, .cs = 10, .dc = 9, .reset = 8, .light = 7};
 #elif CONFIG_IDF_TARGET_ESP32C3

@@ -8,6 +8,10 @@
 
 #include "example.h"
 
+#ifndef PANEL_PIXEL_FORMAT_RGB_565X /* before Zephyr 4.4 */
+#define PIXEL_FORMAT_RGB_565X PIXEL_FORMAT_BGR_565
+#endif
+
 static int push(void *ctx, struct sheen_rect r, const void *pixels)
 {
     const struct display_buffer_descriptor descriptor = {
@@ -34,10 +38,7 @@ int main(void)
     target.ctx = (void *)display;
     target.width = caps.x_resolution;
     target.height = caps.y_resolution;
-    /*
-     * Before Zephyr 4.4, PIXEL_FORMAT_RGB_565X is called PIXEL_FORMAT_BGR_565. Before 4.3, most drivers exchange the
-     * two formats: if the colours are wrong, exchange them here.
-     */
+    /* Before Zephyr 4.3, most drivers exchange the two formats: if the colours are wrong, exchange them here. */
     if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565)
         target.pixel = SHEEN_RGB565_LE;
     else if (caps.current_pixel_format == PIXEL_FORMAT_RGB_565X)

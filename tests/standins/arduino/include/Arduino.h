@@ -1,5 +1,6 @@
 /*
  * Arduino.h - stands for an Arduino core on a computer: pins, time, a serial line. D/C is pin 9, reset pin 8.
+ * Levels and modes are enums, which refuse numbers, as in ArduinoCore-API without its Compat.h.
  */
 #ifndef ARDUINO_H
 #define ARDUINO_H
@@ -9,23 +10,30 @@
 
 #include "wire.h"
 
-enum {
+typedef enum {
     LOW,
-    HIGH,
-    INPUT = 0,
-    OUTPUT = 1
-};
+    HIGH
+} PinStatus;
+typedef enum {
+    INPUT,
+    OUTPUT
+} PinMode;
+typedef enum {
+    LSBFIRST,
+    MSBFIRST
+} BitOrder;
+typedef uint8_t pin_size_t;
 
-inline void pinMode(int, int)
+inline void pinMode(pin_size_t, PinMode)
 {
 }
 
-inline void digitalWrite(int pin, int level)
+inline void digitalWrite(pin_size_t pin, PinStatus level)
 {
     if (pin == 9)
         wire_level = level;
     else if (pin == 8)
-        wire_number('R', (uint32_t)level);
+        wire_number('R', level);
 }
 
 inline void delayMicroseconds(unsigned us)

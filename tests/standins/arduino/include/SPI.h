@@ -6,14 +6,16 @@
 
 #include <Arduino.h>
 
-enum {
-    MSBFIRST = 1,
+typedef enum {
     SPI_MODE0 = 0,
     SPI_MODE3 = 3
-};
+} SPIMode;
 
 struct SPISettings {
-    SPISettings(uint32_t, int, int)
+    SPISettings(uint32_t, BitOrder, SPIMode)
+    {
+    }
+    SPISettings(uint32_t, BitOrder, int)
     {
     }
 };

@@ -15,7 +15,7 @@ typedef int esp_err_t;
 #define ESP_OK 0
 
 typedef struct esp_lcd_panel_io_t *esp_lcd_panel_io_handle_t;
-typedef void *esp_lcd_spi_bus_handle_t;
+typedef int esp_lcd_spi_bus_handle_t; /* a pointer in older ESP-IDF */
 typedef struct {
     int unused;
 } esp_lcd_panel_io_event_data_t;
