@@ -277,12 +277,10 @@ static void place(uint32_t *seed, struct sheen_object *o, const struct sheen_vie
         o->pose.translation[k] = SHEEN_Q24(stage_uniform(seed, -reach, reach));
 }
 
-/* Makes the next frame: objects stay, move, leave or come back; now and then the view changes. */
-static void next_frame(uint32_t *seed, struct mix *mix, unsigned f, int align_x, int align_y)
+void mix_next(uint32_t *seed, const struct mix *mix, const struct mix_frame *from, struct mix_frame *to, int align_x,
+              int align_y)
 {
-    struct mix_frame *to = &mix->frame[f];
-
-    *to = mix->frame[f - 1];
+    *to = *from;
     if (to->view.fog != NULL)
         to->view.fog = &to->fog;
     to->count = 0;
@@ -317,7 +315,7 @@ void mix_make(struct mix *mix, unsigned number, const struct mix_mesh meshes[STA
         place(&seed, &mix->frame[0].object[i], &mix->frame[0].view);
     }
     for (unsigned f = 1; f < MIX_FRAMES; f++)
-        next_frame(&seed, mix, f, align_x, align_y);
+        mix_next(&seed, mix, &mix->frame[f - 1], &mix->frame[f], align_x, align_y);
 }
 
 void mix_print(const struct mix *mix)

@@ -52,6 +52,13 @@ void mix_meshes(struct mix_mesh meshes[STAGE_MESHES], const struct stage *stage)
 /* Make mix number `number`, which alone determines objects and views. align_x, align_y: the target's. */
 void mix_make(struct mix *mix, unsigned number, const struct mix_mesh meshes[STAGE_MESHES], int align_x, int align_y);
 
+/*
+ * Make a frame to follow *from, another one: objects stay, move, leave or come back; now and then the view changes. All
+ * its objects are among those of the mix.
+ */
+void mix_next(uint32_t *seed, const struct mix *mix, const struct mix_frame *from, struct mix_frame *to, int align_x,
+              int align_y);
+
 unsigned mix_shaders(void);
 const char *mix_shader_name(unsigned shader);
 

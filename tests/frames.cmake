@@ -17,6 +17,12 @@ sheen_test(test_frame_mixes threads SOURCES test_frame_mixes.c frame_mix.c
 if(SHEEN_SANITIZED)
   sheen_script(test_frame_mixes_all long COMMAND $<TARGET_FILE:test_frame_mixes> all)
 endif()
+# 2D that changes under and over objects that move, on panels too, with all that can fail in between; likewise.
+sheen_test(test_frame_canvas threads SOURCES test_frame_canvas.c canvas_items.c frame_mix.c
+  LIBRARIES core_picture sheen_sim sheen_hal sheen::core Threads::Threads)
+if(SHEEN_SANITIZED)
+  sheen_script(test_frame_canvas_all long COMMAND $<TARGET_FILE:test_frame_canvas> all)
+endif()
 sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
   LIBRARIES core_picture sheen_host sheen::core)
 if(NOT SHEEN_SANITIZED) # tests/checks/cross runs it under sanitizers
