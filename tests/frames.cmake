@@ -1,5 +1,5 @@
 # Whole frames.
-foreach(name equal limits locate draws order api stipple bias morph quads far)
+foreach(name equal limits locate draws order api stipple bias morph quads far apron)
   sheen_test(test_frame_${name} frames SOURCES test_frame_${name}.c LIBRARIES core_picture sheen::core)
 endforeach()
 sheen_test(test_frame_changed frames SOURCES test_frame_changed.c frame_show.c LIBRARIES core_picture sheen::core)
