@@ -46,7 +46,7 @@ struct items {
 
 void items_make(struct items *items, uint32_t *seed, const struct sheen_target *target);
 
-/* Change 4 of `calm` items on the average, and note what has to be marked. */
+/* Change each item with a chance of 4 in `calm`, and note what has to be marked. */
 void items_next(struct items *items, uint32_t *seed, unsigned calm);
 
 void items_underlay(void *ctx, const struct sheen_canvas *canvas);
