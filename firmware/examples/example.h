@@ -22,7 +22,7 @@ int example_init(struct sheen_frame **frame, const struct sheen_target *target);
 /* Draws picture i of a movement that never ends; i counts from 0. Returns 0 or a code of enum sheen_error. */
 int example_draw(struct sheen_frame *frame, unsigned i);
 
-/* How many pictures the doors draw: so many that they never stop, or as many as the build says. */
+/* How many pictures doors with a loop of their own draw: so many that they never stop, or as the build says. */
 #ifndef EXAMPLE_FRAMES
 #define EXAMPLE_FRAMES UINT_MAX
 #endif

@@ -7,7 +7,7 @@
 
 /*
  * After this call the first of these signals sets a flag. One more within a second is taken for the same request; a
- * later one ends the program at once.
+ * later one, unless it is SIGPIPE, ends the program at once.
  */
 void stop_watch(void);
 int stop_asked(void); /* whether the flag is set */
