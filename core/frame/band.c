@@ -48,7 +48,7 @@ static int band_rect(const struct sheen_frame *f, unsigned b, struct sheen_rect 
 }
 
 /* Write count pixels of two bytes, and up to three more: stores are multiples of 8 B, so there is room for them. */
-static void fill(uint64_t *at, size_t count, uint16_t pixel)
+HOT static void fill(uint64_t *at, size_t count, uint16_t pixel)
 {
     const uint32_t pair = pixel | (uint32_t)pixel << 16;
     const uint64_t four = pair | (uint64_t)pair << 32, *end = at + (count + 3) / 4, *blocks = at + (count / 32) * 8;
@@ -91,8 +91,8 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
 /* ---- drawing ---- */
 
 /* Set up entry e from the tile's first row on; returns how many rows it has in the tile. */
-static APART unsigned set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t,
-                             const struct draw_record *d, uint32_t e, struct setup *s)
+HOT static APART unsigned set_up(const struct sheen_frame *f, const struct worker *w, struct tile *t,
+                                 const struct draw_record *d, uint32_t e, struct setup *s)
 {
     struct surface_corners c;
     struct gradients g;
@@ -231,7 +231,7 @@ static void tile_begin(const struct sheen_frame *f, struct worker *w, struct til
 #endif
 }
 
-int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
+HOT int sheen_band(struct sheen_frame *f, unsigned worker, unsigned b)
 {
     struct tile t;
     int error = sheen_claim_band(f, worker, b);

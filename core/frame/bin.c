@@ -161,7 +161,8 @@ COLD void sheen_bin_rollback(struct sheen_frame *f, uint32_t entries)
         f->edges->cover(f, 0);
 }
 
-void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry, struct corners *c)
+HOT void sheen_entry_corners(const struct sheen_frame *f, const struct draw_record *d, uint32_t entry,
+                             struct corners *c)
 {
     const uint32_t id = f->entry[entry].triangle;
 

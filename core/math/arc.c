@@ -12,7 +12,7 @@
  * The terms are a least-squares fit over h and t that weights the largest errors most, because 1 / sin p and the like
  * have no short series of their own up to 90 degrees. Range: h * 115164 < 2^31.
  */
-void sheen_arc_series(struct arc_series *s, int32_t h)
+HOT void sheen_arc_series(struct arc_series *s, int32_t h)
 {
     static const int32_t first[5] = {115164, -34433, 46635, 32890, 43797};
     int32_t square = round15(h * h), sum = 0;

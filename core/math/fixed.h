@@ -34,6 +34,18 @@
 #endif
 
 /*
+ * What takes most of a frame while bands are drawn. A build may define SHEEN_HOT_SECTION, how the names of these
+ * functions' sections begin, to have a linker script put them into fast memory (firmware/README.md).
+ */
+#ifdef SHEEN_HOT_SECTION
+#define HOT_TEXT(n) #n
+#define HOT_NAME(n) SHEEN_HOT_SECTION "." HOT_TEXT(n)
+#define HOT __attribute__((section(HOT_NAME(__COUNTER__)))) /* sections of their own, to be left out if not called */
+#else
+#define HOT
+#endif
+
+/*
  * floor(x / 2^n), 0 <= n <= 31. GCC and Clang document >> of a negative number as arithmetic; for other compilers the
  * complement of a non-negative number is shifted.
  */

@@ -7,7 +7,7 @@
 #include "shading.h"
 
 /* The channels of vertex `at` / 3 of the mesh. */
-static void vertex_channels(const struct draw *d, ptrdiff_t at, const struct glow *glow, uint32_t channel[3])
+HOT static void vertex_channels(const struct draw *d, ptrdiff_t at, const struct glow *glow, uint32_t channel[3])
 {
     const uint8_t *color = d->mesh->colors;
 
@@ -78,7 +78,7 @@ const struct sheen_shader sheen_flat_colored = {
 
 /* ---- Gouraud: light of the vertices ---- */
 
-static APART void gouraud_corners(const struct setup *s, const struct surface_corners *c, uint32_t channel[3][3])
+HOT static APART void gouraud_corners(const struct setup *s, const struct surface_corners *c, uint32_t channel[3][3])
 {
     const struct draw *d = s->draw;
 

@@ -4,7 +4,7 @@
 #include "shading.h"
 
 /* With FAST_LOOPS an undithered facet's pixel is finished once and reused for its other triangles. */
-static void flat_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+HOT static void flat_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     struct constant_setup *one = (struct constant_setup *)s;
     const int finish = FAST_LOOPS && !s->draw->dither;

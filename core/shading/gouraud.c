@@ -83,7 +83,8 @@ static void corner_channels(const struct draw *draw, const struct lit lit[3], ui
 }
 
 /* Interpolates channels: for a highlight, or if neither shades nor the diffuse intensity alone suffice. */
-static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
+HOT static APART void glossy(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                             const struct lit lit[3])
 {
     const struct draw *draw = s->draw;
     const struct colour_terms *terms = &draw->colour;
@@ -102,7 +103,7 @@ static APART void glossy(struct setup *s, struct surface_corners *c, const struc
         sheen_setup_quotient(s, c, g, channel);
 }
 
-static void gouraud_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+HOT static void gouraud_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const struct draw *d = s->draw;
     struct lit lit[3];

@@ -40,7 +40,7 @@ static void matcap_light(const struct draw *d, const int16_t normal[3], uint16_t
 }
 
 /* x and -y of the normals at the corners, as seen: Q0.15. */
-static void corner_cosines(int32_t cosine[2][3], const struct surface_corners *c)
+HOT static void corner_cosines(int32_t cosine[2][3], const struct surface_corners *c)
 {
     for (int k = 0; k < 3; k++) {
         const struct vertex *v = c->at.v[k];
@@ -67,7 +67,7 @@ static unsigned steps_of(const struct draw *d)
 }
 
 /* Texel coordinates from x and -y, at least `edge` from the picture's edges, and light. */
-static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t edge, struct at_corners at[4])
+HOT static void corner_texels(const struct draw *d, int32_t cosine[2][3], int32_t edge, struct at_corners at[4])
 {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
@@ -116,8 +116,8 @@ static uint8_t quadric_block(const struct quadric quadric[2], unsigned steps)
 }
 
 /* 0: the triangle is too large, too small or a needle, weights are too far apart, or it might leave the picture. */
-static APART int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
-                                  const uint32_t h[3])
+HOT static APART int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c,
+                                      const struct gradients *g, const uint32_t h[3])
 {
     struct quadric_steps steps;
     int32_t cosine[2][3], lean[3];

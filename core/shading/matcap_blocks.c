@@ -18,7 +18,7 @@ static void rows_begin(struct row_left *r, const struct tile *t, const struct se
 }
 
 /* 0: the row is empty. */
-static int row_begin(struct row_left *r, const struct tile *t, const struct setup *s, unsigned row)
+HOT static int row_begin(struct row_left *r, const struct tile *t, const struct setup *s, unsigned row)
 {
     const int32_t x = t->spans[row].x0, y = t->first_row + (int32_t)row;
 
@@ -58,7 +58,7 @@ static uint32_t curve_on(struct curve *c, uint32_t count)
     return step;
 }
 
-void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_matcap_quadric_rows(const struct tile *t, const struct setup *s)
 {
     const struct matcap_setup *m = (const struct matcap_setup *)s;
     const struct sheen_texture *texture = s->draw->texel.texture;

@@ -26,7 +26,7 @@ static void texel_of_cosines(const struct sheen_texture *t, int32_t x, int32_t y
     at[1] = (uint32_t)texel_at_cosine(-y, t->height_log2, TEXEL_EDGE);
 }
 
-static void texel_of_unit(const struct sheen_texture *t, const uint32_t normal[3], uint32_t at[])
+HOT static void texel_of_unit(const struct sheen_texture *t, const uint32_t normal[3], uint32_t at[])
 {
     int32_t x, y;
 
@@ -35,7 +35,7 @@ static void texel_of_unit(const struct sheen_texture *t, const uint32_t normal[3
 }
 
 /* by_pixel: normals are interpolated over the triangle, else texel coordinates. */
-static APART void matcap_corners(const struct setup *s, int by_pixel, struct texel_corners *corners)
+HOT static APART void matcap_corners(const struct setup *s, int by_pixel, struct texel_corners *corners)
 {
     const struct lighting *l = &s->draw->light;
     const sheen_q30_t *const axis[3] = {l->to[0], l->to[1], l->view};

@@ -36,7 +36,7 @@ static int32_t square_excess(const int32_t w[3], int i, int j, uint32_t h)
     return -(int32_t)((product * (h >> 16) >> 12) + (apart >> 13));
 }
 
-void sheen_phong_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_phong_rows(const struct tile *t, const struct setup *s)
 {
     const struct phong_setup *p = (const struct phong_setup *)s;
     struct quadric square;
@@ -234,7 +234,7 @@ static APART int normal_planes(struct setup *s, struct surface_corners *c, const
     return 1;
 }
 
-static void phong_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
+HOT static void phong_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const unsigned lights = s->draw->light.count;
     struct facing f;

@@ -14,7 +14,7 @@ SPECIALISED struct packed side_at(const struct square_corner *corner, int32_t y)
     return side;
 }
 
-void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y)
+HOT void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y)
 {
     const struct square_corner *corner = l->corner + ((x - l->x) >> 2);
     const struct packed left = side_at(corner, y);
@@ -78,7 +78,7 @@ SPECIALISED int whole_squares(const struct tile *t, const struct square_line *l,
     return (ends & 3) == 0;
 }
 
-int sheen_whole_squares(const struct tile *t, const struct square_line *l)
+HOT int sheen_whole_squares(const struct tile *t, const struct square_line *l)
 {
     return t->dither ? whole_squares(t, l, 1) : whole_squares(t, l, 0);
 }

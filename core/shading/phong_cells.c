@@ -35,7 +35,7 @@ static uint32_t node_square(const struct plane normal[3], int32_t x, int32_t y)
  * Computed to 2^-26, not to the 2^-15 of a pixel: in a magnified triangle thousands of pixels share a node's error, and
  * a highlight multiplies it by n.
  */
-static struct node node_at(const struct phong_cells_setup *p, int32_t x, int32_t y)
+HOT static struct node node_at(const struct phong_cells_setup *p, int32_t x, int32_t y)
 {
     const int32_t most = 32767 * 32768;
     const struct draw *d = p->of.s.draw;
@@ -75,7 +75,7 @@ struct patch {
 };
 
 /* The patch through nodes f, from row `row` of the cell on. */
-static APART void patch_of(struct patch *p, int32_t f[3][3], unsigned shift, int32_t row)
+HOT static APART void patch_of(struct patch *p, int32_t f[3][3], unsigned shift, int32_t row)
 {
     int32_t x[3][3], along[3];
     const uint32_t n = (uint32_t)row, pair = pairs(row);
@@ -117,7 +117,7 @@ struct cell {
 
 /* ---- pixels ---- */
 
-static APART void cell_rows(const struct tile *t, struct cell *c)
+HOT static APART void cell_rows(const struct tile *t, struct cell *c)
 {
     const struct setup *s = &c->p->of.s;
     const int32_t size = 1 << CELL_SHIFT(s);
@@ -172,7 +172,7 @@ static struct packed corner_of(const struct draw *d, uint32_t f, uint32_t u)
 }
 
 /* Corners 0 to `last` at the patches' row, from column 4 * `from` of the cell on; on entry, those of the row above. */
-static APART void corner_row(const struct cell *c, struct square_corner *corner, int32_t from, int32_t last)
+HOT static APART void corner_row(const struct cell *c, struct square_corner *corner, int32_t from, int32_t last)
 {
     const struct draw *draw = c->p->of.s.draw;
     const struct patch *f = &c->f, *u = &c->u;
@@ -282,7 +282,7 @@ static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
 }
 
 /* Makes the cell at column x. right: in, nodes of its left side; out, of its right. APART: nodes leave the stack. */
-static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
+HOT static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
 {
     const int32_t size = 1 << CELL_SHIFT(&c->p->of.s), top = c->y & -size;
     int32_t f[3][3], u[3][3];

@@ -68,7 +68,7 @@ SPECIALISED void root_step(struct root_run *at)
 #if FAST_LOOPS
 /* On M0+ a pixel is a function of its own, so that it has enough registers. */
 #if defined(__ARM_ARCH_6M__)
-#define PIXEL static APART
+#define PIXEL HOT static APART
 #else
 #define PIXEL SPECIALISED
 #endif
@@ -124,8 +124,8 @@ static COLD void general_root_run(const struct tile *t, const struct draw *draw,
     }
 }
 
-void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
-                    struct root_run *run)
+HOT void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
+                        struct root_run *run)
 {
 #if FAST_LOOPS
     if (draw->is_565 && draw->loop.usable) {

@@ -49,7 +49,7 @@ COLD void sheen_slerp_corners(struct slerp_corners *s, const struct surface_corn
     }
 }
 
-static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
+HOT static void slerp_setup(struct setup *setup, struct surface_corners *c, const struct gradients *g)
 {
     const struct draw *d = setup->draw;
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0; /* pieces keep no cosines */

@@ -47,7 +47,7 @@ static inline int32_t in_space(int32_t t, uint32_t a, uint32_t b, uint32_t *weig
 #define HIGHEST_ARGUMENT 0xd0000000u /* 3.25 times the power table's range: no part with a highlight comes near */
 
 /* The values at t of the way along the row, as in struct arc_row's `lit`. */
-static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
+HOT static APART void lit_place(const struct arc_row *r, int32_t t, int32_t lit[2])
 {
     const int32_t *end = r->end[t >> 15];
     int32_t ln = end[0], nv = end[1];
@@ -75,7 +75,7 @@ struct bent_run {
 };
 
 /* The quadratic through lit[0..2][k], a part's start, middle and end, from its first pixel on: Q.30. */
-static APART struct bent_run bent_through(const struct arc_row *r, const struct part *p, unsigned k)
+HOT static APART struct bent_run bent_through(const struct arc_row *r, const struct part *p, unsigned k)
 {
     const int32_t f0 = r->lit[0][k], f1 = r->lit[2][k], up = (int32_t)p->up, n = p->n;
     const int32_t bent = 2 * (f0 + f1) - 4 * r->lit[1][k], m = f1 - f0 - bent;
@@ -102,7 +102,7 @@ static int is_shiny(const struct arc_row *r)
            (lit[0][0] > 0 || lit[1][0] > 0 || lit[2][0] > 0);
 }
 
-static void draw_lit(const struct tile *t, struct arc_row *r, const struct part *p)
+HOT static void draw_lit(const struct tile *t, struct arc_row *r, const struct part *p)
 {
     const struct setup *s = r->s;
     struct shaded_run run = {plane_at(&s->depth, p->x, r->y), s->depth.dx, 0, 0, 0, 0, 0, 0};
@@ -142,7 +142,7 @@ static void draw_lit(const struct tile *t, struct arc_row *r, const struct part 
 }
 
 /* The logarithm of the number of parts. */
-static unsigned lit_parts(const struct arc_row *r)
+HOT static unsigned lit_parts(const struct arc_row *r)
 {
     const int32_t h = r->h;
     const struct draw *d = r->s->draw;
@@ -271,7 +271,7 @@ static inline void lit_crossing(const struct slerp_corner *a, const struct slerp
  * Ni; ci is by how much Ni's share is larger at one crossing than at the other, |ci| <= 1.0. |sum|^2 =
  * (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ... is computed in quarters, as h is: Q0.15.
  */
-static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
+HOT static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
 {
     const struct slerp_corners *at = r->at;
     const struct slerp_corner *corner = at->corner;
@@ -296,8 +296,8 @@ static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned
 }
 
 /* Begins the row at centre, 1/64 px from the viewport's, between edge 02 and edge `other`; arc: those edges' arcs. */
-static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
-                            int32_t centre)
+HOT static APART void begin_row(const struct tile *t, struct arc_row *r, const struct arc arc[2], unsigned other,
+                                int32_t centre)
 {
     const unsigned side = r->at->long_right; /* of edge 02 */
     int32_t x[2], down[2];
@@ -364,7 +364,7 @@ static APART void begin_edge(struct arc *arc, const struct arc_row *r, unsigned 
         sheen_arc_begin(arc, upper_end(r->at, edge)->normal, lower_end(r->at, edge)->normal);
 }
 
-void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
+HOT void sheen_slerp_draw(const struct tile *t, struct arc_row *r)
 {
     unsigned edge = 0; /* the one that arc[1] is of; 0: none yet */
     struct arc arc[2];

@@ -24,7 +24,8 @@ static void textured_carry(const struct draw *d, uint16_t triangle, int back, in
     }
 }
 
-static void textured_as(struct setup *s, struct surface_corners *c, const struct gradients *g, const struct lit lit[3])
+HOT static void textured_as(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                            const struct lit lit[3])
 {
     const struct draw *d = s->draw;
     const struct colour_terms *colour = &d->colour;

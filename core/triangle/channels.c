@@ -37,7 +37,8 @@ static int all_equal(uint32_t channel[3][3])
     return apart == 0;
 }
 
-void sheen_setup_channels(struct setup *s, struct surface_corners *c, const struct gradients *g, uint32_t channel[3][3])
+HOT void sheen_setup_channels(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                              uint32_t channel[3][3])
 {
     if (g == NULL || all_equal(channel)) {
         uint32_t mean[3];

@@ -26,7 +26,8 @@ void sheen_mix_corners(struct at_corners *at, const struct shares_setup *s)
  * Channels at corner k, with the draw's fraction: the light divided by the levels of a full texel, 31 or 63, and the
  * highlight. color: the vertex's; NULL: white. Returns 0 if there is no highlight.
  */
-static APART uint32_t color_corner(struct texel_corners *c, uint32_t k, const struct glow *glow, const uint8_t *color)
+HOT static APART uint32_t color_corner(struct texel_corners *c, uint32_t k, const struct glow *glow,
+                                       const uint8_t *color)
 {
     static const uint32_t one_level[3] = {0x08421085u, 0x04104105u, 0x08421085u}; /* 2^32 / 31, 63 */
 
@@ -84,7 +85,7 @@ static inline uint32_t texels_between(const struct at_corners *f, const int32_t 
 }
 
 /* The exact values at pixel (x, y) of the triangle. */
-static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t y, uint32_t value[TEXEL_VALUES])
+HOT static APART void texel_values_at(const struct texel_rows *r, int32_t x, int32_t y, uint32_t value[TEXEL_VALUES])
 {
     const struct texel_corners *c = r->c;
     int32_t fine[2], share[2];
@@ -140,7 +141,7 @@ static int bends(const struct texel_rows *r, const uint32_t from[], const uint32
 }
 
 /* Draws `count` pixels, up to the one before `end`; `from` is overwritten. */
-static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[], int32_t count)
+HOT static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[], int32_t count)
 {
     struct colored_run *run = &r->run;
     uint32_t step[TEXEL_VALUES];
@@ -157,7 +158,7 @@ static void put_part(struct texel_rows *r, uint32_t from[], const uint32_t end[]
 }
 
 /* The row's last part ends at its last pixel, because beyond the triangle weights may be invalid. */
-static APART void colored_row(struct texel_rows *r, int32_t left)
+HOT static APART void colored_row(struct texel_rows *r, int32_t left)
 {
     uint32_t value[3][TEXEL_VALUES], *from = value[0], *middle = value[1], *end = value[2];
     const int32_t y = r->run.y, longest = r->c->texel_of != NULL ? LONGEST_PART / 4 : LONGEST_PART;
@@ -190,7 +191,7 @@ static APART void colored_row(struct texel_rows *r, int32_t left)
     put_part(r, from, from, 1);
 }
 
-void sheen_colored_texels(const struct tile *t, const struct setup *s, const struct texel_corners *c)
+HOT void sheen_colored_texels(const struct tile *t, const struct setup *s, const struct texel_corners *c)
 {
     const struct sheen_texture *texture = s->draw->tint.texture;
     const int repeats = c->texel_of != NULL || (texture->clamp_u | texture->clamp_v) == 0;

@@ -85,7 +85,7 @@ SPECIALISED void plain_colored(const struct colored_run *r, unsigned glossy)
     }
 }
 
-static APART void matt_colored_run(const struct colored_run *r)
+HOT static APART void matt_colored_run(const struct colored_run *r)
 {
     plain_colored(r, 0);
 }

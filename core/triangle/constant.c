@@ -26,7 +26,7 @@ void sheen_setup_colour(struct setup *s, uint32_t channel[3])
         linear->channel[k] = (struct plane){channel[k], 0, 0};
 }
 
-void sheen_setup_constant(struct setup *s, const struct lit *lit)
+HOT void sheen_setup_constant(struct setup *s, const struct lit *lit)
 {
     uint32_t channel[3];
 

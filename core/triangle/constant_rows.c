@@ -33,7 +33,7 @@ SPECIALISED void constant_rows(const struct tile *t, const struct constant_setup
     } while (span != spans_end);
 }
 
-void sheen_constant_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_constant_rows(const struct tile *t, const struct setup *s)
 {
     if (FAST_LOOPS && !t->format->grey)
         constant_rows(t, (const struct constant_setup *)s, 0);

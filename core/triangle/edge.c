@@ -141,8 +141,8 @@ static inline void edge_begin(struct edge *e, const struct screen_corner *upper,
 }
 
 /* Corners run clockwise, so an edge that goes down bounds the right and one that goes up the left. */
-unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, const struct edge_rows *to,
-                           struct span *spans)
+HOT unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, const struct edge_rows *to,
+                               struct span *spans)
 {
     const struct screen_corner *from = &at[2], *const last = from;
     unsigned right = 0;
@@ -168,7 +168,7 @@ unsigned sheen_edges_begin(struct edge *edge, const struct screen_corner *at, co
 
 /* ---- later rows ---- */
 
-void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
+HOT void sheen_clip_spans(struct span *spans, unsigned rows, struct sheen_rect rect)
 {
     for (unsigned row = 0; row < rows; row++) {
         spans[row].x0 = (int16_t)max32(spans[row].x0, rect.x0);
@@ -195,7 +195,7 @@ void sheen_spans_back(struct setup *s, int32_t row)
     s->row = (int16_t)max32(row, top);
 }
 
-unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)
+HOT unsigned sheen_spans(struct setup *s, struct sheen_rect rect, struct span *spans)
 {
     const int32_t row = s->row, end = min32(s->end_row, rect.y1);
     struct edge *e = s->edge;

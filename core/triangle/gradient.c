@@ -20,7 +20,7 @@ static inline uint32_t scaled_step(int32_t x, int shift)
  * their product is below 2^30.
  * Returns 0 if the triangle is too flat, see FLATTEST.
  */
-int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
+HOT int sheen_gradients(struct gradients *g, int32_t x, int32_t y)
 {
     g->origin[0] = asr32(x, SUBPIXEL_BITS);
     g->origin[1] = asr32(y, SUBPIXEL_BITS);
@@ -52,7 +52,7 @@ struct wide_steps {
 };
 
 /* (a x + b y) / 2^shift, rounded. A product with y = 0 is skipped because it costs a call on an M0+. */
-static APART int64_t wide_sum(int64_t a, int32_t x, int64_t b, int32_t y, unsigned shift)
+HOT static APART int64_t wide_sum(int64_t a, int32_t x, int64_t b, int32_t y, unsigned shift)
 {
     return round_shift64(y != 0 ? a * x + b * y : a * x, shift);
 }
@@ -76,7 +76,7 @@ static void wide_steps_of(const struct gradients *g, struct wide_steps *w)
  * (z16: 2^16 with up 16) and gradients are below 2^11 per pixel, so steps are below 2^44, and half a pixel of both
  * below 2^50.
  */
-void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s)
+HOT void sheen_slope(const struct gradients *g, const int32_t value[3], unsigned up, struct slope *s)
 {
     struct wide_steps w;
     int64_t d1 = (int64_t)value[1] - value[0], d2 = (int64_t)value[2] - value[0];
@@ -119,7 +119,7 @@ static APART struct plane wide_plane(const struct gradients *g, uint32_t base, i
  * twice, is at most 2^30; |b| < 2^15, so the products' sum fits. A step may exceed 32 bits and wrap, on a triangle less
  * than a pixel across. As pixels are whole steps from the origin pixel, the plane is right modulo 2^32 all the same.
  */
-void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
+HOT void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
 {
     if (g->wide) {
         *p = wide_plane(g, base, d1, d2, up);

@@ -16,7 +16,7 @@ SETUP_FITS(struct shades_setup);
  * weight_shift. Range: |d| <= 64000 (on grey, the sum of three channels), |z| <= 65020, so products fit 32 bits; unit <
  * 2^13; a weight >> weight_shift is below 2^25.
  */
-int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit)
+HOT int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit)
 {
     const struct screen *screen = c->screen;
     int32_t z1 = c->at.v[1]->z - c->at.v[0]->z, z2 = c->at.v[2]->z - c->at.v[0]->z;
@@ -37,7 +37,7 @@ static int packable(const struct gradients *g)
     return g->bits <= SUBPIXEL_BITS + PACKED_RUN_BITS;
 }
 
-void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
+HOT void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
     struct shades_setup *r = (struct shades_setup *)s;
 
@@ -47,7 +47,7 @@ void sheen_setup_shades(struct setup *s, const struct gradients *g, uint32_t dif
 }
 
 /* 1 if some corner's channel is within `margin` of 0 or 1.0, or beyond; for a constant channel, only if beyond. */
-int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin)
+HOT int sheen_channels_leave(const struct colour_terms *terms, uint32_t channel[3][3], uint32_t margin)
 {
     int leave = 0;
 
@@ -99,7 +99,7 @@ SPECIALISED struct plane diffuse_channel(const struct colour_terms *terms, int k
  * by up to 1/4 per pixel; between `low` and `high` no channel comes near 0 or 1.0. Range: the origin pixel's centre is
  * at most half a pixel each way beyond the triangle, so red and blue are within -8 and 39 levels there.
  */
-int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
+HOT int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t diffuse, int32_t d1, int32_t d2)
 {
     const struct colour_terms *terms = &s->draw->colour;
     const uint32_t low = terms->low, range = (uint32_t)terms->high - low;
@@ -124,7 +124,7 @@ int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t dif
  * channel: by component and corner. Differences are cut to 15 bits, 2^-10 level. fast: no sum of a channel and a
  * threshold leaves its field of a word, even with the planes' rounding, which is below 1/32 level.
  */
-void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3])
+HOT void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3])
 {
     const struct colour_terms *terms = &s->draw->colour;
     struct plane plane[3];

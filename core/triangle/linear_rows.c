@@ -18,7 +18,7 @@ SPECIALISED void shades_pixel(const struct tile *t, uint16_t *depth, intptr_t to
     at->f += step.f;
 }
 
-void sheen_shades_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_shades_rows(const struct tile *t, const struct setup *s)
 {
     const struct shades_setup *r = (const struct shades_setup *)s;
     const uint16_t *shades = s->draw->shades->pixel;
@@ -47,7 +47,7 @@ void sheen_shades_rows(const struct tile *t, const struct setup *s)
 }
 
 #if THUMB_LOOPS
-void sheen_wide_shades_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_wide_shades_rows(const struct tile *t, const struct setup *s)
 {
     const struct shades_setup *r = (const struct shades_setup *)s;
     struct thumb_shades run = {
@@ -96,7 +96,7 @@ static COLD void any_packed_rows(const struct tile *t, const struct packed_setup
 }
 
 /* Specialised loops, here and below, are for the byte order of a panel's bus only. */
-void sheen_packed_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_packed_rows(const struct tile *t, const struct setup *s)
 {
     const struct packed_setup *p = (const struct packed_setup *)s;
 
@@ -212,7 +212,7 @@ SPECIALISED void clamped_565_rows(const struct tile *t, const struct linear_setu
 }
 #endif
 
-void sheen_linear_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_linear_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
     const unsigned own = FAST_LOOPS && t->format->swap;

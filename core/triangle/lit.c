@@ -61,7 +61,7 @@ static uint32_t facet_of(const struct draw *d, uint32_t triangle)
                                                                                        : triangle;
 }
 
-int sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
+HOT int sheen_facet_lit(const struct setup *s, const struct surface_corners *c, struct lit *lit)
 {
     const struct draw *d = s->draw;
     struct lit_facet *last = c->facet;

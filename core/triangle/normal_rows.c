@@ -12,8 +12,8 @@ void put_any(const struct tile *t, const struct draw *d, struct rounding roundin
 }
 #endif
 
-void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      const struct normal_run *run)
+HOT void sheen_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                          const struct normal_run *run)
 {
     normal_loop(t, d, x, x1, y, run, 0, 0);
 }

@@ -11,7 +11,7 @@
 #define MOST_EXCESS 203 /* of k; 204 once rounded: ten products of that and a number up to 2^20 stay below 2^31 */
 #define MOST_SLOPE 16383
 
-int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
+HOT int sheen_quadric_steps(struct quadric_steps *p, const struct gradients *g)
 {
     const int32_t px = g->b1[0], py = g->b1[1], qx = g->b2[0], qy = g->b2[1];
 
@@ -62,8 +62,8 @@ static int room_of(uint32_t all, int shift)
     return max32(0, 2 - (int)clz32(all) - shift);
 }
 
-void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
-                          const int32_t k[3])
+HOT void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint32_t f0, int32_t d1, int32_t d2,
+                              const int32_t k[3])
 {
     const struct gradients *g = p->g;
     unsigned drop = surplus(magnitudes(k[0], k[1], k[2]), MOST_EXCESS);
@@ -96,8 +96,8 @@ void sheen_corner_quadric(struct quadric *q, const struct quadric_steps *p, uint
     q->dyy = (uint32_t)yy << (room + 1);
 }
 
-void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
-                         const int32_t f[3])
+HOT void sheen_space_quadric(struct quadric *q, const struct quadric_steps *steps, const int32_t lean[3],
+                             const int32_t f[3])
 {
     const int32_t k[3] = {asr32((lean[0] >> 1) * (f[0] - f[1]), 16), asr32((lean[1] >> 1) * (f[0] - f[2]), 16),
                           asr32((lean[2] >> 1) * (f[1] - f[2]), 16)};
@@ -132,7 +132,7 @@ COLD void sheen_fine_quadric(struct quadric *q, const struct quadric_steps *p, u
  * edge's two. Range: |z - z| < 2^16, `over` at most 2^15; as weights are at least 0, none is more than three times the
  * mean.
  */
-int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
+HOT int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
 {
     const struct screen *screen = c->screen;
     const int32_t z0 = c->at.v[0]->z, z1 = c->at.v[1]->z, z2 = c->at.v[2]->z;
@@ -153,7 +153,7 @@ int sheen_leans(int32_t lean[3], const struct surface_corners *c, int32_t most)
            (uint32_t)(lean[2] + most) <= width;
 }
 
-void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row)
+HOT void sheen_quadric_from(struct quadric *to, const struct quadric *q, int32_t column, int32_t row)
 {
     const uint32_t x = (uint32_t)column, y = (uint32_t)row;
     const uint32_t dx = q->dx + y * q->dxy;

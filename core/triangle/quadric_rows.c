@@ -10,7 +10,7 @@
 
 /* On M0+ a highlight's pixel is a function of its own, so that it has all the registers that it needs. */
 #if defined(__ARM_ARCH_6M__)
-#define PIXEL static APART
+#define PIXEL HOT static APART
 #else
 #define PIXEL SPECIALISED
 #endif
@@ -146,8 +146,8 @@ SPECIALISED struct packed segment_colour(const struct shade_segment *segments, u
 
 /* The pixel in a word's high half. As above, the threshold is loaded last, or before a call. */
 #if defined(__ARM_ARCH_6M__)
-static APART uint32_t segment_by(const struct shade_segment *segments, uint32_t f, uint32_t pair, const struct tile *t,
-                                 const uint16_t *depth)
+HOT static APART uint32_t segment_by(const struct shade_segment *segments, uint32_t f, uint32_t pair,
+                                     const struct tile *t, const uint16_t *depth)
 {
     return dithered_high(t, depth, segment_colour(segments, f), pair);
 }
@@ -225,8 +225,8 @@ static int shades_will_do(const struct draw *d, enum second second)
     return second == SECOND_NONE && d->shades != NULL;
 }
 
-void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      struct shaded_run *run, enum second second)
+HOT void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                          struct shaded_run *run, enum second second)
 {
     const uint32_t at = tile_offset(t, x, y);
     const threshold_t *thresholds = DITHER_ROW(t, t->depth + at - x, y);
@@ -306,39 +306,39 @@ SPECIALISED void own_rows(const struct tile *t, const struct setup *s, enum seco
     } while (span != end);
 }
 
-static void plain_shades_rows(const struct tile *t, const struct setup *s)
+HOT static void plain_shades_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_NONE, 0);
 }
 
-static void plain_power_rows(const struct tile *t, const struct setup *s)
+HOT static void plain_power_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_POWER, 0);
 }
 
-static void dithered_shades_rows(const struct tile *t, const struct setup *s)
+HOT static void dithered_shades_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_NONE, 1);
 }
 
-static void dithered_power_rows(const struct tile *t, const struct setup *s)
+HOT static void dithered_power_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_POWER, 1);
 }
 
-static void plain_specular_rows(const struct tile *t, const struct setup *s)
+HOT static void plain_specular_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_SPECULAR, 0);
 }
 
-static void dithered_specular_rows(const struct tile *t, const struct setup *s)
+HOT static void dithered_specular_rows(const struct tile *t, const struct setup *s)
 {
     own_rows(t, s, SECOND_SPECULAR, 1);
 }
 #endif
 
 /* Specialised loops are for the byte order of a panel's bus only. */
-void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second)
+HOT void sheen_take_quadric_rows(struct setup *s, const struct gradients *g, enum second second)
 {
     struct quadric_setup *q = (struct quadric_setup *)s;
 

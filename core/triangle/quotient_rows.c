@@ -3,7 +3,7 @@
  */
 #include "quotient.h"
 
-void sheen_quotient_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_quotient_rows(const struct tile *t, const struct setup *s)
 {
     quotient_rows(t, (const struct quotient_setup *)s, 0);
 }

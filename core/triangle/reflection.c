@@ -58,7 +58,7 @@ static uint32_t square_apart(const int16_t *a, const int16_t *b)
     return x * x + y * y + z * z;
 }
 
-uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3])
+HOT uint32_t sheen_normals_apart(const int16_t *const n[3], uint32_t h[3])
 {
     h[0] = square_apart(n[0], n[1]);
     h[1] = square_apart(n[0], n[2]);
@@ -84,7 +84,7 @@ void sheen_face(struct facing *f, const struct surface_corners *c)
     }
 }
 
-void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back, const int32_t to[3])
+HOT void sheen_face_light(struct facing *f, const int16_t *const normal[3], int back, const int32_t to[3])
 {
     for (int k = 0; k < 3; k++) {
         const int32_t ln = cosine_of(normal[k], to);
@@ -142,8 +142,8 @@ int32_t sheen_cosine_excess(int32_t first, int32_t second, int32_t h, int32_t le
     return asr32(e * (first + second) + lean * (first - second), 17);
 }
 
-int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                           const struct facing *f)
+HOT int sheen_setup_reflection(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                               const struct facing *f)
 {
     struct quadric_setup *q = (struct quadric_setup *)s;
     struct quadric_steps steps;

@@ -81,7 +81,7 @@ static void orient(struct surface_corners *c, struct gradients *g)
  */
 #define STEEPEST_DEPTH 32768
 
-static APART void mend_depth(struct plane *depth, const struct gradients *g, int32_t d1, int32_t d2)
+HOT static APART void mend_depth(struct plane *depth, const struct gradients *g, int32_t d1, int32_t d2)
 {
     const uint32_t at1 = depth->dx * (uint32_t)g->to1[0] + depth->dy * (uint32_t)g->to1[1];
     const uint32_t at2 = depth->dx * (uint32_t)g->to2[0] + depth->dy * (uint32_t)g->to2[1];
@@ -115,8 +115,8 @@ static void depth_plane(struct setup *s, const struct surface_corners *c, const 
     }
 }
 
-unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
-                              struct surface_corners *c, struct gradients *g, struct setup *s)
+HOT unsigned sheen_triangle_begin(const struct screen *screen, struct sheen_rect rect, struct span *spans,
+                                  struct surface_corners *c, struct gradients *g, struct setup *s)
 {
     const struct vertex *const fourth = c->at.v[3];
     struct screen_corner ring[4], *const at = &ring[1]; /* corner 3 (of quads), then 2, 0, 1 */

@@ -74,7 +74,7 @@ static const struct sheen_mesh *mesh_of(const struct setup *s, union shared_tria
     return mesh;
 }
 
-void sheen_shared_normals(const struct setup *s, union shared_triangle of, int16_t normal[3][3])
+HOT void sheen_shared_normals(const struct setup *s, union shared_triangle of, int16_t normal[3][3])
 {
     uint32_t index[3];
     const struct sheen_mesh *mesh = mesh_of(s, of, index);
@@ -91,7 +91,7 @@ void sheen_shared_normals(const struct setup *s, union shared_triangle of, int16
         of_piece(of.piece, normal);
 }
 
-void sheen_shared_colors(const struct setup *s, union shared_triangle of, int16_t color[3][3])
+HOT void sheen_shared_colors(const struct setup *s, union shared_triangle of, int16_t color[3][3])
 {
     uint32_t index[3];
     const struct sheen_mesh *mesh = mesh_of(s, of, index);

@@ -14,8 +14,8 @@ static inline uint32_t quotient_of(struct inverse i, const struct plane *p, int3
 }
 
 /* Exact values at pixel (x, y); *weight: what they were divided by. */
-static APART struct inverse quotients_at(const struct textured_setup *s, int32_t x, int32_t y, struct texel_at *at,
-                                         uint32_t *weight)
+HOT static APART struct inverse quotients_at(const struct textured_setup *s, int32_t x, int32_t y, struct texel_at *at,
+                                             uint32_t *weight)
 {
     *weight = plane_at(&s->weight, x, y) | 1u;
     struct inverse i = inverse_of(*weight);
@@ -93,7 +93,7 @@ static void block_steps(struct block *b, uint32_t count)
  * Makes the block that begins at pixel (x, y), whose exact values are in b->end; returns its pixels, at most `left`.
  * The row's last block ends at the row's last pixel, because beyond the triangle weights may be invalid.
  */
-static APART int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
+HOT static APART int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
 {
     int32_t count = min32(left, BLOCK), to = min32(left - 1, BLOCK);
     struct inverse i = b->inverse;
@@ -145,7 +145,7 @@ static void linear_run(const struct textured_setup *s, const struct texel_run *r
     sheen_textured_run(r, &at);
 }
 
-void sheen_textured_blocks(const struct tile *t, const struct setup *s)
+HOT void sheen_textured_blocks(const struct tile *t, const struct setup *s)
 {
     const struct textured_setup *textured = (const struct textured_setup *)s;
     const struct texel_at step = {s->depth.dx, textured->u.dx, textured->v.dx, textured->light.dx,

@@ -97,7 +97,7 @@ static int shows_565(const struct draw *d)
     return d->is_565 || (d->fog != NULL && d->fog->is_565 && !d->stippled);
 }
 
-enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4])
+HOT enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
     const struct sheen_texture *t = terms->texture;
@@ -124,8 +124,8 @@ enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at
 #define BLOCK_BIAS 320
 #define RUN_BIAS 1088
 
-void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
-                          struct at_corners at[4], int straight)
+HOT void sheen_setup_textured(struct setup *s, struct surface_corners *c, const struct gradients *g,
+                              struct at_corners at[4], int straight)
 {
     struct textured_setup *t = (struct textured_setup *)s;
     struct plane *plane[4] = {&t->u, &t->v, &t->light, &t->specular};

@@ -31,7 +31,7 @@ SPECIALISED uint32_t packed_at(const struct texel_at *at, unsigned width)
     return (at->u >> 6 & ((1u << (PACKED_BITS + width)) - 1)) + (at->v >> 6 << (PACKED_BITS + width));
 }
 
-void sheen_textured_step(struct texel_run *r, const struct texel_at *step)
+HOT void sheen_textured_step(struct texel_run *r, const struct texel_at *step)
 {
     const unsigned width = r->d->texel.texture->width_log2;
 
@@ -709,12 +709,12 @@ SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at
              : nearest_part(r, whole_run(r, at), way_of(0, lit, glossy, dither, 0));
 }
 
-static APART void unlit_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void unlit_run(const struct texel_run *r, const struct texel_at *at)
 {
     nearest_as(r, at, 0, 0, 0);
 }
 
-static APART void lit_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void lit_run(const struct texel_run *r, const struct texel_at *at)
 {
     nearest_as(r, at, 1, 0, 0);
 }
@@ -724,7 +724,7 @@ static APART void dithered_run(const struct texel_run *r, const struct texel_at 
     nearest_as(r, at, 1, 0, 1);
 }
 
-static APART void glossy_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void glossy_run(const struct texel_run *r, const struct texel_at *at)
 {
     r->t->dither ? nearest_as(r, at, 1, 1, 1) : nearest_as(r, at, 1, 1, 0);
 }
@@ -738,7 +738,7 @@ static APART void other_run(const struct texel_run *r, const struct texel_at *at
     nearest_loop(r, &whole, &way);
 }
 
-static APART void mixed_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at *at)
 {
     const unsigned swap = r->t->format->swap;
 

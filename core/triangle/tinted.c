@@ -17,7 +17,7 @@ static uint16_t step_of(uint32_t step, uint32_t weight, uint8_t colour)
     return (uint16_t)((step * by_colour(weight, colour) + HALF) >> 15);
 }
 
-void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light)
+HOT void sheen_tinted_beam(struct tinted_beam *beam, const struct draw *d, unsigned light)
 {
     const uint8_t *colour = d->tint.color[light];
 
@@ -50,7 +50,7 @@ void sheen_tinted_row(struct tinted_run *run, const struct setup *s, int32_t x, 
     run->z = plane_at(&s->depth, x, y);
 }
 
-void sheen_tinted_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_tinted_rows(const struct tile *t, const struct setup *s)
 {
     const struct shares_setup *p = (const struct shares_setup *)s;
     struct tinted_run run;

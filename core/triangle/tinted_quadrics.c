@@ -105,8 +105,8 @@ static int choose_lights(struct tinted_quadrics_setup *q, const struct surface_c
     return bits_of(lit) + bits_of(shines) + (d->mesh->colors != NULL ? 3 : 0) <= MOST_QUADRICS;
 }
 
-int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                                uint32_t widest)
+HOT int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                                    uint32_t widest)
 {
     struct tinted_quadrics_setup *q = (struct tinted_quadrics_setup *)s;
     const struct draw *d = s->draw;
@@ -210,8 +210,8 @@ static void make_colors(struct tinted_quadrics *to, const struct tinted_quadrics
 }
 
 /* Makes the quadrics, at column 0 of row y. normal: in the mesh's order of corners. */
-static APART void make_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q, int16_t normal[3][3],
-                                int32_t y)
+HOT static APART void make_quadrics(struct tinted_quadrics *to, const struct tinted_quadrics_setup *q,
+                                    int16_t normal[3][3], int32_t y)
 {
     const int back = (q->s.detail & SHARES_BACK) != 0;
     const unsigned order[3] = {0, back ? 1 : 2, back ? 2 : 1}; /* the mesh's corners in the gradients' order */
@@ -290,7 +290,7 @@ static void quadric_pixels(const struct tile *t, const struct setup *s, const st
 }
 
 /* APART from make_quadrics, so that the stack never holds the locals of both. */
-static APART void draw_quadrics(const struct tile *t, const struct setup *s, struct tinted_quadrics *q)
+HOT static APART void draw_quadrics(const struct tile *t, const struct setup *s, struct tinted_quadrics *q)
 {
     for (unsigned row = 0; row < t->rows; row++) {
         const int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;

@@ -2,7 +2,8 @@
  * sheen_speed.h - private: included at the top of each of the core's sources in the Arduino library.
  *
  * Arduino's cores compile for size, and then a frame takes up to 1.6 times as long (README.md, Numbers). These sources
- * are compiled for speed instead, unless SHEEN_SMALL is defined.
+ * are compiled for speed instead. On an RP2040 or RP2350, whose flash is outside the chip, what takes most of a frame
+ * is copied to RAM besides; their linker scripts do so for these sections. SHEEN_SMALL, if defined, does neither.
  */
 #ifndef SHEEN_SPEED_H
 #define SHEEN_SPEED_H
@@ -12,6 +13,11 @@
 #ifdef __ARM_ARCH_6M__ /* given -Os, GCC saves none of r8 to r11 there, in spite of the pragma */
 #define SHEEN_NO_ASSEMBLY
 #endif
+#endif
+
+/* ARDUINO_ARCH_RP2040: the core of Earle Philhower, on both chips; TARGET_RP2040: Arduino's own. */
+#if (defined(ARDUINO_ARCH_RP2040) || defined(TARGET_RP2040)) && !defined(SHEEN_SMALL) && !defined(SHEEN_HOT_SECTION)
+#define SHEEN_HOT_SECTION ".time_critical.sheen"
 #endif
 
 #endif

@@ -4,17 +4,19 @@
  *
  *   node sketch.mjs IMAGE.bin DC RESET LINES OUT.wire      DC, RESET: their pins
  *
- * OUT.wire has the format of tests/boards/glass.c. Standard output gets the serial line.
+ * OUT.wire has the format of tests/boards/glass.c. Standard output gets the serial line, and how many reads missed the
+ * cache of the flash between its last two lines.
  */
 import fs from 'node:fs';
 import process from 'node:process';
 import { ConsoleLogger, LogLevel, Simulator } from 'rp2040js';
+import { FlashCache } from './flash.mjs';
 
 const FLASH = 0x10000000, PATIENCE_S = 30; /* emulated seconds */
 const [image, dc, reset, lines, out] = process.argv.slice(2);
 const { clock, rp2040: chip } = new Simulator(), [spi] = chip.spi, flash = fs.readFileSync(image);
-const parts = [];
-let log = '', us = 0;
+const cache = new FlashCache(chip), parts = [];
+let log = '', us = 0, before = 0, misses = 0;
 
 function record(kind, bytes) {
     const head = Buffer.alloc(5);
@@ -49,7 +51,12 @@ chip.gpio[reset].addListener((state) => {
     time();
     number('R', state);
 });
-chip.uart[0].onByte = (byte) => (log += String.fromCharCode(byte));
+chip.uart[0].onByte = (byte) => {
+    log += String.fromCharCode(byte);
+    if (!log.endsWith('\n')) return;
+    misses = cache.misses - before;
+    before = cache.misses;
+};
 chip.core.VTOR = FLASH;
 chip.core.SP = flash.readUInt32LE(0);
 chip.core.PC = flash.readUInt32LE(4) & ~1;
@@ -62,4 +69,4 @@ while (log.split('\n').length <= Number(lines)) {
 }
 number('F', 0);
 fs.writeFileSync(out, Buffer.concat(parts));
-process.stdout.write(log);
+process.stdout.write(`${log}${misses} misses\n`);
