@@ -98,6 +98,9 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 void sheen_textured_step(struct texel_run *r, const struct texel_at *step);
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at);
 
+/* TEXTURED_ANY, without fog. */
+void sheen_any_texels(const struct texel_run *r, const struct texel_at *from);
+
 /*
  * Texels under fog. sheen_faded_part: of TEXTURED_FOGGED, nearest and unlit. sheen_fogged_part: of TEXTURED_FOGGED;
  * light and specular are what the fog leaves of them, at most 1.0 together with its share. Then any other texels.
