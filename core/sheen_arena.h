@@ -20,14 +20,14 @@
 
 /* Sizes of the core's structs with pointers of 8 or 4 bytes; core/frame/arena.c asserts them. */
 #if UINTPTR_MAX > 0xffffffffu
-#define SHEEN_BYTES_FRAME 576
+#define SHEEN_BYTES_FRAME 536
 #define SHEEN_BYTES_DRAW 328
-#define SHEEN_BYTES_WORKER 240
+#define SHEEN_BYTES_WORKER 200
 #define SHEEN_BYTES_SETUP 192
 #else
-#define SHEEN_BYTES_FRAME 456
+#define SHEEN_BYTES_FRAME 412
 #define SHEEN_BYTES_DRAW 276
-#define SHEEN_BYTES_WORKER 184
+#define SHEEN_BYTES_WORKER 140
 #define SHEEN_BYTES_SETUP 176
 #endif
 #define SHEEN_BYTES_VERTEX 12

@@ -30,7 +30,7 @@ static bool count(struct model *m, const struct sheen_object *draw, unsigned *li
     assert_int_equal(sheen_draw(m->full.frame, draw), SHEEN_OK);
     *listed = m->full.frame->entries;
     *pieces = m->full.frame->pieces;
-    const bool cut = m->full.frame->stats.clipped > 0;
+    const bool cut = m->full.frame->count.clipped > 0;
     assert_int_equal(sheen_finish(m->full.frame), SHEEN_OK);
     m->aside = false;
     return cut;

@@ -258,7 +258,7 @@ static void test_two_triangles_that_share_an_edge(void **unused)
         random_view(&c, &state, 0.05);
         random_mesh(&c, &state, 2);
         assert_int_equal(case_draw(&c, SHEEN_FLAT, 0), SHEEN_OK);
-        int fronts = c.frame.frame->stats.front == 2;
+        int fronts = c.frame.frame->count.front == 2;
         assert_int_equal(sheen_end(c.frame.frame), SHEEN_OK);
         if (!fronts)
             continue;

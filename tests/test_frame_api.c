@@ -59,9 +59,12 @@ static void one_call(void **state)
     objects[1].shader = NULL;
     assert_int_equal(sheen_render(f.frame, &view, objects, 2), SHEEN_ERR_ARGUMENT);
     assert_int_equal(sheen_frame_about(f.frame, NULL), SHEEN_ABOUT_SHADER);
-    assert_int_equal(sheen_render(f.frame, &view, objects, 1), SHEEN_OK);
     struct sheen_stats stats;
     sheen_frame_stats(f.frame, &stats);
+    assert_int_equal(stats.objects, 1); /* the index of the bad one */
+    assert_int_equal(sheen_render(f.frame, &view, objects, 1), SHEEN_OK);
+    sheen_frame_stats(f.frame, &stats);
+    assert_int_equal(stats.objects, 1);
     assert_int_equal(stats.pixels, WIDTH * HEIGHT);
     core_frame_free(&f);
     memory_target_free(&target);

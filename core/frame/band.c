@@ -120,10 +120,10 @@ static void draw_rows(const struct sheen_frame *f, struct worker *w, struct tile
 {
     t->rows = (uint16_t)rows;
     t->first_row = (int16_t)(s->row - (int32_t)rows);
-    w->stats.spans += rows;
+    w->count.spans += rows;
     for (unsigned i = 0; SHEEN_STATS && i < rows; i++)
         if (w->spans[i].x1 > w->spans[i].x0)
-            w->stats.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
+            w->count.covered += (uint32_t)(w->spans[i].x1 - w->spans[i].x0);
     if (!s->draw->stippled) {
         SHEEN_TAP_ROWS(t, s);
         return;
@@ -227,7 +227,7 @@ static void tile_begin(const struct sheen_frame *f, struct worker *w, struct til
     t->spans = w->spans;
     t->facet.draw = NULL;
 #if SHEEN_STATS
-    t->shaded = &w->stats.shaded;
+    t->shaded = &w->count.shaded;
 #endif
 }
 

@@ -19,7 +19,7 @@ static uint32_t front_lines(const struct sheen_mesh *mesh)
 /* Add the lines' own pixels, and the neighbours that they look at, to the bands' covers. */
 static void edges_cover(struct sheen_frame *f, uint32_t first)
 {
-    for (const struct line *l = f->line + first; l != f->line + f->stats.edges; l++) {
+    for (const struct line *l = f->line + first; l != f->line + f->count.edges; l++) {
         const struct vertex *from = &f->vertex[l->from], *to = &f->vertex[l->to];
         int32_t left = asr32(min32(from->x, to->x) + f->screen.centre_x, SUBPIXEL_BITS) - 1;
         int32_t right = asr32(max32(from->x, to->x) + f->screen.centre_x, SUBPIXEL_BITS) + 2;
@@ -53,7 +53,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
                            const struct transform *t)
 {
     const struct sheen_mesh *mesh = d->as.mesh;
-    const uint32_t noted = front_lines(mesh), most = f->config.max_edges, first = f->stats.edges;
+    const uint32_t noted = front_lines(mesh), most = f->config.max_edges, first = f->count.edges;
 
     if (d->edges->kind->finish != NULL) {
         if (f->format.level_bits == 1) {
@@ -92,7 +92,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
     f->edges = d->edges;
     f->screen.shared_rows = 2 * LINE_APRON;
     f->used = list.used;
-    f->stats.edges = list.lines;
+    f->count.edges = list.lines;
     d->end_line = (uint16_t)list.lines;
     d->line = sheen_colour_bytes(&f->format, object->material->line);
     edges_cover(f, first);

@@ -11,7 +11,7 @@
  * restored when a draw fails, so that it fails as a whole.
  */
 #define COUNTED_BYTES (offsetof(struct sheen_frame, bands) - offsetof(struct sheen_frame, edges))
-#define UNDONE_BYTES (offsetof(struct sheen_frame, stats.used) - offsetof(struct sheen_frame, used_short))
+#define UNDONE_BYTES (offsetof(struct sheen_frame, count.edges) - offsetof(struct sheen_frame, used_short))
 
 /* ---- begin ---- */
 
@@ -47,7 +47,7 @@ static void workers_begin(struct sheen_frame *f)
     for (unsigned i = 0; i < f->config.workers; i++) {
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* `pending` is of no band yet */
-        memset(&w->stats, 0, sizeof *w - offsetof(struct worker, stats));
+        memset(&w->count, 0, sizeof *w - offsetof(struct worker, count));
     }
 }
 
@@ -187,7 +187,7 @@ static void draw_triangle(struct sheen_frame *f, const struct draw_record *d, co
     int64_t area = (any & OFF_VIEW) == 0 ? small_twice_area(v[0], v[1], v[2]) : sheen_twice_area(v[0], v[1], v[2]);
     if (area >= 0 && (area == 0 || !d->as.two_sided))
         return;
-    f->stats.front++;
+    f->count.front++;
     if (sheen_bin_triangle(f, v, triangle, any) && (all & LIT) == 0 && d->as.shader->light != NULL)
         sheen_light_corners(&d->as, v, index, 3);
 }
@@ -371,8 +371,8 @@ int sheen_draw(struct sheen_frame *f, const struct sheen_object *object)
     d->end_entry = f->entries;
     f->vertices += object->mesh->vertices;
     f->draws++;
-    f->stats.triangles += object->mesh->triangles;
-    f->stats.drawn += f->entries - entries;
+    f->count.triangles += object->mesh->triangles;
+    f->count.drawn += f->entries - entries;
     return SHEEN_OK;
 }
 

@@ -56,6 +56,15 @@ struct band {
 
 #define MAX_WORKERS 4
 
+/* What struct sheen_stats takes from a frame's draws, and from each worker's bands. */
+struct draw_counts {
+    uint32_t triangles, front, drawn, clipped, edges;
+};
+
+struct band_counts {
+    uint32_t spans, covered, shaded, rectangles, pixels;
+};
+
 struct worker {
     void *pixels[2];
     uint16_t *depth;
@@ -66,7 +75,7 @@ struct worker {
     uint8_t buffer;                    /* index of the one to draw into next */
     int32_t last_band;                 /* the band drawn last; -2: `pending` is of no band */
     const threshold_t *dither_rows[8]; /* thresholds for the tile that is being drawn */
-    struct sheen_stats stats;          /* counters from here on, 0 when a frame begins */
+    struct band_counts count;          /* counters from here on, 0 when a frame begins */
     uint32_t by_way[SHEEN_WAYS];       /* set-ups made, by enum sheen_way */
 };
 
@@ -115,13 +124,13 @@ struct sheen_frame {
     uint32_t used_short, entries_short, pieces_short; /* of this draw, found no room. UNDONE_BYTES begin here */
     uint32_t used, entries, pieces;
     unsigned shaded_colors; /* the first ones of `shades`, which hold this frame's */
-    struct sheen_stats stats;
+    struct draw_counts count;
     unsigned bands, bands_left;
     uint32_t band_scale; /* UQ0.20, rounded up: row * band_scale >> 20 = row / band_rows, row <= 480 */
     unsigned max_bands;
     uint32_t *done;                      /* a bit per band: it has begun in this frame */
     const struct sheen_stipple *stipple; /* what draws the rows of stippled draws */
-    struct line *line;                   /* config.max_edges of them; the first stats.edges are listed */
+    struct line *line;                   /* config.max_edges of them; the first count.edges are listed */
     void *scratch;                       /* worker 0's: room for two polygons of MAX_CLIP_CORNERS */
     struct pixel_format format;
     struct screen screen;

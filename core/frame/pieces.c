@@ -121,7 +121,7 @@ static int is_drawn(struct sheen_frame *f, const struct draw_record *d, uint16_t
 {
     if (whole == 0 || (whole > 0 && !d->as.two_sided))
         return 0;
-    f->stats.front++;
+    f->count.front++;
     light_triangle(d, triangle, whole > 0, a);
     return 1;
 }
@@ -172,7 +172,7 @@ static COLD void cut_triangle(struct sheen_frame *f, const struct draw_record *d
     triangle_corners(f, d, t, triangle, job.polygon, a.normal);
     if (d->as.morph != NULL)
         d->as.morph->morpher->cut(&d->as, &job, triangle, a.normal, a.carried);
-    f->stats.clipped++;
+    f->count.clipped++;
     sheen_clip(&job, 0, 1);
     /* slerp's normals are linear in space; without perspective, space and screen do not differ */
     job.on_screen = f->view.affine && !d->as.shader->unit_normals && f->projection.orthographic == 0;

@@ -128,7 +128,7 @@ static int list_quad(struct sheen_frame *f, const struct draw_record *d, const s
             return 0;
     }
     SHEEN_TAP(QUAD_LISTED, 1);
-    f->stats.front += 2;
+    f->count.front += 2;
     (void)sheen_bin_triangle(f, v, i | QUAD, 0);
     return 1;
 }

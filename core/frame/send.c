@@ -53,8 +53,8 @@ static void push_tile(struct sheen_frame *f, unsigned worker, const struct tile 
     }
     f->pushing = (uint8_t)worker;
     w->buffer = (uint8_t)((w->buffer + 1u) & (f->config.buffers - 1u));
-    w->stats.rectangles++;
-    w->stats.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
+    w->count.rectangles++;
+    w->count.pixels += (uint32_t)t->pitch * (uint32_t)(t->rect.y1 - t->rect.y0);
 }
 
 int sheen_wait(struct sheen_frame *f)

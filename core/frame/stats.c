@@ -10,10 +10,15 @@ COLD void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *sta
     size_t tile = (size_t)c->target->width * (c->band_rows + (c->max_edges > 0 ? 2u * LINE_APRON : 0)),
            pixel = f->format.grey ? 1 : 2;
 
-    *stats = f->stats;
-    stats->used = f->used;
+    *stats = (struct sheen_stats){.objects = f->draws,
+                                  .triangles = f->count.triangles,
+                                  .front = f->count.front,
+                                  .drawn = f->count.drawn,
+                                  .clipped = f->count.clipped,
+                                  .used = f->used,
+                                  .edges = f->count.edges};
     for (unsigned i = 0; i < c->workers; i++) {
-        const struct sheen_stats *w = &f->worker[i].stats;
+        const struct band_counts *w = &f->worker[i].count;
         for (unsigned way = 0; way < SHEEN_WAYS; way++)
             stats->setups += f->worker[i].by_way[way];
         stats->spans += w->spans;
