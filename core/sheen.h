@@ -479,9 +479,10 @@ struct sheen_config {
     uint16_t max_triangles; /* listed: facing the eye and in view; no default */
     uint16_t max_draws;     /* [4] */
     uint16_t max_clipped;   /* listed pieces of triangles that the clipper cut [0] */
-    uint8_t max_shades;   /* on 565: how many colours get a table of finished pixels, 2.1 KB each, within a step [1] */
-    uint8_t smooth;       /* 1: room for sheen_edges_smooth, a byte per pixel of a band and of 8 more rows [0] */
-    uint16_t max_carried; /* set-ups of triangles kept from band to band, 1..254 [80]; too few cost time only */
+    uint8_t max_shades; /* on 565: how many colours get a table of finished pixels, 2.1 KB each, within a step [1] */
+    uint8_t smooth;     /* 1: room for sheen_edges_smooth, a byte per pixel of a band and of 8 more rows [0] */
+    /* Set-ups of triangles kept from band to band, 1..254 [max_triangles, at most 80]; too few cost time only. */
+    uint16_t max_carried;
     /*
      * Edges drawn in a frame, plus 1 for each 64 triangles of the largest mesh whose edges are drawn [0: none]. With
      * them each band is drawn with one more row above and below, which edges look at and which is not sent; an underlay

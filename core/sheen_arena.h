@@ -1,11 +1,12 @@
 /*
  * sheen_arena.h - the bytes of a frame's arena at compile time: what sheen_arena_size() computes at run time.
  *
- *     static uint64_t arena[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
+ *     static uint64_t arena[SHEEN_ARENA_DEFAULT_BYTES(240, 240, 2, 530, 512) / 8];
  *
- * The arguments are those of struct sheen_config, with defaults written out: band_rows 16, at most height, rounded up
- * to align_y; buffers 1; used as many as vertices, and at most so many; draws 4; carried 80. pixel_bytes is 2 on 565,
- * 1 on greys. The result is a multiple of 8. Add for
+ * is for a configuration that sets nothing but target, max_vertices and max_triangles, on a target of 16 rows or more.
+ * SHEEN_ARENA_BYTES takes all that a configuration can set, with defaults written out: band_rows 16, at most height,
+ * rounded up to align_y; buffers 1; used as many as vertices, and at most so many; draws 4; carried as many as
+ * triangles, at most 80. pixel_bytes is 2 on 565, 1 on greys. The result is a multiple of 8. Add for
  *
  * - each further worker: SHEEN_WORKER_BYTES
  * - max_shades above 1, on 565: SHEEN_STORE(shades - 1, SHEEN_BYTES_SHADES), of which up to 8 bytes may stay unused
@@ -77,5 +78,10 @@
      SHEEN_STORE(clipped, SHEEN_BYTES_PIECE) + ((clipped) > 0 ? SHEEN_BIT_STORE(triangles) : 0) +                      \
      ((pixel_bytes) > 1 ? SHEEN_STORE(1, SHEEN_BYTES_SHADES) : 0) +                                                    \
      SHEEN_WORKER_BYTES(width, pixel_bytes, band_rows, buffers, triangles, carried))
+
+/* The same with defaults, see the top of this file. */
+#define SHEEN_ARENA_DEFAULT_BYTES(width, height, pixel_bytes, vertices, triangles)                                     \
+    SHEEN_ARENA_BYTES(width, height, pixel_bytes, 16, 1, vertices, vertices, triangles, 4, 0,                          \
+                      (triangles) < 80 ? (triangles) : 80)
 
 #endif

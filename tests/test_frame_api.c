@@ -140,7 +140,7 @@ static void configurations_name_the_field(void **state)
 /* The macro gives the same size as the function over many configurations, and it is a constant expression. */
 static void arena_at_compile_time(void **state)
 {
-    static uint64_t constant[SHEEN_ARENA_BYTES(240, 240, 2, 16, 1, 530, 530, 512, 4, 0, 80) / 8];
+    static uint64_t constant[SHEEN_ARENA_DEFAULT_BYTES(240, 240, 2, 530, 512) / 8];
     struct memory_target target;
     uint32_t seed = 1;
 
@@ -194,6 +194,10 @@ static void arena_at_compile_time(void **state)
     assert_int_equal(memory_target_init(&target, 240, 240, SHEEN_RGB565_BE), 0);
     struct sheen_config c = {.target = &target.target, .max_vertices = 530, .max_triangles = 512};
     assert_int_equal(sheen_arena_size(&c), sizeof constant);
+    for (uint16_t triangles = 1; triangles < 300; triangles++) { /* few are all carried, of many 80 */
+        c.max_triangles = triangles;
+        assert_int_equal(sheen_arena_size(&c), SHEEN_ARENA_DEFAULT_BYTES(240, 240, 2, 530, triangles));
+    }
     memory_target_free(&target);
 }
 

@@ -30,7 +30,7 @@ static COLD enum sheen_subject config_complete(struct sheen_config *c)
     c->max_used = (uint16_t)min32((int32_t)or_default(c->max_used, c->max_vertices), c->max_vertices);
     c->max_draws = (uint16_t)or_default(c->max_draws, 4);
     c->max_shades = (uint8_t)or_default(c->max_shades, 1);
-    c->max_carried = (uint16_t)or_default(c->max_carried, 80);
+    c->max_carried = (uint16_t)or_default(c->max_carried, c->max_triangles < 80 ? c->max_triangles : 80);
     return c->buffers > 2                             ? SHEEN_ABOUT_BUFFERS
            : c->workers > MAX_WORKERS                 ? SHEEN_ABOUT_WORKERS
            : (c->lock == NULL) != (c->unlock == NULL) ? SHEEN_ABOUT_LOCK

@@ -40,6 +40,13 @@ static int delay(void *ctx, uint32_t us)
     return SHEEN_OK;
 }
 
+enum {
+    WIDTH = 128, /* of the panel */
+    HEIGHT = 64,
+    VERTICES = 8, /* of the cube */
+    TRIANGLES = 12
+};
+
 /* The cube's corners are at distance 1 from its centre, so each coordinate is +-32767 / sqrt(3). */
 #define C 18918
 static const int16_t corners[] = {-C, -C, -C, C, -C, -C, -C, C, -C, C, C, -C, -C, -C, C, C, -C, C, -C, C, C, C, C, C};
@@ -48,8 +55,8 @@ static const uint8_t triangles[] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 4, 6,
 static const struct sheen_mesh cube = {.positions = corners,
                                        .indices = triangles,
                                        .index_bytes = 1,
-                                       .vertices = 8,
-                                       .triangles = 12,
+                                       .vertices = VERTICES,
+                                       .triangles = TRIANGLES,
                                        .scale = SHEEN_Q24(1)};
 static const struct sheen_material gold = {.base = {240, 208, 128}, .ambient = SHEEN_Q16(.2), .diffuse = SHEEN_Q16(.8)};
 static const struct sheen_light lamp = {.to = {-3, 5, 6}};
@@ -57,14 +64,13 @@ static const struct sheen_view view = {.z_near = SHEEN_Q24(1.95), .z_far = SHEEN
 
 int main(void)
 {
-    static uint64_t arena[SHEEN_ARENA_BYTES(128, 64, 1, 16, 1, 8, 8, 12, 1, 0, 12) / 8];
+    static uint64_t arena[SHEEN_ARENA_DEFAULT_BYTES(WIDTH, HEIGHT, 1, VERTICES, TRIANGLES) / 8]; /* 1 B a pixel */
     size_t size = sizeof arena;
     struct sheen_bus bus = {.send = send, .delay = delay};
     struct sheen_panel panel;
     struct sheen_target target;
     struct sheen_frame *frame;
-    struct sheen_config config = {
-        .target = &target, .max_vertices = 8, .max_triangles = 12, .max_draws = 1, .max_carried = 12};
+    struct sheen_config config = {.target = &target, .max_vertices = VERTICES, .max_triangles = TRIANGLES};
     struct sheen_object object = {
         .mesh = &cube, .material = &gold, .shader = &sheen_flat, .lights = &lamp, .light_count = 1};
     int error = sheen_panel_open(&panel, &sheen_panel_ssd0323, &bus, 0) || sheen_panel_target(&panel, &target) ||

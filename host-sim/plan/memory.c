@@ -24,13 +24,14 @@ void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *confi
 {
     const uint32_t align = or_else(target->align_y, 1), pixel = target->pixel > SHEEN_RGB565_LE ? 1 : 2;
     const uint32_t used = or_else(config->max_used, config->max_vertices), buffers = or_else(config->buffers, 1);
+    const uint32_t carried = or_else(config->max_carried, config->max_triangles < 80 ? config->max_triangles : 80);
     uint32_t rows = or_else(config->band_rows, 16);
 
     rows = rows > target->height ? target->height : rows;
     rows = (rows + align - 1) / align * align;
-    ram->arena = (uint32_t)SHEEN_ARENA_BYTES(target->width, target->height, pixel, rows, buffers, config->max_vertices,
-                                             used, config->max_triangles, or_else(config->max_draws, 4),
-                                             config->max_clipped, or_else(config->max_carried, 80));
+    ram->arena =
+        (uint32_t)SHEEN_ARENA_BYTES(target->width, target->height, pixel, rows, buffers, config->max_vertices, used,
+                                    config->max_triangles, or_else(config->max_draws, 4), config->max_clipped, carried);
     if (config->max_edges > 0)
         ram->arena += (uint32_t)SHEEN_EDGE_BYTES(target->width, pixel, rows, buffers, config->max_edges);
     if (config->smooth)
@@ -41,8 +42,7 @@ void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *confi
     ram->rest = ram->arena - ram->vertices - ram->lists - ram->bands;
     ram->all = ram->arena + SHEEN_PLAN_STACK + PANEL_STATE;
     ram->second_core = (2 - buffers) * target->width * rows * pixel + SHEEN_PLAN_STACK +
-                       (uint32_t)SHEEN_WORKER_BYTES(target->width, pixel, rows, 2, config->max_triangles,
-                                                    or_else(config->max_carried, 80));
+                       (uint32_t)SHEEN_WORKER_BYTES(target->width, pixel, rows, 2, config->max_triangles, carried);
     if (config->max_edges > 0)
         ram->second_core += (uint32_t)SHEEN_EDGE_WORKER_BYTES(target->width, pixel, rows, 2);
     if (config->smooth)
