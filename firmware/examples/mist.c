@@ -55,7 +55,7 @@ int example_init(struct sheen_frame **frame, const struct sheen_target *target)
     size_t size = sizeof arena;
     struct sheen_config config = {.target = target,
                                   .band_rows = 8,
-                                  .max_vertices = 1310,
+                                  .max_vertices = mist_vertices + teapot_vertices,
                                   .max_used = 1100,
                                   .max_triangles = 1200,
                                   .max_draws = PARTS + 1,

@@ -28,8 +28,11 @@ int example_init(struct sheen_frame **frame, const struct sheen_target *target)
 {
     static uint64_t arena[72000 / 8];
     size_t size = sizeof arena;
-    struct sheen_config config = {
-        .target = target, .max_vertices = 640, .max_triangles = 1100, .max_clipped = 64, .clipper = &sheen_clipper};
+    struct sheen_config config = {.target = target,
+                                  .max_vertices = teapot_vertices + 2 * cube_vertices,
+                                  .max_triangles = teapot_triangles + 2 * cube_triangles,
+                                  .max_clipped = 64,
+                                  .clipper = &sheen_clipper};
 
     place(&objects[0], 0, 0, SHEEN_Q16(1));
     place(&objects[1], SHEEN_Q24(-1.6), SHEEN_Q24(.6), SHEEN_Q16(.5));

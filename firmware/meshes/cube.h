@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:cube`. */
 /* clang-format off */
-#ifndef cube_MESH_H_321de8b1
-#define cube_MESH_H_321de8b1
+#ifndef cube_MESH_H_eb6770b0
+#define cube_MESH_H_eb6770b0
 
 #include "sheen.h"
 
@@ -46,6 +46,11 @@ static const struct sheen_mesh cube = {
     .triangles = 12,
     .scale = 16777728,
     .offset = {0, 0, 0},
+};
+
+enum {
+    cube_vertices = 24,
+    cube_triangles = 12
 };
 
 #endif

@@ -1,7 +1,7 @@
 /* Made by `sheen bake mist.obj --groups --filter bilinear --palette 16`. */
 /* clang-format off */
-#ifndef mist_MESH_H_90820c44
-#define mist_MESH_H_90820c44
+#ifndef mist_MESH_H_c525b555
+#define mist_MESH_H_c525b555
 
 #include "sheen.h"
 
@@ -1216,6 +1216,11 @@ static const struct {
     {&mist_1, "shadow", {61, 51, 51}, NULL},
     {&mist_2, "stone", {255, 255, 255}, &mist_texture_1},
     {&mist_3, "floor", {255, 255, 255}, &mist_texture_0},
+};
+
+enum {
+    mist_vertices = 778,
+    mist_triangles = 494
 };
 
 #endif

@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:teapot --crease 180`. */
 /* clang-format off */
-#ifndef teapot_MESH_H_0bf60823
-#define teapot_MESH_H_0bf60823
+#ifndef teapot_MESH_H_6842cf23
+#define teapot_MESH_H_6842cf23
 
 #include "sheen.h"
 
@@ -515,6 +515,11 @@ static const struct sheen_mesh teapot = {
     .triangles = 992,
     .scale = 16777728,
     .offset = {0, 0, 0},
+};
+
+enum {
+    teapot_vertices = 529,
+    teapot_triangles = 992
 };
 
 #endif

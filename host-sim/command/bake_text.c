@@ -312,6 +312,19 @@ static int close_body(struct body *body, FILE *stream, const char *name, const c
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 
+/* What a program needs to know when it is compiled, for SHEEN_ARENA_DEFAULT_BYTES(): all parts together. */
+static void put_counts(FILE *stream, const struct sheen_bake *bake)
+{
+    uint32_t vertices = 0, triangles = 0;
+
+    for (size_t i = 0; i < bake->count; i++) {
+        vertices += bake->meshes[i].mesh.vertices;
+        triangles += bake->meshes[i].mesh.triangles;
+    }
+    fprintf(stream, "enum {\n    %s_vertices = %" PRIu32 ",\n    %s_triangles = %" PRIu32 "\n};\n\n", bake->name,
+            vertices, bake->name, triangles);
+}
+
 static void put_bake(FILE *stream, const struct sheen_bake *bake)
 {
     for (size_t i = 0; i < bake->count; i++) {
@@ -329,6 +342,7 @@ static void put_bake(FILE *stream, const struct sheen_bake *bake)
         put_groups(stream, bake);
     else if (bake->count > 1)
         put_parts(stream, bake);
+    put_counts(stream, bake);
 }
 
 int sheen_bake_text(FILE *stream, const struct sheen_bake *bake)

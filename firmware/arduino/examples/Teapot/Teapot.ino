@@ -7,9 +7,8 @@ const sheen_panel_record &record = sheen_panel_ssd0323;
 const unsigned orientation = 0;
 const sheen_shader &shading = sheen_phong;
 
-// Enough for 128 x 64 greys, bands of 16 rows and this mesh. For others: sheen_arena_size(), or SHEEN_ARENA_BYTES()
-// in sheen_arena.h.
-uint64_t arena[32000 / 8];
+// For this panel's width, height and bytes per pixel (1: greys, 2: colours), and for this mesh.
+uint64_t arena[SHEEN_ARENA_DEFAULT_BYTES(128, 64, 1, teapot_vertices, teapot_triangles) / 8];
 sheen_frame *frame;
 sheen_material gold;
 sheen_light lamp;
@@ -25,10 +24,8 @@ void setup()
     Serial.begin(115200);
     error = display.begin(record, orientation);
     config.target = &display.target;
-    config.max_vertices = teapot.vertices;
-    config.max_triangles = teapot.triangles;
-    config.max_draws = 1;
-    config.max_carried = 40;
+    config.max_vertices = teapot_vertices;
+    config.max_triangles = teapot_triangles;
     if (!error)
         error = sheen_init(&frame, arena, &size, &config);
 
