@@ -38,9 +38,10 @@
  * functions' sections begin, to have a linker script put them into fast memory (firmware/README.md).
  */
 #ifdef SHEEN_HOT_SECTION
-#define HOT_TEXT(n) #n
-#define HOT_NAME(n) SHEEN_HOT_SECTION "." HOT_TEXT(n)
-#define HOT __attribute__((section(HOT_NAME(__COUNTER__)))) /* sections of their own, to be left out if not called */
+#define HOT_TEXT(name) #name
+#define HOT_NAME(section, n) HOT_TEXT(section.n)
+/* Each function has a section of its own, so that a linker leaves out what is not called. */
+#define HOT __attribute__((section(HOT_NAME(SHEEN_HOT_SECTION, __COUNTER__))))
 #else
 #define HOT
 #endif

@@ -17,7 +17,7 @@
 
 /* ARDUINO_ARCH_RP2040: the core of Earle Philhower, on both chips; TARGET_RP2040: Arduino's own. */
 #if (defined(ARDUINO_ARCH_RP2040) || defined(TARGET_RP2040)) && !defined(SHEEN_SMALL) && !defined(SHEEN_HOT_SECTION)
-#define SHEEN_HOT_SECTION ".time_critical.sheen"
+#define SHEEN_HOT_SECTION .time_critical.sheen
 #endif
 
 #endif
