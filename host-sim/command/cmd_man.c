@@ -7,6 +7,11 @@
 #include "commands.h"
 #include "roff.h"
 
+static void put_heading(const char *text)
+{
+    sheen_roff_line(".SS \"", text, "\"\n");
+}
+
 static void put_option(const struct sheen_option *option)
 {
     char *text = sheen_option_text(option);
@@ -23,12 +28,9 @@ static void put_option(const struct sheen_option *option)
 
 static void put_command(const struct sheen_command *command)
 {
-    sheen_roff_line(".SS \"sheen ", command->name, "\"\n");
+    sheen_roff_line(".SH \"sheen ", command->name, "\"\n"); /* .SH, because the options' headings are .SS */
     sheen_roff_line("", command->summary, "\n");
-    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
-        if (option->commands & command->bit)
-            put_option(option);
-    }
+    sheen_options_each(command, put_heading, put_option);
 }
 
 enum sheen_exit sheen_cmd_man(struct sheen_options *options)
@@ -43,7 +45,7 @@ enum sheen_exit sheen_cmd_man(struct sheen_options *options)
         sheen_roff_line(*command->operands ? " " : "", command->operands, "\n");
     }
     sheen_roff_line(".SH DESCRIPTION\n", sheen_text_mesh, "\n.PP\n");
-    sheen_roff_line("", sheen_text_help, "\n.SH COMMANDS\n");
+    sheen_roff_line("", sheen_text_help, "\n");
     for (command = sheen_command_table; command->name; command++)
         put_command(command);
     sheen_roff_line(".SH EXIT STATUS\n", sheen_text_exit, "\n");

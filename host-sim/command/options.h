@@ -135,7 +135,25 @@ enum sheen_command_bit {
     SHEEN_TAKES_MESH = SHEEN_DRAWS | SHEEN_BAKE
 };
 
+/* What an option is about: its heading in the help, in this order. From 1 on, because 0 is an option without any. */
+enum sheen_option_section {
+    SHEEN_FOR_OUTPUT = 1,
+    SHEEN_FOR_BOARD,
+    SHEEN_FOR_PANEL,
+    SHEEN_FOR_WINDOW,
+    SHEEN_FOR_VIEW,
+    SHEEN_FOR_LIGHT,
+    SHEEN_FOR_COLOR,
+    SHEEN_FOR_TEXTURE,
+    SHEEN_FOR_EDGES,
+    SHEEN_FOR_MESH,
+    SHEEN_FOR_ANIMATION,
+    SHEEN_SECTIONS_END
+};
+
 struct sheen_option {
+    enum sheen_option_section section; /* first, so that an entry without one does not compile */
+
     const char *name;     /* long, without dashes */
     const char *argument; /* the argument's name in the help, or the words of a choice; NULL: none */
     const char *value;    /* the default, as typed on a command line; NULL: none */
@@ -168,6 +186,13 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
 /* Print --version, and --help of a command, on standard output. */
 void sheen_options_version(void);
 void sheen_options_help(const struct sheen_command *command);
+
+/*
+ * Calls put_heading, with the heading's text, and put_option for each of a command's options, by section; a section
+ * without options of the command is left out.
+ */
+void sheen_options_each(const struct sheen_command *command, void (*put_heading)(const char *text),
+                        void (*put_option)(const struct sheen_option *option));
 
 /* Prints a part of the help on standard output. Lines are wrapped, except those that begin with a space. */
 void sheen_options_paragraph(const char *text);

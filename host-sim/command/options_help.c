@@ -65,6 +65,40 @@ char *sheen_option_text(const struct sheen_option *option)
     return length < 0 ? NULL : text;
 }
 
+static const char *const headings[SHEEN_SECTIONS_END] = {
+    [SHEEN_FOR_OUTPUT] = "Output",
+    [SHEEN_FOR_BOARD] = "Board",
+    [SHEEN_FOR_PANEL] = "Panel",
+    [SHEEN_FOR_WINDOW] = "Window",
+    [SHEEN_FOR_VIEW] = "View",
+    [SHEEN_FOR_LIGHT] = "Light and shading",
+    [SHEEN_FOR_COLOR] = "Colour and background",
+    [SHEEN_FOR_TEXTURE] = "Textures and matcaps",
+    [SHEEN_FOR_EDGES] = "Edges",
+    [SHEEN_FOR_MESH] = "Mesh",
+    [SHEEN_FOR_ANIMATION] = "Animation",
+};
+
+void sheen_options_each(const struct sheen_command *command, void (*put_heading)(const char *text),
+                        void (*put_option)(const struct sheen_option *option))
+{
+    for (unsigned section = SHEEN_FOR_OUTPUT; section < SHEEN_SECTIONS_END; section++) {
+        int count = 0;
+        for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
+            if (option->section != section || !(option->commands & command->bit))
+                continue;
+            if (count++ == 0)
+                put_heading(headings[section]);
+            put_option(option);
+        }
+    }
+}
+
+static void print_heading(const char *text)
+{
+    printf("\n%s:\n", text);
+}
+
 static void print_option(const struct sheen_option *option)
 {
     const char letter[4] = {'-', option->letter, ',', '\0'};
@@ -89,11 +123,7 @@ void sheen_options_help(const struct sheen_command *command)
 {
     printf("Usage: sheen %s%s%s\n\n", command->name, *command->operands ? " " : "", command->operands);
     sheen_options_paragraph(command->summary);
-    putchar('\n');
-    for (const struct sheen_option *option = sheen_option_table; option->name; option++) {
-        if (option->commands & command->bit)
-            print_option(option);
-    }
+    sheen_options_each(command, print_heading, print_option);
     if (command->bit & SHEEN_TAKES_MESH) {
         putchar('\n');
         sheen_options_paragraph(sheen_text_mesh);
