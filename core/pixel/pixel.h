@@ -210,10 +210,10 @@ struct texel_terms {
     uint16_t grey[3]; /* a 565 level / 2^GREY_BITS of each channel in grey levels, with 31 - level_bits fraction bits */
     uint8_t fraction; /* 24..30 */
     uint8_t c_shift;
-    uint8_t alike;  /* 1: light is the same in all channels */
-    uint8_t white;  /* 1: the highlight is the same in all channels, at most 1.0 */
-    uint8_t packed; /* 1: both texel coordinates fit one word: see textured_rows.c */
-    uint8_t unlit;  /* 1: light is 1.0 everywhere, and there is no highlight */
+    uint8_t alike;     /* 1: light is the same in all channels */
+    uint8_t white;     /* 1: the highlight is the same in all channels, at most 1.0 */
+    uint8_t uv_packed; /* 1: both texel coordinates are stepped in one word: see texel_steps.h */
+    uint8_t unlit;     /* 1: light is 1.0 everywhere, and there is no highlight */
 };
 
 /* Colours of lights, for draws that read them. */

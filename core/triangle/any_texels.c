@@ -99,7 +99,7 @@ SPLIT void any_loop(const struct texel_run *r, const struct texel_at *from, int 
     uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, packed = packed_at(&at, width);
 
     for (int32_t i = 1; i <= r->count; i++, x++, offset++) {
-        if (terms->packed) {
+        if (terms->uv_packed) {
             at.u = packed << (16 - PACKED_BITS);
             at.v = packed >> (PACKED_BITS + width) << (16 - PACKED_BITS);
         }
@@ -113,7 +113,7 @@ SPLIT void any_loop(const struct texel_run *r, const struct texel_at *from, int 
         at.v += r->step.v;
         at.light += r->step.light;
         at.specular += r->step.specular;
-        packed += r->packed + (i % TEXEL_PART == 0 ? r->mend : 0);
+        packed += r->packed_step + (i % TEXEL_PART == 0 ? r->mend : 0);
     }
 }
 

@@ -25,7 +25,7 @@ struct faded_fog {
 
 /* How a run is drawn. In specialised loops the fields before `fog` are compile-time constants. */
 struct way {
-    unsigned packed, lit, glossy, dither, swap;
+    unsigned uv_packed, lit, glossy, dither, swap;
     uint8_t other;                 /* the texture has a palette or a transparent colour */
     uint8_t fogged;                /* light and highlight are what the fog leaves of them */
     uint8_t faded;                 /* unlit: what the fog leaves is stepped in place of its share */
@@ -38,9 +38,9 @@ struct way {
     struct faded_fog mist; /* if faded */
 };
 
-SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
+SPECIALISED struct way way_of(unsigned uv_packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
 {
-    struct way way = {.packed = packed, .lit = lit, .glossy = glossy, .dither = dither, .swap = swap};
+    struct way way = {.uv_packed = uv_packed, .lit = lit, .glossy = glossy, .dither = dither, .swap = swap};
 
     return way;
 }
@@ -99,7 +99,7 @@ SPLIT void any_way(struct way *way, const struct texel_run *r, const struct texe
 {
     const struct sheen_texture *texture = r->d->texel.texture;
 
-    way->packed = r->d->texel.packed;
+    way->uv_packed = r->d->texel.uv_packed;
     way->lit = fogging == FOG_DIMS || !r->d->texel.unlit;
     way->glossy = fogging != FOG_FADES && is_glossy(part);
     way->dither = r->t->dither;
@@ -141,7 +141,7 @@ SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const s
     at->u += step->u;
     OPAQUE(at->z); /* else gcc multiplies to get the values at the run's end */
     OPAQUE(at->u);
-    if (!way->packed) {
+    if (!way->uv_packed) {
         at->v += step->v;
         OPAQUE(at->v);
     }

@@ -44,10 +44,10 @@ struct texel_run {
     int32_t x, y, count;
     const struct tile *t; /* set by sheen_textured_begin, as are these: */
     const struct draw *d;
-    unsigned pixels;        /* enum textured_pixels */
-    uint32_t columns, rows; /* masks of coordinates, see textured_rows.c */
-    struct texel_at step;   /* set by sheen_textured_step, as are these: */
-    uint32_t packed, mend;
+    unsigned pixels;            /* enum textured_pixels */
+    uint32_t columns, rows;     /* masks of coordinates, see textured_rows.c */
+    struct texel_at step;       /* set by sheen_textured_step, as are these: */
+    uint32_t packed_step, mend; /* U and V in one word, see texel_steps.h; mend: what TEXEL_PART steps lack */
 };
 
 /*

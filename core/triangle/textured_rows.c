@@ -21,11 +21,11 @@ HOT void sheen_textured_step(struct texel_run *r, const struct texel_at *step)
     const unsigned width = r->d->texel.texture->width_log2;
 
     r->step = *step;
-    if (r->d->texel.packed) {
-        r->packed = packed_step(step->u, step->v, width);
+    if (r->d->texel.uv_packed) {
+        r->packed_step = packed_step(step->u, step->v, width);
         r->mend = packed_rest(step->u) + (packed_rest(step->v) << (PACKED_BITS + width));
     } else {
-        r->packed = r->mend = 0;
+        r->packed_step = r->mend = 0;
     }
 }
 
@@ -74,7 +74,7 @@ SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at
 {
     const unsigned swap = r->t->format->swap;
 
-    if (r->d->texel.packed)
+    if (r->d->texel.uv_packed)
         swap ? nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 1))
              : nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 0));
     else
@@ -115,7 +115,7 @@ HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at
 {
     const unsigned swap = r->t->format->swap;
 
-    if (r->d->texel.packed)
+    if (r->d->texel.uv_packed)
         swap ? bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 1))
              : bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 0));
     else

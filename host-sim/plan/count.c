@@ -208,7 +208,7 @@ static unsigned texels_kind(const struct tile *t, const struct setup *s)
         return SHEEN_PLAN_TEXELS_ANY_GREY_COVERED;
     if (s->fast == TEXTURED_FOGGED && ((texture->bits & 15) != 0 || texture->keyed || texture->bilinear))
         return SHEEN_PLAN_TEXELS_FOGGED_OTHER_COVERED;
-    if (s->fast == TEXTURED_FOGGED && !terms->packed)
+    if (s->fast == TEXTURED_FOGGED && !terms->uv_packed)
         return SHEEN_PLAN_TEXELS_FOGGED_APART_COVERED;
     if (s->fast == TEXTURED_OTHER && terms->unlit)
         return SHEEN_PLAN_TEXELS_OTHER_COVERED;
@@ -234,8 +234,8 @@ static void count_texels(const struct tile *t, const struct setup *s, uint32_t r
     SHEEN_TAP(TEXELS_SKEWED_LIGHT, is_new && !terms->unlit && s->way == SHEEN_WAY_TEXTURED_QUOTIENT);
     SHEEN_TAP(TEXEL_ROW, rows);
     SHEEN_TAP(TEXEL_DITHERED, t->dither && s->fast != TEXTURED_ANY && s->fast != TEXTURED_UNLIT ? shaded : 0);
-    SHEEN_TAP(TEXEL_APART, terms->packed ? 0 : covered);
-    SHEEN_TAP(TEXEL_MIXED_APART, terms->packed || !terms->texture->bilinear ? 0 : shaded);
+    SHEEN_TAP(TEXEL_APART, terms->uv_packed ? 0 : covered);
+    SHEEN_TAP(TEXEL_MIXED_APART, terms->uv_packed || !terms->texture->bilinear ? 0 : shaded);
     SHEEN_TAP(TEXEL_NIBBLE, terms->texture->bits == 4 ? covered : 0);
     SHEEN_TAP(TEXEL_MIXED, s->fast == TEXTURED_ANY && terms->texture->bilinear ? shaded : 0);
     SHEEN_TAP(FOG, s->fast == TEXTURED_ANY && s->draw->fog ? shaded : 0);
