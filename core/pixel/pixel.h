@@ -220,9 +220,9 @@ struct texel_terms {
 struct tint_terms {
     uint32_t low[3]; /* by channel, what a ramp's `low` gives with white lights; `a` does not include it */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
-    uint8_t lights;   /* 1: lights have colours, or are points */
-    uint8_t is_point; /* a bit per light: it is a point light */
-    int32_t reach;    /* units that raw 32768 of the posed mesh stands for, Q7.24; read if there are point lights */
+    uint8_t is_tinted;  /* 1: a light has a colour or is a point, so light is found by sheen_light_tinted */
+    uint8_t point_mask; /* bit i is set if light i is a point light */
+    int32_t reach;      /* units that raw 32768 of the posed mesh stands for, Q7.24; read if there are point lights */
     const struct sheen_points *points;   /* NULL: no point lights */
     const struct sheen_texture *texture; /* of shadings that have one */
 };
