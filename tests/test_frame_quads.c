@@ -677,7 +677,7 @@ static void light_stays(void **unused)
         const uint32_t spread = 1u << (4 + stage_random(&state) % 12), bright = stage_random(&state) % 2;
         draw.colour.low = (int32_t)(stage_random(&state) % 200);
         draw.colour.high = (int32_t)(32768 - stage_random(&state) % 200);
-        draw.colour.eighth = stage_random(&state) % 4096;
+        draw.colour.diffuse_tolerance = stage_random(&state) % 4096;
         memset(v, 0, sizeof v);
         for (int k = 0; k < 4; k++) {
             const uint32_t kept = stage_random(&state) % spread;

@@ -154,17 +154,17 @@ struct pixel_format {
  * A channel before rounding is a + b * diffuse + c * specular, unsigned with `fraction` fraction bits, below 2^31
  * whatever the lights (see colour.c).
  */
-#define NO_DIFFUSE 0xffffu /* low and high if there is no such range */
+#define NO_DIFFUSE_RANGE 0xffffu /* low and high if there is no such range */
 
 struct colour_terms {
     uint8_t fraction;
-    uint8_t clamp; /* 1: with some normal a channel may exceed 1.0 */
-    uint8_t unit;  /* a 64th of 1.0 of a channel is 2^unit */
+    uint8_t clamp;     /* 1: with some normal a channel may exceed 1.0 */
+    uint8_t unit_log2; /* a 64th of 1.0 of a channel is 2^unit_log2 */
     /* by sheen_colour_reach: */
-    uint16_t dim;    /* the specular intensity, UQ1.15, that gives at most 1/32 of a 64th of 1.0; see faint_highlight */
-    uint16_t eighth; /* the diffuse intensity that gives at most 1/8 of a 64th */
-    uint16_t low;    /* from this diffuse intensity to `high` all channels of 565 stay 1/32 level */
-    uint16_t high;   /* below 1.0 and, unless they are constant, above 0 */
+    uint16_t faint_specular; /* the specular intensity, UQ1.15, of at most 1/32 of a 64th of 1.0; see faint_highlight */
+    uint16_t diffuse_tolerance; /* the difference of diffuse intensities that gives at most 1/8 of a 64th */
+    uint16_t low;               /* from this diffuse intensity to `high` all channels of 565 stay 1/32 level */
+    uint16_t high;              /* below 1.0 and, unless they are constant, above 0 */
     uint32_t a[3];
     uint16_t b[3], c[3];
     uint32_t top[3]; /* a channel's value at 1.0, to which it is clamped */
@@ -351,7 +351,7 @@ uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned 
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* Fills in dim, eighth, low and high, for set-ups that ask whether an intensity shows. */
+/* Fills in faint_specular, diffuse_tolerance, low and high, for set-ups that ask whether an intensity shows. */
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
 /* Sets `limit`, where a highlight gives less than faint_highlight, and `faint`, where it gives less than 1/32 level. */
 void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,

@@ -58,7 +58,7 @@ static inline void take_general_loops(struct draw *d)
     d->shades = NULL;
     d->is_565 = d->early = 0;
     d->dither = 1;
-    d->colour.low = d->colour.high = NO_DIFFUSE;
+    d->colour.low = d->colour.high = NO_DIFFUSE_RANGE;
 }
 
 /* shades.c: a shader's `begin` that fills in d->loop. */
