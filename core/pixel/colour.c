@@ -149,7 +149,7 @@ COLD void sheen_power_end(struct power *power, const struct colour_terms *t, con
     power->faint = (uint16_t)(faint_entry(power, most, least) << shift);
 }
 
-uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])
+uint16_t sheen_colour_pixel(const struct pixel_format *format, const uint8_t rgb[3])
 {
     uint32_t channel[3], sum = 0; /* UQ8.16 */
 

@@ -363,7 +363,7 @@ int sheen_sphere_valid(const struct sheen_texture *t);
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* A colour as a tile's pixel, rounded and not dithered: 565 in the target's byte order, or a grey level. */
-uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
+uint16_t sheen_colour_pixel(const struct pixel_format *format, const uint8_t rgb[3]);
 /* Packs a tile's grey levels, one per byte, as the target has them, in place. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows);
 

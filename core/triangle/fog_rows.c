@@ -258,7 +258,7 @@ static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, 
     terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
     terms->reach = (uint16_t)asr64(reach, shift);
     terms->scale = (uint16_t)((sheen_reciprocal((uint32_t)terms->reach << 16) >> 17) + 1);
-    levels_of(terms->level, format, sheen_colour_bytes(format, fog->color));
+    levels_of(terms->level, format, sheen_colour_pixel(format, fog->color));
     return SHEEN_OK;
 }
 
