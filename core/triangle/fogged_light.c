@@ -13,8 +13,8 @@
 #define MOST_BENT 1024
 #define NEARLY_STRAIGHT 160
 
-/* The most px of a block with a highlight; LONGEST without one. */
-#define LONGEST_SHINY 8
+/* The most px of a block with a highlight. */
+#define LONGEST_SHINY_BLOCK 8
 
 /* Apart, so that it has the registers that it needs. */
 static APART void colour_here(struct fogged_colour *c, const struct draw *d, const struct shaded_run *at,
@@ -79,8 +79,8 @@ static int32_t longest_of(const struct shaded_run *run, enum second second)
     const uint32_t bend = magnitude32((int32_t)run->ddu);
 
     if (second != SECOND_POWER)
-        return LONGEST;
-    return bend < 1u << 24 ? LONGEST_SHINY : bend < 1u << 26 ? LONGEST_SHINY / 2 : 1;
+        return LONGEST_BLOCK;
+    return bend < 1u << 24 ? LONGEST_SHINY_BLOCK : bend < 1u << 26 ? LONGEST_SHINY_BLOCK / 2 : 1;
 }
 
 /*

@@ -137,7 +137,7 @@ HOT void sheen_setup_textured(struct setup *s, struct surface_corners *c, const 
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
     const int linear = g == NULL || (straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]));
     if (!s->draw->texel.texture->bilinear)
-        sheen_keep_within(at, !s->draw->texel.uv_packed ? BORDER_BIAS : linear ? RUN_BIAS : BLOCK_BIAS);
+        sheen_inset_corners(at, !s->draw->texel.uv_packed ? BORDER_BIAS : linear ? RUN_BIAS : BLOCK_BIAS);
     if (!linear) {
         textured_quotients(t, c, g, at);
         return;
