@@ -186,13 +186,13 @@ void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_co
 void sheen_fogged_any_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                           struct shaded_run *run, unsigned second)
 {
-    general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, d->pixel_ramp, 1);
 }
 
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                              const struct normal_run *run)
 {
-    if (d->by_ramp)
+    if (d->pixel_ramp)
         normal_loop(t, d, x, x1, y, run, 1, 1);
     else
         normal_loop(t, d, x, x1, y, run, 0, 1);

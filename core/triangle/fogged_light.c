@@ -134,7 +134,7 @@ void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_
     struct fogged_run r = {t, depth, DITHER_ROW(t, depth - x, y), run->dz};
 
     /* stippled draws have other thresholds than those that packed channels are dithered with */
-    if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
+    if (d->pixel_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
         sheen_fogged_any_run(t, d, at, x, x1, y, run, second);
     else
         draw_blocks(&r, d, run, x1 - x, (enum second)second);

@@ -26,7 +26,7 @@ struct draw {
     uint8_t dither;
     uint8_t swap;        /* as in struct pixel_format */
     uint8_t is_565;      /* the target is 565, not grey */
-    uint8_t by_ramp;     /* 0: no ramp is read per pixel; else 1 + 2 * the ramp's `steep` */
+    uint8_t pixel_ramp;  /* 0: no ramp is read per pixel; else 1 + 2 * the ramp's `steep` */
     uint8_t early;       /* 565, not dithered: the final rounding's 1/2 may be added in advance */
     uint8_t stippled;    /* enum stippled */
     uint8_t left_out[8]; /* stippled draws: bit x & 7 of entry y & 7 is set if pixel (x, y) is left out */

@@ -69,7 +69,7 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
 /* 1 if fog's own loops for 565 draw it. */
 static int is_fogged(const struct tile *t, const struct setup *s)
 {
-    return s->draw->fog && !t->format->grey && !s->draw->by_ramp && !s->draw->stippled;
+    return s->draw->fog && !t->format->grey && !s->draw->pixel_ramp && !s->draw->stippled;
 }
 
 /* Chooses as sheen_take_quadric_rows() does. */
@@ -273,7 +273,7 @@ static void count_shaded(const struct tile *t, const struct setup *s, unsigned k
     SHEEN_TAP(GENERAL_565, general && !t->format->grey ? shaded : 0);
     SHEEN_TAP(FOG, s->draw->fog && !own_fog ? shaded : 0);
     SHEEN_TAP(FOG_DITHERED, own_fog && kind >= SHEEN_PLAN_FOGGED_CURVED_SETUP && t->dither ? shaded : 0);
-    SHEEN_TAP(RAMP, s->draw->by_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
+    SHEEN_TAP(RAMP, s->draw->pixel_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
 }
 
 void sheen_plan_rows(const struct tile *tile, const struct setup *setup)
