@@ -63,7 +63,7 @@ static void shares_as(struct setup *s, struct surface_corners *c, const struct g
 {
     sheen_setup_shares((struct shares_setup *)s, c, g);
     s->way = SHEEN_WAY_TEXTURED_QUOTIENT;
-    s->fast = 0;
+    s->special_loop = 0;
     s->rows = rows;
 }
 

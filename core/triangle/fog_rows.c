@@ -277,8 +277,8 @@ static void line_fog_draw(struct draw *d, const struct fog_terms *terms)
 
 static void fog_setup(struct setup *s)
 {
-    if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->fast != TEXTURED_ANY)
-        s->fast = TEXTURED_FOGGED;
+    if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->special_loop != TEXTURED_ANY)
+        s->special_loop = TEXTURED_FOGGED;
     else if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
         s->rows = fogged_rows;
     else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT)

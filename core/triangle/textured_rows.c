@@ -35,7 +35,7 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 
     r->t = t;
     r->d = s->draw;
-    r->pixels = s->fast;
+    r->special_loop = s->special_loop;
     r->columns = ((1u << texture->width_log2) - 1);
     r->rows = ((1u << texture->height_log2) - 1) << texture->width_log2;
 }
@@ -134,7 +134,7 @@ static APART void other_mixed_run(const struct texel_run *r, const struct texel_
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
-    switch (r->pixels) {
+    switch (r->special_loop) {
     case TEXTURED_UNLIT:
         unlit_run(r, at);
         return;
@@ -164,7 +164,7 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
 
-    if (r->pixels == TEXTURED_ANY || r->pixels == TEXTURED_FOGGED)
+    if (r->special_loop == TEXTURED_ANY || r->special_loop == TEXTURED_FOGGED)
         (r->d->fog ? r->d->fog->mixer->texel_run : sheen_any_texels)(r, at);
     else
         any_part(r, &whole, NOT_FOGGED);

@@ -140,7 +140,7 @@ struct setup {
     int16_t row, end_row;   /* the next row to draw; one past the last */
     uint8_t right;          /* one bit per edge from bit 0 on, 1 if it bounds the right; a final 1 marks the end */
     uint8_t needs_clipping; /* 1: spans may leave the tile's columns, so they are clipped */
-    uint8_t fast;           /* 1: loops need not clamp; some ways define it otherwise */
+    uint8_t special_loop;   /* 0: a loop for anything; else one for what the way has checked: 1, or its own enum */
     uint8_t detail;         /* each way defines it */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
@@ -328,7 +328,7 @@ void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s);
 /* linear.c: channels, or the diffuse intensity, that are linear on the screen. */
 struct linear_setup {
     struct setup s;
-    struct plane channel[3]; /* with the draw's fraction bits; s.fast: 565, and no corner exceeds 1.0 */
+    struct plane channel[3]; /* with the draw's fraction bits; s.special_loop: 565, and no corner exceeds 1.0 */
 };
 
 /* Steps with 11 fraction bits are off by 2^-12 per pixel, which is accurate enough for PACKED_RUN px. */
