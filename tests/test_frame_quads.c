@@ -245,11 +245,11 @@ struct difference {
 /* The largest change of depth from pixel i to a neighbour. */
 static int slope_at(const struct drawn *d, int i)
 {
-    const int beside[4] = {-1, 1, -WIDTH, WIDTH};
+    const int neighbour[4] = {-1, 1, -WIDTH, WIDTH};
     int most = 0;
 
     for (int k = 0; k < 4; k++) {
-        const int j = i + beside[k];
+        const int j = i + neighbour[k];
         if (j >= 0 && j < WIDTH * HEIGHT && d->depth[j] != DEPTH_FAR && abs(d->depth[j] - d->depth[i]) > most)
             most = abs(d->depth[j] - d->depth[i]);
     }
