@@ -4,10 +4,10 @@
 #include "texel_loops.h"
 
 #if FAST_LOOPS
-SPLIT struct way fogged_way(const struct texel_run *r, unsigned uv_packed, unsigned glossy, unsigned dither,
-                            unsigned swap)
+SPLIT struct texel_way fogged_way(const struct texel_run *r, unsigned uv_packed, unsigned glossy, unsigned dither,
+                                  unsigned swap)
 {
-    struct way way = way_of(uv_packed, 1, glossy, dither, swap);
+    struct texel_way way = way_of(uv_packed, 1, glossy, dither, swap);
 
     way_through(&way, r->d->fog);
     return way;
@@ -16,7 +16,7 @@ SPLIT struct way fogged_way(const struct texel_run *r, unsigned uv_packed, unsig
 SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned uv_packed,
                             unsigned dither)
 {
-    struct way way = fogged_way(r, uv_packed, 0, dither, 1);
+    struct texel_way way = fogged_way(r, uv_packed, 0, dither, 1);
 
     fade(&way);
     nearest_part(r, *part, way);

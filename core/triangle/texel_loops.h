@@ -7,7 +7,7 @@
 #include "texel_way.h"
 
 /* The end of the next part of a run, within which nothing is mended. */
-SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last, const struct way *way)
+SPECIALISED const uint16_t *part_end(const uint16_t *depth, const uint16_t *last, const struct texel_way *way)
 {
     return (way->uv_packed || way->dither) && last - depth > TEXEL_PART ? depth + TEXEL_PART : last;
 }
@@ -20,7 +20,7 @@ SPECIALISED uint32_t lit_texel(uint32_t texel, uint32_t light, struct added more
                          (texel & 31u) * light + more.blue, glossy);
 }
 
-SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct way *way)
+SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t texel, const struct texel_way *way)
 {
     if (way->faded) {
         *pixel_at(depth, way->to_pixel) =
@@ -32,7 +32,7 @@ SPECIALISED void put_nearest(uint16_t *depth, const struct stepped *at, uint32_t
     *pixel_at(depth, way->to_pixel) = pixel_order(texel, way->swap);
 }
 
-SPECIALISED void nearest_loop(const struct texel_run *r, const struct texel_part *part, struct way *way)
+SPECIALISED void nearest_loop(const struct texel_run *r, const struct texel_part *part, struct texel_way *way)
 {
     const struct texel_at *from = part->from, *by = part->step;
     const unsigned width = r->d->texel.texture->width_log2, down = way->other ? 0 : 1;
@@ -63,7 +63,7 @@ SPECIALISED void nearest_loop(const struct texel_run *r, const struct texel_part
     }
 }
 
-SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part, struct way way)
+SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part, struct texel_way way)
 {
     nearest_loop(r, &part, &way);
 }
@@ -71,7 +71,7 @@ SPECIALISED void nearest_part(const struct texel_run *r, struct texel_part part,
 /* ---- bilinear ---- */
 
 /* Rounds channels in 1/32 level, each in its place in the word. */
-SPECIALISED uint32_t unlit_mixed(uint32_t sum, const struct way *way, uint32_t threshold)
+SPECIALISED uint32_t unlit_mixed(uint32_t sum, const struct texel_way *way, uint32_t threshold)
 {
     sum = (sum + (way->dither ? (threshold >> (LIGHT_BITS - 5)) * 0x00200801u : 0x02008010u)) >> 5 & way->spread;
     return sum >> 16 | sum; /* bits are left above the 565 value */
@@ -102,14 +102,14 @@ struct texel_cell {
 };
 
 SPECIALISED int in_texel_cell(const struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
-                              const struct way *way)
+                              const struct texel_way *way)
 {
     if (way->uv_packed) /* all bits but the fractions */
         return ((c->u ^ at->u) & ~(((1u << PACKED_BITS) - 1) * ((1u << (PACKED_BITS + b->width)) + 1))) == 0;
     return ((c->u ^ at->u) | (c->v ^ at->v)) >> 16 == 0;
 }
 
-SPECIALISED uint32_t spread_at(const struct bilinear_at *b, uint32_t n, const struct way *way)
+SPECIALISED uint32_t spread_at(const struct bilinear_at *b, uint32_t n, const struct texel_way *way)
 {
     uint32_t texel = texel_at(b->texels, n, way);
 
@@ -117,7 +117,7 @@ SPECIALISED uint32_t spread_at(const struct bilinear_at *b, uint32_t n, const st
 }
 
 SPECIALISED void texel_cell_at(struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
-                               const struct way *way)
+                               const struct texel_way *way)
 {
     const unsigned down = way->other ? 0 : 1;
     const uint32_t left = at->u >> ((way->uv_packed ? PACKED_BITS : 16) - down) & b->columns;
@@ -136,7 +136,7 @@ SPECIALISED void texel_cell_at(struct texel_cell *c, const struct stepped *at, c
 }
 
 SPECIALISED uint32_t cell_mixed(const struct texel_cell *c, const struct stepped *at, const struct bilinear_at *b,
-                                const struct way *way)
+                                const struct texel_way *way)
 {
     const uint32_t x = (way->uv_packed ? at->u >> (PACKED_BITS - 5) : at->u >> 11) & 31u;
     const uint32_t y = (way->uv_packed ? at->u >> (2 * PACKED_BITS - 5 + b->width) : at->v >> 11) & 31u;
@@ -144,7 +144,7 @@ SPECIALISED uint32_t cell_mixed(const struct texel_cell *c, const struct stepped
     return c->first + x * c->right + y * c->below + ((x * y + 16) >> 5) * c->both;
 }
 
-SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t sum, const struct way *way)
+SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t sum, const struct texel_way *way)
 {
     const uint32_t threshold = threshold_at(depth, way);
     const uint32_t value = way->lit ? lit_mixed(sum, at->light, added_at(at, threshold, way), way->glossy)
@@ -153,7 +153,7 @@ SPECIALISED void put_mixed(uint16_t *depth, const struct stepped *at, uint32_t s
     *pixel_at(depth, way->to_pixel) = pixel_order(value, way->swap);
 }
 
-SPECIALISED void bilinear_loop(const struct texel_run *r, const struct texel_part *part, struct way *way)
+SPECIALISED void bilinear_loop(const struct texel_run *r, const struct texel_part *part, struct texel_way *way)
 {
     const struct texel_at *from = part->from, *by = part->step;
     const unsigned width = r->d->texel.texture->width_log2, down = way->other ? 0 : 1;
@@ -186,7 +186,7 @@ SPECIALISED void bilinear_loop(const struct texel_run *r, const struct texel_par
     }
 }
 
-SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part, struct way way)
+SPECIALISED void bilinear_part(const struct texel_run *r, struct texel_part part, struct texel_way way)
 {
     bilinear_loop(r, &part, &way);
 }

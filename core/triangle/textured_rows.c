@@ -44,7 +44,7 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 
 void sheen_any_bilinear(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, part, fogging);
     bilinear_loop(r, part, &way);
@@ -52,7 +52,7 @@ void sheen_any_bilinear(const struct texel_run *r, const struct texel_part *part
 
 void sheen_any_nearest(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, part, fogging);
     nearest_loop(r, part, &way);
@@ -105,7 +105,7 @@ HOT static APART void glossy_run(const struct texel_run *r, const struct texel_a
 static APART void other_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, &whole, NOT_FOGGED);
     nearest_loop(r, &whole, &way);
@@ -126,7 +126,7 @@ HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at
 static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, &whole, NOT_FOGGED);
     bilinear_loop(r, &whole, &way);
