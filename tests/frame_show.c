@@ -60,9 +60,9 @@ static void place_marker(struct show *s, int x, int y)
 }
 
 /* The whole target, or a rectangle on the target's alignment, as the core demands. */
-static struct sheen_rect random_viewport(const struct show_way *way, uint32_t *seed)
+static struct sheen_rect random_viewport(const struct show_settings *settings, uint32_t *seed)
 {
-    int ax = way->align_x ? way->align_x : 1, ay = way->align_y ? way->align_y : 1;
+    int ax = settings->align_x ? settings->align_x : 1, ay = settings->align_y ? settings->align_y : 1;
     int x = (int)(stage_random(seed) % 60) / ax * ax, y = (int)(stage_random(seed) % 40) / ay * ay;
     int width = (30 + (int)(stage_random(seed) % 70)) / ax * ax,
         height = (30 + (int)(stage_random(seed) % 50)) / ay * ay;
@@ -72,7 +72,7 @@ static struct sheen_rect random_viewport(const struct show_way *way, uint32_t *s
     return (struct sheen_rect){(int16_t)x, (int16_t)y, (int16_t)(x + width), (int16_t)(y + height)};
 }
 
-void show_change(struct show *s, const struct show_way *way, uint32_t *seed)
+void show_change(struct show *s, const struct show_settings *settings, uint32_t *seed)
 {
     for (int i = 0; i < SHOW_ACTORS; i++) {
         if (stage_random(seed) % 8 == 0)
@@ -86,7 +86,7 @@ void show_change(struct show *s, const struct show_way *way, uint32_t *seed)
     }
     struct sheen_rect before = s->view.viewport;
     if (stage_random(seed) % 16 == 0)
-        s->view.viewport = random_viewport(way, seed);
+        s->view.viewport = random_viewport(settings, seed);
     s->viewport_changed = memcmp(&before, &s->view.viewport, sizeof before) != 0;
     s->background_changed = stage_random(seed) % 16 == 0;
     if (s->background_changed)

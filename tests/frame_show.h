@@ -17,7 +17,7 @@ struct show_painter {
 };
 
 /* How a show is drawn and sent. */
-struct show_way {
+struct show_settings {
     enum sheen_pixel pixel;
     int band_rows, buffers, align_x, align_y;
     bool delayed, underlay, overlay, failures;
@@ -36,7 +36,7 @@ struct show {
 void show_enter(struct actor *actor, uint32_t *seed);
 
 /* Make the next frame: some actors move, leave or come; now and then viewport or background change. */
-void show_change(struct show *show, const struct show_way *way, uint32_t *seed);
+void show_change(struct show *show, const struct show_settings *settings, uint32_t *seed);
 
 /* Begin, draw the actors that are on, mark where the marker was and is, end. 0 or the first negative code. */
 int show_play(struct sheen_frame *frame, const struct stage *stage, const struct show *show);

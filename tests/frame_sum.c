@@ -42,14 +42,14 @@ static const char *const shading_name[ALL_SHADINGS] = {"flat",    "gouraud", "ph
                                                        "colored", "texflat", "texcol", "matcol", "phocol",  "slecol"};
 
 /* What a draw of any shading can have in addition. */
-enum beside {
-    BESIDE_NOTHING,
-    BESIDE_FOG, /* with a depth bias, which in some views moves the object in the fog */
-    BESIDE_STIPPLE,
-    BESIDE_BOTH,
-    BESIDES
+enum extra {
+    EXTRA_NOTHING,
+    EXTRA_FOG, /* with a depth bias, which in some views moves the object in the fog */
+    EXTRA_STIPPLE,
+    EXTRA_BOTH,
+    EXTRAS
 };
-static const char *const beside_name[BESIDES] = {"", "fog ", "stipple ", "both "};
+static const char *const extra_name[EXTRAS] = {"", "fog ", "stipple ", "both "};
 
 /* Lights of the colored shaders. */
 enum own_lights {
@@ -72,7 +72,7 @@ static const char *const ramp_name[RAMPS] = {"", "half ", "toon ", "gamma "};
 
 struct scene {
     int mesh, shading, view, format;
-    int beside, lights, ramp;
+    int extra, lights, ramp;
     unsigned edging;
     uint16_t weight;      /* of a morph to a second frame; 0: no morph */
     uint8_t orthographic; /* 1: an orthographic view */
@@ -260,7 +260,7 @@ static void find_edges(struct sheen_mesh *mesh)
 /* n / 10 in Q7.24; tcc takes no fractions in an initialiser. */
 #define TENTHS(n) ((sheen_q24_t)(((int64_t)(n) * (1 << 24) + 5) / 10))
 
-static void add_beside(struct sheen_view *view, struct sheen_object *draw, int beside, int number)
+static void add_extra(struct sheen_view *view, struct sheen_object *draw, int extra, int number)
 {
     static const struct sheen_fog fogs[VIEWS] = {
         {TENTHS(22), TENTHS(34), {200, 210, 220}, &sheen_fog_mixer},
@@ -271,11 +271,11 @@ static void add_beside(struct sheen_view *view, struct sheen_object *draw, int b
     static const int16_t bias[VIEWS] = {0, 900, -4096, 4095, -1};
     static const uint8_t transparency[VIEWS] = {32, 1, 63, 20, 45};
 
-    view->fog = beside & BESIDE_FOG ? &fogs[number] : NULL;
-    draw->depth_bias = beside & BESIDE_FOG ? bias[number] : 0;
-    draw->stipple = beside & BESIDE_STIPPLE ? &sheen_stipple : NULL;
-    draw->transparency = beside & BESIDE_STIPPLE ? transparency[number] : 0;
-    draw->phase = beside & BESIDE_STIPPLE ? (uint8_t)(3 * number & 7) : 0;
+    view->fog = extra & EXTRA_FOG ? &fogs[number] : NULL;
+    draw->depth_bias = extra & EXTRA_FOG ? bias[number] : 0;
+    draw->stipple = extra & EXTRA_STIPPLE ? &sheen_stipple : NULL;
+    draw->transparency = extra & EXTRA_STIPPLE ? transparency[number] : 0;
+    draw->phase = extra & EXTRA_STIPPLE ? (uint8_t)(3 * number & 7) : 0;
 }
 
 static void color_lights(struct sheen_view *view, struct sheen_object *draw, struct sheen_material *material,
@@ -306,22 +306,22 @@ static void color_lights(struct sheen_view *view, struct sheen_object *draw, str
 }
 
 /* How a picture's bands are drawn, which MUST NOT change its pixels. */
-struct way {
+struct settings {
     uint8_t rows, buffers, workers, carried; /* of the configuration */
     uint8_t backward;                        /* 1: the lowest band first; the workers take turns */
 };
 
 /* Three without and three with dither. */
-static const struct way ways[2][3] = {{{1, 1, 1, 0, 0}, {16, 2, 3, 1, 1}, {HEIGHT, 1, 1, 0, 0}},
-                                      {{1, 2, 1, 0, 0}, {16, 1, 2, 2, 0}, {HEIGHT, 1, 1, 0, 0}}};
+static const struct settings all_settings[2][3] = {{{1, 1, 1, 0, 0}, {16, 2, 3, 1, 1}, {HEIGHT, 1, 1, 0, 0}},
+                                                   {{1, 2, 1, 0, 0}, {16, 1, 2, 2, 0}, {HEIGHT, 1, 1, 0, 0}}};
 
-static int run_bands(struct sheen_frame *frame, const struct way *way)
+static int run_bands(struct sheen_frame *frame, const struct settings *settings)
 {
     const unsigned count = sheen_band_count(frame);
     int status = SHEEN_OK;
 
     for (unsigned i = 0; i < count && status == SHEEN_OK; i++)
-        status = sheen_band(frame, i % way->workers, way->backward ? count - 1 - i : i);
+        status = sheen_band(frame, i % settings->workers, settings->backward ? count - 1 - i : i);
     return status == SHEEN_OK ? sheen_finish(frame) : status;
 }
 
@@ -368,7 +368,7 @@ static int set_ramp(struct sheen_material *material, int ramp)
 
 /* Draws two frames between which the mesh turns, so that the second one sends only what changed. */
 static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct sheen_object *draw,
-                       struct sheen_material *material, const struct way *way, int dither)
+                       struct sheen_material *material, const struct settings *settings, int dither)
 {
     struct sheen_material other = *material;
     int status = SHEEN_OK;
@@ -378,7 +378,7 @@ static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct 
     for (int i = 0; i < 2 && status == SHEEN_OK; i++) {
         struct sheen_view view;
         set_view(s->view, s->orthographic, &view, draw);
-        add_beside(&view, draw, s->beside, s->view);
+        add_extra(&view, draw, s->extra, s->view);
         if (s->lights != LIGHTS_WHITE)
             color_lights(&view, draw, material, s->lights, s->view);
         view.dither = (uint8_t)dither;
@@ -393,13 +393,13 @@ static int draw_frames(struct sheen_frame *frame, const struct scene *s, struct 
             draw->material = material;
         }
         if (status == SHEEN_OK)
-            status = way->rows == HEIGHT ? sheen_end(frame) : run_bands(frame, way);
+            status = settings->rows == HEIGHT ? sheen_end(frame) : run_bands(frame, settings);
     }
     return status;
 }
 
 static int draw_picture(const struct scene *s, struct sheen_object *draw, const struct sheen_texture *texture,
-                        const struct way *way, int dither)
+                        const struct settings *settings, int dither)
 {
     struct sheen_target target = {.push = push,
                                   .width = WIDTH,
@@ -410,16 +410,16 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
                                                                          : 1};
     struct sheen_config config = {
         .target = &target,
-        .band_rows = way->rows,
-        .buffers = way->buffers,
-        .workers = way->workers,
+        .band_rows = settings->rows,
+        .buffers = settings->buffers,
+        .workers = settings->workers,
         .max_vertices = (uint16_t)(draw->mesh->vertices * (s->twice ? 2 : 1) + (s->edging != 0 ? 500 : 0)),
         .max_shades = s->twice ? 2 : 1,
         .max_triangles = 1400,
         .max_clipped = 600,
         .clipper = &sheen_clipper,
         .quads = s->quads ? &sheen_quads : NULL,
-        .max_carried = way->carried,
+        .max_carried = settings->carried,
         .max_edges = s->edging != 0 ? 8000 : 0,
         .smooth = s->edging == SHEEN_SMOOTH};
     struct sheen_frame *frame;
@@ -438,7 +438,7 @@ static int draw_picture(const struct scene *s, struct sheen_object *draw, const 
     if (status == SHEEN_OK)
         status = set_ramp(&material, s->ramp);
     draw->material = &material;
-    return status == SHEEN_OK ? draw_frames(frame, s, draw, &material, way, dither) : status;
+    return status == SHEEN_OK ? draw_frames(frame, s, draw, &material, settings, dither) : status;
 }
 
 static int left_out(void)
@@ -448,7 +448,7 @@ static int left_out(void)
     return scenes++ % SUM_EVERY != 0;
 }
 
-/* Prints a line for each of `ways`. */
+/* Prints a line for each of `all_settings`. */
 static int print_sums(const struct scene *s)
 {
     if (left_out())
@@ -473,11 +473,11 @@ static int print_sums(const struct scene *s)
     if (s->edging != 0)
         find_edges(&own);
     for (int i = 0; i < 6; i++) {
-        const struct way *way = &ways[i / 3][i % 3];
-        int status = draw_picture(s, &draw, textured ? &texture : NULL, way, i / 3);
+        const struct settings *settings = &all_settings[i / 3][i % 3];
+        int status = draw_picture(s, &draw, textured ? &texture : NULL, settings, i / 3);
         if (status < 0) {
             fprintf(stderr, "frame_sum: %s, %s, view %d, %s, %d rows: %s\n", mesh_name[s->mesh],
-                    shading_name[s->shading], s->view, format_name[s->format], way->rows, sheen_strerror(status));
+                    shading_name[s->shading], s->view, format_name[s->format], settings->rows, sheen_strerror(status));
             return status;
         }
         printf("%-5s %-7s %s %d %s%s%s%s%s%s%-8s %s %2d rows %08x\n", mesh_name[s->mesh], shading_name[s->shading],
@@ -485,8 +485,8 @@ static int print_sums(const struct scene *s)
                s->orthographic ? "ortho "
                : s->twice      ? "twice "
                                : "",
-               s->quads ? "quads " : "", s->mixed ? "mixed " : "", ramp_name[s->ramp], beside_name[s->beside],
-               edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ", way->rows,
+               s->quads ? "quads " : "", s->mixed ? "mixed " : "", ramp_name[s->ramp], extra_name[s->extra],
+               edging_name[s->edging], format_name[s->format], i / 3 ? "dither" : "plain ", settings->rows,
                (unsigned)checksum(picture, sizeof picture));
     }
     return SHEEN_OK;
@@ -529,17 +529,17 @@ static int ties(void)
     return status;
 }
 
-/* Shadings up to MATCAP in every view with each enum beside; these choose the mesh. */
-static int besides(void)
+/* Shadings up to MATCAP in every view with each enum extra; these choose the mesh. */
+static int with_extras(void)
 {
     int status = SHEEN_OK;
 
-    for (int i = 0; i < (MATCAP + 1) * VIEWS * (BESIDES - 1) * 2 && status == SHEEN_OK; i++) {
-        struct scene s = {.shading = i / (2 * (BESIDES - 1) * VIEWS),
-                          .view = i / (2 * (BESIDES - 1)) % VIEWS,
-                          .beside = 1 + i / 2 % (BESIDES - 1)};
-        s.mesh = (s.shading + s.view + s.beside) % SUM_MESHES;
-        s.format = i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (s.shading + s.view + s.beside) % 4;
+    for (int i = 0; i < (MATCAP + 1) * VIEWS * (EXTRAS - 1) * 2 && status == SHEEN_OK; i++) {
+        struct scene s = {.shading = i / (2 * (EXTRAS - 1) * VIEWS),
+                          .view = i / (2 * (EXTRAS - 1)) % VIEWS,
+                          .extra = 1 + i / 2 % (EXTRAS - 1)};
+        s.mesh = (s.shading + s.view + s.extra) % SUM_MESHES;
+        s.format = i % 2 == 0 ? SHEEN_RGB565_BE : SHEEN_RGB565_LE + (s.shading + s.view + s.extra) % 4;
         status = print_sums(&s);
     }
     return status;
@@ -572,7 +572,7 @@ static int with_edges(void)
     for (int i = 0; i < VIEWS * edgings && status == SHEEN_OK; i++) {
         struct scene s = {.shading = i % SHEEN_SHADINGS,
                           .view = i / edgings,
-                          .beside = BESIDE_FOG,
+                          .extra = EXTRA_FOG,
                           .edging = (unsigned)(1 + i % edgings)};
         s.mesh = (i + s.view) % SUM_MESHES;
         s.format = (i + 2 * s.view) % 5;
@@ -595,7 +595,7 @@ static int own_lights(void)
     return status;
 }
 
-/* A scene whose shading and view choose mesh, format and beside, so that most combinations occur. */
+/* A scene whose shading and view choose mesh, format and extras, so that most combinations occur. */
 static struct scene varied(int shading, int view)
 {
     const int sum = shading + view;
@@ -604,10 +604,10 @@ static struct scene varied(int shading, int view)
                           .shading = shading,
                           .view = view,
                           .format = sum % 2 == 0 ? SHEEN_RGB565_BE : 1 + (shading + sum / 2) % 4,
-                          .beside = (sum + view / 2) % BESIDES};
+                          .extra = (sum + view / 2) % EXTRAS};
 }
 
-/* Textures lit per polygon, and the shadings that besides() leaves out with fog and stipple. */
+/* Textures lit per polygon, and the shadings that with_extras() leaves out with fog and stipple. */
 static int flat_texels(void)
 {
     int status = SHEEN_OK;
@@ -615,10 +615,10 @@ static int flat_texels(void)
     for (int i = 0; i < SUM_MESHES * VIEWS && status == SHEEN_OK; i++)
         status = print_sums(&(struct scene){
             .mesh = i / VIEWS, .shading = TEXTURED_FLAT, .view = i % VIEWS, .format = i % 2 == 0 ? i / 2 % 5 : 0});
-    for (int i = 0; i < 2 * VIEWS * (BESIDES - 1) && status == SHEEN_OK; i++) {
+    for (int i = 0; i < 2 * VIEWS * (EXTRAS - 1) && status == SHEEN_OK; i++) {
         struct scene s = varied(COLORED + i % 2, i / 2 % VIEWS);
-        s.beside = 1 + i / (2 * VIEWS);
-        s.mesh = (s.mesh + s.beside) % SUM_MESHES;
+        s.extra = 1 + i / (2 * VIEWS);
+        s.mesh = (s.mesh + s.extra) % SUM_MESHES;
         status = print_sums(&s);
     }
     return status;
@@ -669,7 +669,7 @@ static int orthographic(void)
 }
 
 /* Point lights and coloured lights with fog, stipple, ramps, morphs and orthographic views. */
-static int own_lights_besides(void)
+static int own_lights_with_extras(void)
 {
     int status = SHEEN_OK;
 
@@ -677,7 +677,7 @@ static int own_lights_besides(void)
         struct scene s = varied(COLORED, i / 2);
         s.lights = i % 2 == 0 ? LIGHTS_COLORED : LIGHTS_AT;
         s.mesh = i % SUM_MESHES;
-        s.beside = 1 + i % (BESIDES - 1);
+        s.extra = 1 + i % (EXTRAS - 1);
         s.ramp = i % 3 == 0 ? RAMP_HALF : RAMP_NONE;
         s.orthographic = i % 4 == 3;
         s.weight = i % 5 == 4 ? 20000 : 0;
@@ -697,7 +697,7 @@ static int colored_texels(void)
         struct scene s = varied(TEXTURED_COLORED + i % 2, i / 2 % VIEWS);
         s.mesh = (s.mesh + turn) % SUM_MESHES;
         s.format = turn % 2 == 0 ? SHEEN_RGB565_BE : (s.format + turn) % 5;
-        s.beside = turn % BESIDES;
+        s.extra = turn % EXTRAS;
         s.mixed = turn == 3;
         s.orthographic = turn == 4;
         s.weight = turn == 2 ? 20000 : 0;
@@ -708,7 +708,7 @@ static int colored_texels(void)
     return status;
 }
 
-/* Colored shadings with light per pixel: as own_lights() and own_lights_besides(), but without point lights. */
+/* Colored shadings with light per pixel: as own_lights() and own_lights_with_extras(), but without point lights. */
 static int colored_pixels(void)
 {
     int status = SHEEN_OK;
@@ -718,7 +718,7 @@ static int colored_pixels(void)
         s.mesh = i / (2 * VIEWS);
         s.format = i % 5;
         s.lights = i % 3 == 0 ? LIGHTS_WHITE : LIGHTS_COLORED;
-        s.beside = i % 4 == 1 ? 1 + i / 4 % (BESIDES - 1) : BESIDE_NOTHING;
+        s.extra = i % 4 == 1 ? 1 + i / 4 % (EXTRAS - 1) : EXTRA_NOTHING;
         s.ramp = i % 7 == 3 ? RAMP_HALF : RAMP_NONE;
         s.orthographic = i % 9 == 4;
         s.weight = i % 5 == 2 ? 20000 : 0;
@@ -740,7 +740,7 @@ static int quads(void)
                           .format = i * 2 % 5,
                           .quads = 1};
         s.orthographic = i / 3 / SHEEN_SHADINGS == 3;
-        s.beside = i % 4 == 1 ? 1 + i / 4 % (BESIDES - 1) : BESIDE_NOTHING;
+        s.extra = i % 4 == 1 ? 1 + i / 4 % (EXTRAS - 1) : EXTRA_NOTHING;
         s.edging = i % 5 == 2 ? (unsigned)(1 + i / 5 % (SHEEN_EDGINGS - 1)) : 0;
         status = print_sums(&s);
     }
@@ -749,9 +749,20 @@ static int quads(void)
 
 int main(void)
 {
-    static int (*const part[])(void) = {shadings,           ties,           besides,         morphs, with_edges,
-                                        own_lights,         flat_texels,    bilinear_texels, ramps,  orthographic,
-                                        own_lights_besides, colored_texels, colored_pixels,  quads};
+    static int (*const part[])(void) = {shadings,
+                                        ties,
+                                        with_extras,
+                                        morphs,
+                                        with_edges,
+                                        own_lights,
+                                        flat_texels,
+                                        bilinear_texels,
+                                        ramps,
+                                        orthographic,
+                                        own_lights_with_extras,
+                                        colored_texels,
+                                        colored_pixels,
+                                        quads};
 
     for (size_t i = 0; i < sizeof part / sizeof part[0]; i++)
         if (part[i]() < 0)

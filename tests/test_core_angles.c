@@ -147,21 +147,21 @@ static void test_cubes_however_they_are_cut(void **unused)
     int uneven = 0;
 
     (void)unused;
-    for (unsigned way = 0; way < 64; way++) {
+    for (unsigned cuts = 0; cuts < 64; cuts++) {
         uint32_t corners[36], around[SHEEN_AROUND_WORDS(8, 36)];
         sheen_q30_t facing[36], unit[24], equal[24];
         sheen_angle_t angles[36];
         const struct sheen_polygon_list list = {points, corners, threes, 8, 36, 12};
 
         for (unsigned c = 0; c < 36; c++)
-            corners[c] = sides[c / 6][order[way >> c / 6 & 1][c % 6]];
+            corners[c] = sides[c / 6][order[cuts >> c / 6 & 1][c % 6]];
         assert_int_equal(sheen_polygons_around(&list, around), SHEEN_OK);
         sheen_polygon_normals(&list, facing);
         sheen_corner_angles(&list, facing, angles);
         sheen_vertex_normals(&list, around, facing, angles, unit);
         sheen_vertex_normals(&list, around, facing, NULL, equal);
         for (int i = 0; i < 24; i++) {
-            worst_note(&worst, unit[i] - points[i] * SHEEN_Q30(0.57735026919), "way %u, part %d", way, i);
+            worst_note(&worst, unit[i] - points[i] * SHEEN_Q30(0.57735026919), "cuts %u, part %d", cuts, i);
             uneven |= abs(equal[i] - points[i] * SHEEN_Q30(0.57735026919)) > 1 << 24;
         }
     }

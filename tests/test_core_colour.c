@@ -151,7 +151,7 @@ static void test_colours_on_565(void **unused)
             const uint8_t rgb[3] = {(uint8_t)v, (uint8_t)(255 - v), (uint8_t)(v * 7)};
             unsigned r = (31 * 2u * rgb[0] + 255) / 510, g = (63 * 2u * rgb[1] + 255) / 510,
                      b = (31 * 2u * rgb[2] + 255) / 510;
-            assert_int_equal(value_565(sheen_colour_bytes(&format, rgb), pixels[p]), r << 11 | g << 5 | b);
+            assert_int_equal(value_565(sheen_colour_pixel(&format, rgb), pixels[p]), r << 11 | g << 5 | b);
         }
     }
 }
@@ -170,12 +170,12 @@ static void test_colours_on_grey(void **unused)
             if (from_tie < 0.002)
                 ties++;
             else
-                assert_true(sheen_colour_bytes(&format, rgb) == level);
+                assert_true(sheen_colour_pixel(&format, rgb) == level);
         }
         assert_true(ties < (1u << 24) / 13 / 100);
         const uint8_t black[3] = {0, 0, 0}, white[3] = {255, 255, 255};
-        assert_int_equal(sheen_colour_bytes(&format, black), 0);
-        assert_int_equal(sheen_colour_bytes(&format, white), top);
+        assert_int_equal(sheen_colour_pixel(&format, black), 0);
+        assert_int_equal(sheen_colour_pixel(&format, white), top);
     }
 }
 

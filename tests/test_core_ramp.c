@@ -176,7 +176,7 @@ static void test_garbage(void **unused)
         assert_int_equal(sheen_light_begin(&draw.light, &light, 1, pose.rotation, NULL, LIGHTS_FAR), SHEEN_OK);
         draw.light.diffuse_sum = 4 << 16;
         assert_ptr_equal(sheen_ramp_reader.begin(&draw, &material, &by_ramp, i & 1), &by_ramp);
-        assert_int_equal(draw.by_ramp & 1, i & 1);
+        assert_int_equal(draw.pixel_ramp & 1, i & 1);
         light_normal(&draw.light, (struct power[]){power_of(NULL)}, n, &lit);
         assert_true(lit.diffuse <= 32768);
         assert_in_range(by_ramp.ambient, 0, 20 << 16);

@@ -51,19 +51,19 @@ struct pair {
     struct core_frame changed_frame, full_frame;
 };
 
-static void open_pair(struct pair *p, const struct show_way *way)
+static void open_pair(struct pair *p, const struct show_settings *settings)
 {
     struct sheen_config config;
 
-    assert_int_equal(memory_target_init(&p->changed, SHOW_WIDTH, SHOW_HEIGHT, way->pixel), 0);
-    assert_int_equal(memory_target_init(&p->full, SHOW_WIDTH, SHOW_HEIGHT, way->pixel), 0);
-    p->changed.delayed = way->delayed;
-    p->changed.target.align_x = (uint8_t)way->align_x;
-    p->changed.target.align_y = (uint8_t)way->align_y;
+    assert_int_equal(memory_target_init(&p->changed, SHOW_WIDTH, SHOW_HEIGHT, settings->pixel), 0);
+    assert_int_equal(memory_target_init(&p->full, SHOW_WIDTH, SHOW_HEIGHT, settings->pixel), 0);
+    p->changed.delayed = settings->delayed;
+    p->changed.target.align_x = (uint8_t)settings->align_x;
+    p->changed.target.align_y = (uint8_t)settings->align_y;
     stage_config(&config, &p->changed, SHOW_ACTORS);
     config.max_clipped = 2000;
-    config.band_rows = (uint16_t)way->band_rows;
-    config.buffers = (uint8_t)way->buffers;
+    config.band_rows = (uint16_t)settings->band_rows;
+    config.buffers = (uint8_t)settings->buffers;
     assert_int_equal(core_frame_make(&p->changed_frame, &config), SHEEN_OK);
     config.target = &p->full.target;
     assert_int_equal(core_frame_make(&p->full_frame, &config), SHEEN_OK);
@@ -102,31 +102,31 @@ static bool play_with_failure(struct pair *p, struct show *s, uint32_t *seed)
     return came;
 }
 
-static void play_show(const struct show_way *way, int frames, uint32_t seed)
+static void play_show(const struct show_settings *settings, int frames, uint32_t seed)
 {
     struct pair p;
-    struct show s = {.painter.pixel = way->pixel};
+    struct show s = {.painter.pixel = settings->pixel};
     long sent = 0, whole = 0;
     int failures = 0;
     bool all = true;
 
-    open_pair(&p, way);
+    open_pair(&p, settings);
     stage_view(&s.view);
     s.view.ctx = &s.painter;
-    s.view.underlay = way->underlay ? show_underlay : NULL;
-    s.view.overlay = way->overlay ? show_overlay : NULL;
+    s.view.underlay = settings->underlay ? show_underlay : NULL;
+    s.view.overlay = settings->overlay ? show_overlay : NULL;
     for (int i = 0; i < SHOW_ACTORS; i++)
         show_enter(&s.actors[i], &seed);
     for (int i = 0; i < frames; i++) {
-        show_change(&s, way, &seed);
+        show_change(&s, settings, &seed);
         all |= s.viewport_changed || s.background_changed;
         memory_target_begin(&p.changed);
-        if (way->failures && stage_random(&seed) % 4 == 0 && play_with_failure(&p, &s, &seed)) {
+        if (settings->failures && stage_random(&seed) % 4 == 0 && play_with_failure(&p, &s, &seed)) {
             failures++;
             all = true;
             continue;
         }
-        if (!way->failures || p.changed.pushes == 0) {
+        if (!settings->failures || p.changed.pushes == 0) {
             assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
             assert_int_equal(sheen_wait(p.changed_frame.frame), SHEEN_OK);
         }
@@ -141,14 +141,14 @@ static void play_show(const struct show_way *way, int frames, uint32_t seed)
     print_message("  sent %.1f %% of the pixels, %d frames broken off\n", 100.0 * (double)sent / (double)whole,
                   failures);
     assert_true(sent < whole * 3 / 4);
-    assert_true(failures > 0 || !way->failures);
+    assert_true(failures > 0 || !settings->failures);
     close_pair(&p);
 }
 
 static void at_once(void **state)
 {
     (void)state;
-    play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1}, 200, 1);
+    play_show(&(struct show_settings){.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1}, 200, 1);
 }
 
 static void bands_of_all_heights(void **state)
@@ -157,20 +157,21 @@ static void bands_of_all_heights(void **state)
 
     (void)state;
     for (uint32_t i = 0; i < 3; i++)
-        play_show(&(struct show_way){.pixel = SHEEN_RGB565_LE, .band_rows = rows[i], .buffers = 2, .delayed = true},
-                  200, 5 + i);
+        play_show(
+            &(struct show_settings){.pixel = SHEEN_RGB565_LE, .band_rows = rows[i], .buffers = 2, .delayed = true}, 200,
+            5 + i);
 }
 
 static void with_own_2d(void **state)
 {
     (void)state;
     for (int buffers = 1; buffers <= 2; buffers++) {
-        play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE,
-                                     .band_rows = 16,
-                                     .buffers = buffers,
-                                     .delayed = buffers == 2,
-                                     .underlay = true,
-                                     .overlay = true},
+        play_show(&(struct show_settings){.pixel = SHEEN_RGB565_BE,
+                                          .band_rows = 16,
+                                          .buffers = buffers,
+                                          .delayed = buffers == 2,
+                                          .underlay = true,
+                                          .overlay = true},
                   200, 11);
     }
 }
@@ -178,10 +179,11 @@ static void with_own_2d(void **state)
 static void aligned_rectangles(void **state)
 {
     (void)state;
-    play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE, .band_rows = 12, .buffers = 1, .align_x = 8, .align_y = 4},
-              200, 21);
     play_show(
-        &(struct show_way){
+        &(struct show_settings){.pixel = SHEEN_RGB565_BE, .band_rows = 12, .buffers = 1, .align_x = 8, .align_y = 4},
+        200, 21);
+    play_show(
+        &(struct show_settings){
             .pixel = SHEEN_RGB565_BE, .band_rows = 5, .buffers = 2, .align_x = 16, .align_y = 8, .overlay = true},
         200, 22);
 }
@@ -190,12 +192,12 @@ static void after_failures(void **state)
 {
     (void)state;
     for (int k = 0; k < 4; k++) {
-        play_show(&(struct show_way){.pixel = SHEEN_RGB565_BE,
-                                     .band_rows = k % 2 ? 16 : 7,
-                                     .buffers = 1 + k / 2,
-                                     .delayed = k > 0,
-                                     .overlay = true,
-                                     .failures = true},
+        play_show(&(struct show_settings){.pixel = SHEEN_RGB565_BE,
+                                          .band_rows = k % 2 ? 16 : 7,
+                                          .buffers = 1 + k / 2,
+                                          .delayed = k > 0,
+                                          .overlay = true,
+                                          .failures = true},
                   200, (uint32_t)(31 + k));
     }
 }
@@ -203,13 +205,13 @@ static void after_failures(void **state)
 /* A still picture is sent once, a place that an object left is cleared once, a mark is sent as it is. */
 static void nothing_more_than_changed(void **state)
 {
-    struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = SHOW_HEIGHT, .buffers = 1};
+    struct show_settings settings = {.pixel = SHEEN_RGB565_BE, .band_rows = SHOW_HEIGHT, .buffers = 1};
     struct pair p;
     struct show s = {.on = {true}};
     struct sheen_rect mark = {20, 30, 33, 47};
 
     (void)state;
-    open_pair(&p, &way);
+    open_pair(&p, &settings);
     stage_view(&s.view);
     s.actors[0] = (struct actor){STAGE_BALL, 0, SHEEN_PHONG, 0, 0, 5, 1, 0, 0};
     assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);
@@ -243,12 +245,12 @@ static void nothing_more_than_changed(void **state)
 /* The last push of a frame fails in flight: the next begin returns the error, the frame after that sends everything. */
 static void error_in_flight(void **state)
 {
-    struct show_way way = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};
+    struct show_settings settings = {.pixel = SHEEN_RGB565_BE, .band_rows = 16, .buffers = 1, .delayed = true};
     struct pair p;
     struct show s = {.on = {true}};
 
     (void)state;
-    open_pair(&p, &way);
+    open_pair(&p, &settings);
     stage_view(&s.view);
     s.actors[0] = (struct actor){STAGE_BALL, 0, SHEEN_PHONG, 0, 0, 5, 1, 0, 0};
     assert_int_equal(show_play(p.changed_frame.frame, &stage, &s), SHEEN_OK);

@@ -64,14 +64,15 @@ static int run_frame(struct sheen_frame *frame, const struct sheen_view *view, i
     return status == SHEEN_OK ? sheen_wait(frame) : status;
 }
 
-struct way {
+/* How frames are drawn and sent. */
+struct settings {
     int band_rows, buffers, workers, carried;
     enum order order;
     bool delayed;
 };
 
 /* Draws FRAMES pictures, one after the other. */
-static void run(uint8_t *pictures, const struct way *way, enum sheen_pixel pixel, bool affine)
+static void run(uint8_t *pictures, const struct settings *settings, enum sheen_pixel pixel, bool affine)
 {
     struct memory_target target;
     struct sheen_config config;
@@ -79,19 +80,19 @@ static void run(uint8_t *pictures, const struct way *way, enum sheen_pixel pixel
     struct sheen_view view;
 
     assert_int_equal(memory_target_init(&target, WIDTH, HEIGHT, pixel), 0);
-    target.delayed = way->delayed;
+    target.delayed = settings->delayed;
     stage_config(&config, &target, 5);
     config.max_clipped = 500;
-    config.band_rows = (uint16_t)way->band_rows;
-    config.buffers = (uint8_t)way->buffers;
-    config.workers = (uint8_t)way->workers;
-    config.max_carried = (uint16_t)way->carried;
+    config.band_rows = (uint16_t)settings->band_rows;
+    config.buffers = (uint8_t)settings->buffers;
+    config.workers = (uint8_t)settings->workers;
+    config.max_carried = (uint16_t)settings->carried;
     stage_view(&view);
     view.affine = affine;
     assert_int_equal(core_frame_make(&f, &config), SHEEN_OK);
     for (int i = 0; i < FRAMES; i++) {
         memory_target_begin(&target);
-        int status = run_frame(f.frame, &view, i, way->order, (unsigned)way->workers);
+        int status = run_frame(f.frame, &view, i, settings->order, (unsigned)settings->workers);
         if (status != SHEEN_OK)
             fail_msg("frame %d: %s", i, sheen_strerror(status));
         memcpy(pictures + (size_t)i * HEIGHT * target.row_bytes, target.memory, HEIGHT * target.row_bytes);
@@ -104,21 +105,21 @@ static void run(uint8_t *pictures, const struct way *way, enum sheen_pixel pixel
 
 static uint8_t expected[FRAMES * HEIGHT * WIDTH * 2], got[FRAMES * HEIGHT * WIDTH * 2];
 
-static void compare(const struct way *way, enum sheen_pixel pixel, bool affine)
+static void compare(const struct settings *settings, enum sheen_pixel pixel, bool affine)
 {
     size_t bytes = (size_t)FRAMES * HEIGHT * sheen_row_bytes(pixel, WIDTH), differing = 0;
 
     memset(got, 0x5a, sizeof got);
-    run(got, way, pixel, affine);
+    run(got, settings, pixel, affine);
     for (size_t i = 0; i < bytes; i++)
         differing += expected[i] != got[i];
     if (differing > 0)
-        fail_msg("bands of %d rows, %d buffers, %d workers, %d carried, order %d, %s: %zu bytes differ", way->band_rows,
-                 way->buffers, way->workers, way->carried, (int)way->order, way->delayed ? "delayed" : "at once",
-                 differing);
+        fail_msg("bands of %d rows, %d buffers, %d workers, %d carried, order %d, %s: %zu bytes differ",
+                 settings->band_rows, settings->buffers, settings->workers, settings->carried, (int)settings->order,
+                 settings->delayed ? "delayed" : "at once", differing);
 }
 
-static const struct way whole = {.band_rows = HEIGHT, .buffers = 1, .workers = 1};
+static const struct settings whole = {.band_rows = HEIGHT, .buffers = 1, .workers = 1};
 
 static void bands_and_buffers(void **state)
 {
@@ -129,8 +130,8 @@ static void bands_and_buffers(void **state)
         run(expected, &whole, SHEEN_RGB565_BE, affine);
         for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
             for (int k = 0; k < 4; k++) {
-                struct way way = {.band_rows = rows[i], .buffers = 1 + k % 2, .workers = 1, .delayed = k / 2};
-                compare(&way, SHEEN_RGB565_BE, affine);
+                struct settings settings = {.band_rows = rows[i], .buffers = 1 + k % 2, .workers = 1, .delayed = k / 2};
+                compare(&settings, SHEEN_RGB565_BE, affine);
             }
         }
     }
@@ -145,8 +146,8 @@ static void carried(void **state)
     run(expected, &whole, SHEEN_RGB565_BE, false);
     for (size_t i = 0; i < sizeof room / sizeof *room; i++) {
         for (int rows = 1; rows <= 16; rows *= 4) {
-            struct way way = {.band_rows = rows, .buffers = 1, .workers = 1, .carried = room[i]};
-            compare(&way, SHEEN_RGB565_BE, false);
+            struct settings settings = {.band_rows = rows, .buffers = 1, .workers = 1, .carried = room[i]};
+            compare(&settings, SHEEN_RGB565_BE, false);
         }
     }
 }
@@ -189,10 +190,11 @@ static void orders_and_workers(void **state)
     for (int order = FORWARD; order <= HALVES; order++) {
         for (int workers = 1; workers <= 4; workers++) {
             for (int rows = 1; rows <= 16; rows += 5) {
-                struct way way = {.band_rows = rows, .buffers = 1, .workers = workers, .order = (enum order)order};
-                compare(&way, SHEEN_RGB565_BE, false);
-                way.carried = 3;
-                compare(&way, SHEEN_RGB565_BE, false);
+                struct settings settings = {
+                    .band_rows = rows, .buffers = 1, .workers = workers, .order = (enum order)order};
+                compare(&settings, SHEEN_RGB565_BE, false);
+                settings.carried = 3;
+                compare(&settings, SHEEN_RGB565_BE, false);
             }
         }
     }
@@ -201,7 +203,7 @@ static void orders_and_workers(void **state)
 /* Both byte orders hold the same 565 values. */
 static void byte_orders(void **state)
 {
-    static const struct way banded = {.band_rows = 16, .buffers = 2, .workers = 1};
+    static const struct settings banded = {.band_rows = 16, .buffers = 2, .workers = 1};
 
     (void)state;
     run(expected, &whole, SHEEN_RGB565_BE, false);

@@ -31,26 +31,30 @@ enum order {
     ORDERS
 };
 
-struct way {
+/* How frames are drawn and sent. */
+struct settings {
     enum sheen_pixel pixel;
     int align_x, align_y, band_rows, buffers, workers, carried;
     enum order order;
     bool delayed;
 };
 
-static void random_way(struct way *way, uint32_t *seed)
+static void random_settings(struct settings *settings, uint32_t *seed)
 {
     static const int rows[] = {1, 2, 5, 7, 16, 33, MIX_HEIGHT}, carried[] = {0, 1, 2, 5, 254};
 
-    way->pixel = (enum sheen_pixel)(stage_random(seed) % 5);
-    way->align_x = way->pixel == SHEEN_GREY2 ? 8 : way->pixel == SHEEN_GREY16 ? 2 : stage_random(seed) % 4 ? 1 : 4;
-    way->align_y = way->pixel == SHEEN_GREY2 || stage_random(seed) % 4 ? 1 : 2;
-    way->band_rows = rows[stage_random(seed) % 7];
-    way->buffers = 1 + (int)(stage_random(seed) % 2);
-    way->workers = 1 + (int)(stage_random(seed) % 4);
-    way->carried = carried[stage_random(seed) % 5];
-    way->order = (enum order)(stage_random(seed) % ORDERS);
-    way->delayed = stage_random(seed) % 2;
+    settings->pixel = (enum sheen_pixel)(stage_random(seed) % 5);
+    settings->align_x = settings->pixel == SHEEN_GREY2    ? 8
+                        : settings->pixel == SHEEN_GREY16 ? 2
+                        : stage_random(seed) % 4          ? 1
+                                                          : 4;
+    settings->align_y = settings->pixel == SHEEN_GREY2 || stage_random(seed) % 4 ? 1 : 2;
+    settings->band_rows = rows[stage_random(seed) % 7];
+    settings->buffers = 1 + (int)(stage_random(seed) % 2);
+    settings->workers = 1 + (int)(stage_random(seed) % 4);
+    settings->carried = carried[stage_random(seed) % 5];
+    settings->order = (enum order)(stage_random(seed) % ORDERS);
+    settings->delayed = stage_random(seed) % 2;
 }
 
 static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER, dealt = PTHREAD_MUTEX_INITIALIZER;
@@ -106,22 +110,22 @@ static int run_threads(struct sheen_frame *frame, unsigned workers)
     return status;
 }
 
-static int run_bands(struct sheen_frame *frame, const struct way *way, uint32_t *seed)
+static int run_bands(struct sheen_frame *frame, const struct settings *settings, uint32_t *seed)
 {
     const unsigned count = sheen_band_count(frame);
     unsigned band[MIX_HEIGHT];
     int status = SHEEN_OK;
 
-    if (way->order == THREADS)
-        return run_threads(frame, (unsigned)way->workers);
+    if (settings->order == THREADS)
+        return run_threads(frame, (unsigned)settings->workers);
     for (unsigned i = 0; i < count; i++) {
-        const unsigned j = way->order == ANY ? stage_random(seed) % (i + 1) : i;
+        const unsigned j = settings->order == ANY ? stage_random(seed) % (i + 1) : i;
         band[i] = band[j];
-        band[j] = way->order == BACKWARD ? count - 1 - i : i;
+        band[j] = settings->order == BACKWARD ? count - 1 - i : i;
     }
     for (unsigned i = 0; i < count && status == SHEEN_OK; i++) {
-        const unsigned worker = way->order == ANY ? stage_random(seed) : i;
-        status = sheen_band(frame, worker % (unsigned)way->workers, band[i]);
+        const unsigned worker = settings->order == ANY ? stage_random(seed) : i;
+        status = sheen_band(frame, worker % (unsigned)settings->workers, band[i]);
     }
     return status;
 }
@@ -173,24 +177,24 @@ static void check(struct sheen_frame *frame, int status)
         fail_msg("%s, about %s", sheen_strerror(status), sheen_subject_name(sheen_frame_about(frame, NULL)));
 }
 
-static void open_frame(struct core_frame *f, struct memory_target *t, const struct way *way)
+static void open_frame(struct core_frame *f, struct memory_target *t, const struct settings *settings)
 {
     struct sheen_config config;
 
-    assert_int_equal(memory_target_init(t, MIX_WIDTH, MIX_HEIGHT, way->pixel), 0);
-    t->target.align_x = (uint8_t)way->align_x;
-    t->target.align_y = (uint8_t)way->align_y;
-    t->delayed = way->delayed;
+    assert_int_equal(memory_target_init(t, MIX_WIDTH, MIX_HEIGHT, settings->pixel), 0);
+    t->target.align_x = (uint8_t)settings->align_x;
+    t->target.align_y = (uint8_t)settings->align_y;
+    t->delayed = settings->delayed;
     stage_config(&config, t, MIX_OBJECTS);
     config.max_vertices += 3000; /* for ends of edges that the view volume cuts */
     config.max_clipped = 1000;
     config.max_edges = 5000;
     config.smooth = 1;
-    config.band_rows = (uint16_t)way->band_rows;
-    config.buffers = (uint8_t)way->buffers;
-    config.workers = (uint8_t)way->workers;
-    config.max_carried = (uint16_t)way->carried;
-    if (way->order == THREADS) {
+    config.band_rows = (uint16_t)settings->band_rows;
+    config.buffers = (uint8_t)settings->buffers;
+    config.workers = (uint8_t)settings->workers;
+    config.max_carried = (uint16_t)settings->carried;
+    if (settings->order == THREADS) {
         config.lock = take_lock;
         config.unlock = give_lock;
         config.lock_ctx = &one_at_a_time;
@@ -207,14 +211,15 @@ static void close_frame(struct core_frame *f, struct memory_target *t)
 }
 
 /* Outside the viewport the target must keep what it had. */
-static void compare(const struct memory_target *got, const struct mix_frame *f, const struct way *way, unsigned number)
+static void compare(const struct memory_target *got, const struct mix_frame *f, const struct settings *settings,
+                    unsigned number)
 {
-    struct way whole = {.pixel = way->pixel,
-                        .align_x = way->align_x,
-                        .align_y = way->align_y,
-                        .band_rows = MIX_HEIGHT,
-                        .buffers = 1,
-                        .workers = 1};
+    struct settings whole = {.pixel = settings->pixel,
+                             .align_x = settings->align_x,
+                             .align_y = settings->align_y,
+                             .band_rows = MIX_HEIGHT,
+                             .buffers = 1,
+                             .workers = 1};
     struct sheen_rect r = f->view.viewport;
     struct memory_target expected;
     struct core_frame alone;
@@ -239,8 +244,8 @@ static void compare(const struct memory_target *got, const struct mix_frame *f, 
         fail_msg("frame %u: %u px differ, the first at (%d, %d): %04x, whole %04x; bands of %d rows, %d buffers, "
                  "%d workers, %d carried, order %d, format %d",
                  number, differing, at[0], at[1], memory_target_pixel(got, at[0], at[1]),
-                 memory_target_pixel(&expected, at[0], at[1]), way->band_rows, way->buffers, way->workers, way->carried,
-                 (int)way->order, (int)way->pixel);
+                 memory_target_pixel(&expected, at[0], at[1]), settings->band_rows, settings->buffers,
+                 settings->workers, settings->carried, (int)settings->order, (int)settings->pixel);
     close_frame(&alone, &expected);
 }
 
@@ -248,13 +253,13 @@ static struct {
     unsigned frames, drawn, partly, shader[32];
 } met;
 
-static void play(const struct mix *mix, const struct way *way, uint32_t *seed)
+static void play(const struct mix *mix, const struct settings *settings, uint32_t *seed)
 {
     struct memory_target target;
     struct core_frame f;
     struct sheen_stats stats;
 
-    open_frame(&f, &target, way);
+    open_frame(&f, &target, settings);
     for (unsigned i = 0; i < MIX_FRAMES; i++) {
         const struct mix_frame *frame = &mix->frame[i];
         memory_target_begin(&target);
@@ -263,15 +268,15 @@ static void play(const struct mix *mix, const struct way *way, uint32_t *seed)
         check(f.frame, draw_objects(f.frame, frame, seed));
         if (frame->mark.x0 < frame->mark.x1)
             check(f.frame, sheen_mark(f.frame, frame->mark));
-        if (way->order != BY_END)
-            check(f.frame, run_bands(f.frame, way, seed));
-        check(f.frame, way->order == BY_END ? sheen_end(f.frame) : sheen_finish(f.frame));
+        if (settings->order != BY_END)
+            check(f.frame, run_bands(f.frame, settings, seed));
+        check(f.frame, settings->order == BY_END ? sheen_end(f.frame) : sheen_finish(f.frame));
         check(f.frame, sheen_wait(f.frame));
         sheen_frame_stats(f.frame, &stats);
         met.frames++;
         met.drawn += stats.setups > 0;
         met.partly += target.area > 0 && target.area < MIX_WIDTH * MIX_HEIGHT / 2;
-        compare(&target, frame, way, i);
+        compare(&target, frame, settings, i);
     }
     close_frame(&f, &target);
 }
@@ -285,11 +290,11 @@ static void random_mixes(void **state)
     failing = &mix;
     for (unsigned i = 0; i < mixes; i++) {
         uint32_t seed = (first_mix + i + 1) * 2246822519u;
-        struct way way;
+        struct settings settings;
         failing_number = first_mix + i;
-        random_way(&way, &seed);
-        mix_make(&mix, first_mix + i, meshes, way.align_x, way.align_y);
-        play(&mix, &way, &seed);
+        random_settings(&settings, &seed);
+        mix_make(&mix, first_mix + i, meshes, settings.align_x, settings.align_y);
+        play(&mix, &settings, &seed);
         for (unsigned k = 0; k < mix.count; k++)
             met.shader[mix.shader[k]]++;
     }

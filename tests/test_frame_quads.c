@@ -245,11 +245,11 @@ struct difference {
 /* The largest change of depth from pixel i to a neighbour. */
 static int slope_at(const struct drawn *d, int i)
 {
-    const int beside[4] = {-1, 1, -WIDTH, WIDTH};
+    const int neighbour[4] = {-1, 1, -WIDTH, WIDTH};
     int most = 0;
 
     for (int k = 0; k < 4; k++) {
-        const int j = i + beside[k];
+        const int j = i + neighbour[k];
         if (j >= 0 && j < WIDTH * HEIGHT && d->depth[j] != DEPTH_FAR && abs(d->depth[j] - d->depth[i]) > most)
             most = abs(d->depth[j] - d->depth[i]);
     }
@@ -677,7 +677,7 @@ static void light_stays(void **unused)
         const uint32_t spread = 1u << (4 + stage_random(&state) % 12), bright = stage_random(&state) % 2;
         draw.colour.low = (int32_t)(stage_random(&state) % 200);
         draw.colour.high = (int32_t)(32768 - stage_random(&state) % 200);
-        draw.colour.eighth = stage_random(&state) % 4096;
+        draw.colour.diffuse_tolerance = stage_random(&state) % 4096;
         memset(v, 0, sizeof v);
         for (int k = 0; k < 4; k++) {
             const uint32_t kept = stage_random(&state) % spread;

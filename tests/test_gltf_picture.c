@@ -2,7 +2,7 @@
  * test_gltf_picture.c - glTF files as they are imported and drawn, against the reference's own reading of the same
  * numbers.
  *
- * A wavy sheet with uvs and colours is written as files in three ways: binary with the picture inside, floats and a
+ * A wavy sheet with uvs and colours is written as three kinds of files: binary with the picture inside, floats and a
  * texture transform; as JSON with buffer and picture in files of their own, 16-bit numbers, a node that turns it, and a
  * base colour; binary without a texture. The functions read_* below derive from the specification, in double precision,
  * what these files mean. The import must agree with that corner by corner, and the picture that the core draws of it
@@ -25,13 +25,14 @@
 #define TRIANGLES (2 * ACROSS * DOWN)
 #define SIDE 16 /* texels */
 
-enum way {
+/* What a file holds, and how. */
+enum kind {
     INSIDE, /* a GLB that contains everything, floats; nearest texels */
     BESIDE, /* separate files, a node's transform, unsigned shorts, clamped; bilinear texels */
     PLAIN,  /* a GLB without texture */
-    WAYS
+    KINDS
 };
-static const char *const way_name[WAYS] = {"inside.glb", "beside.gltf", "plain.glb"};
+static const char *const kind_name[KINDS] = {"inside.glb", "beside.gltf", "plain.glb"};
 
 /* Mistakes put into the reference's reading. */
 enum mistake {
@@ -43,10 +44,10 @@ enum mistake {
 };
 static const char *const mistake_name[MISTAKES] = {"", "linear colours", "uv turned clockwise", "no base colour"};
 
-/* The transform of baseColorTexture, for each way of writing. */
-static const double offset[WAYS][2] = {{0.1, 0.25}, {-0.15, -0.1}, {0, 0}};
-static const double scale[WAYS][2] = {{2, 1.5}, {1.3, 1.2}, {1, 1}}, rotation[WAYS] = {0.4, 0, 0};
-static const double factor[WAYS][3] = {{1, 1, 1}, {0.5, 0.8, 0.35}, {0.9, 0.3, 0.6}};
+/* The transform of baseColorTexture, for each kind of file. */
+static const double offset[KINDS][2] = {{0.1, 0.25}, {-0.15, -0.1}, {0, 0}};
+static const double scale[KINDS][2] = {{2, 1.5}, {1.3, 1.2}, {1, 1}}, rotation[KINDS] = {0.4, 0, 0};
+static const double factor[KINDS][3] = {{1, 1, 1}, {0.5, 0.8, 0.35}, {0.9, 0.3, 0.6}};
 
 /* ---- what is written ---- */
 
@@ -116,34 +117,34 @@ static void add_view(struct buffer *b, const void *bytes, size_t count)
     b->count += (count + 3) & ~(size_t)3;
 }
 
-static void fill_buffer(struct buffer *b, const struct numbers *n, enum way way)
+static void fill_buffer(struct buffer *b, const struct numbers *n, enum kind kind)
 {
     memset(b, 0, sizeof *b);
     add_view(b, n->position, sizeof n->position);
-    add_view(b, way == BESIDE ? (const void *)n->short_uv : n->uv, way == BESIDE ? sizeof n->short_uv : sizeof n->uv);
-    add_view(b, way == BESIDE ? (const void *)n->short_color : n->color,
-             way == BESIDE ? sizeof n->short_color : sizeof n->color);
+    add_view(b, kind == BESIDE ? (const void *)n->short_uv : n->uv, kind == BESIDE ? sizeof n->short_uv : sizeof n->uv);
+    add_view(b, kind == BESIDE ? (const void *)n->short_color : n->color,
+             kind == BESIDE ? sizeof n->short_color : sizeof n->color);
     add_view(b, n->index, sizeof n->index);
-    if (way == INSIDE)
+    if (kind == INSIDE)
         add_view(b, n->png, n->png_bytes);
 }
 
-static int write_json(char *to, size_t room, const struct buffer *b, enum way way)
+static int write_json(char *to, size_t room, const struct buffer *b, enum kind kind)
 {
-    const char *const number = way == BESIDE ? "5123,\"normalized\":true" : "5126";
+    const char *const number = kind == BESIDE ? "5123,\"normalized\":true" : "5126";
     char views[600] = "", material[600], *end = views;
 
     for (int i = 0; i < b->views; i++)
         end += sprintf(end, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}", i ? "," : "", b->at[i],
                        b->length[i]);
     int used = sprintf(material, "{\"doubleSided\":true,\"pbrMetallicRoughness\":{\"baseColorFactor\":[%g,%g,%g,1]",
-                       factor[way][0], factor[way][1], factor[way][2]);
-    if (way != PLAIN)
+                       factor[kind][0], factor[kind][1], factor[kind][2]);
+    if (kind != PLAIN)
         used +=
             sprintf(material + used,
                     ",\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"offset\":[%g,%g],"
                     "\"scale\":[%g,%g],\"rotation\":%g}}}",
-                    offset[way][0], offset[way][1], scale[way][0], scale[way][1], rotation[way]);
+                    offset[kind][0], offset[kind][1], scale[kind][0], scale[kind][1], rotation[kind]);
     sprintf(material + used, "}}");
     return snprintf(
         to, room,
@@ -154,11 +155,11 @@ static int write_json(char *to, size_t room, const struct buffer *b, enum way wa
         "{\"bufferView\":2,\"componentType\":%s,\"count\":%d,\"type\":\"%s\"},"
         "{\"bufferView\":3,\"componentType\":5123,\"count\":%d,\"type\":\"SCALAR\"}],\"bufferViews\":[%s],"
         "\"buffers\":[{\"byteLength\":%zu%s}],\"materials\":[%s]%s}",
-        way == BESIDE ? ",\"translation\":[3,-2,5],\"rotation\":[0.5,0,0,0.8660254037844386],\"scale\":[2,2,2]" : "",
-        POINTS, number, POINTS, number, POINTS, way == BESIDE ? "VEC4" : "VEC3", 3 * TRIANGLES, views, b->count,
-        way == BESIDE ? ",\"uri\":\"b.bin\"" : "", material,
-        way == PLAIN ? ""
-        : way == INSIDE
+        kind == BESIDE ? ",\"translation\":[3,-2,5],\"rotation\":[0.5,0,0,0.8660254037844386],\"scale\":[2,2,2]" : "",
+        POINTS, number, POINTS, number, POINTS, kind == BESIDE ? "VEC4" : "VEC3", 3 * TRIANGLES, views, b->count,
+        kind == BESIDE ? ",\"uri\":\"b.bin\"" : "", material,
+        kind == PLAIN ? ""
+        : kind == INSIDE
             ? ",\"textures\":[{\"source\":0}],\"images\":[{\"bufferView\":4,\"mimeType\":\"image/png\"}]"
             : ",\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"wrapS\":33071,\"wrapT\":33071}],"
               "\"images\":[{\"uri\":\"t.png\"}]");
@@ -178,16 +179,16 @@ static unsigned char *put_word(unsigned char *to, size_t word)
     return to;
 }
 
-static int write_mesh(const struct numbers *n, enum way way)
+static int write_mesh(const struct numbers *n, enum kind kind)
 {
     static struct buffer b;
     static unsigned char glb[sizeof b.bytes + 8192];
     char json[4096];
 
-    fill_buffer(&b, n, way);
-    size_t length = (size_t)write_json(json, sizeof json - 4, &b, way);
-    if (way == BESIDE)
-        return write_file("b.bin", b.bytes, b.count) | write_file(way_name[way], json, length);
+    fill_buffer(&b, n, kind);
+    size_t length = (size_t)write_json(json, sizeof json - 4, &b, kind);
+    if (kind == BESIDE)
+        return write_file("b.bin", b.bytes, b.count) | write_file(kind_name[kind], json, length);
     while (length % 4)
         json[length++] = ' ';
     unsigned char *end = put_word(put_word(put_word(glb, 0x46546c67), 2), 28 + length + b.count);
@@ -195,7 +196,7 @@ static int write_mesh(const struct numbers *n, enum way way)
     memcpy(end, json, length);
     end = put_word(put_word(end + length, b.count), 0x004e4942);
     memcpy(end, b.bytes, b.count);
-    return write_file(way_name[way], glb, 28 + length + b.count);
+    return write_file(kind_name[kind], glb, 28 + length + b.count);
 }
 
 /* ---- what it says ---- */
@@ -212,34 +213,34 @@ static double byte_of(double x)
     return floor(255 * x + 0.5) / 255;
 }
 
-static void read_position(const struct numbers *n, enum way way, int i, double to[3])
+static void read_position(const struct numbers *n, enum kind kind, int i, double to[3])
 {
     const double x = (double)n->position[i][0], y = (double)n->position[i][1], z = (double)n->position[i][2];
     const double c = 0.5, s = sqrt(0.75); /* 60 degrees around x; the node's quaternion is (1/2, 0, 0, cos 30) */
 
-    to[0] = way == BESIDE ? 3 + 2 * x : x;
-    to[1] = way == BESIDE ? -2 + 2 * (c * y - s * z) : y;
-    to[2] = way == BESIDE ? 5 + 2 * (s * y + c * z) : z;
+    to[0] = kind == BESIDE ? 3 + 2 * x : x;
+    to[1] = kind == BESIDE ? -2 + 2 * (c * y - s * z) : y;
+    to[2] = kind == BESIDE ? 5 + 2 * (s * y + c * z) : z;
 }
 
 /* Scaled, rotated counter-clockwise as seen with v pointing down, then moved. */
-static void read_uv(const struct numbers *n, enum way way, enum mistake mistake, int i, double to[2])
+static void read_uv(const struct numbers *n, enum kind kind, enum mistake mistake, int i, double to[2])
 {
-    const double u = way == BESIDE ? n->short_uv[i][0] / 65535.0 : (double)n->uv[i][0];
-    const double v = way == BESIDE ? n->short_uv[i][1] / 65535.0 : (double)n->uv[i][1];
-    const double angle = mistake == CLOCKWISE ? -rotation[way] : rotation[way], c = cos(angle), s = sin(angle);
+    const double u = kind == BESIDE ? n->short_uv[i][0] / 65535.0 : (double)n->uv[i][0];
+    const double v = kind == BESIDE ? n->short_uv[i][1] / 65535.0 : (double)n->uv[i][1];
+    const double angle = mistake == CLOCKWISE ? -rotation[kind] : rotation[kind], c = cos(angle), s = sin(angle);
 
-    to[0] = c * scale[way][0] * u + s * scale[way][1] * v + offset[way][0];
-    to[1] = -s * scale[way][0] * u + c * scale[way][1] * v + offset[way][1];
+    to[0] = c * scale[kind][0] * u + s * scale[kind][1] * v + offset[kind][0];
+    to[1] = -s * scale[kind][0] * u + c * scale[kind][1] * v + offset[kind][1];
 }
 
-static void read_color(const struct numbers *n, enum way way, enum mistake mistake, int i, double to[3])
+static void read_color(const struct numbers *n, enum kind kind, enum mistake mistake, int i, double to[3])
 {
     for (int k = 0; k < 3; k++)
-        to[k] = byte_of(encoded(way == BESIDE ? n->short_color[i][k] / 65535.0 : (double)n->color[i][k], mistake));
+        to[k] = byte_of(encoded(kind == BESIDE ? n->short_color[i][k] / 65535.0 : (double)n->color[i][k], mistake));
 }
 
-static int read_mesh(struct ref_mesh *mesh, const struct numbers *n, enum way way, enum mistake mistake)
+static int read_mesh(struct ref_mesh *mesh, const struct numbers *n, enum kind kind, enum mistake mistake)
 {
     static const struct ref_mesh_options fit = {.fit = true, .crease = -1};
     static double point[POINTS][3], uv[3 * TRIANGLES][2], color[3 * TRIANGLES][3];
@@ -249,25 +250,25 @@ static int read_mesh(struct ref_mesh *mesh, const struct numbers *n, enum way wa
                                           .first = first,
                                           .polygon_count = TRIANGLES,
                                           .corners = corner,
-                                          .uv = way == PLAIN ? NULL : (const double(*)[2])uv,
+                                          .uv = kind == PLAIN ? NULL : (const double(*)[2])uv,
                                           .color = (const double(*)[3])color};
 
     for (int i = 0; i < POINTS; i++)
-        read_position(n, way, i, point[i]);
+        read_position(n, kind, i, point[i]);
     for (uint32_t c = 0; c < 3 * TRIANGLES; c++) {
         const int i = n->index[c / 3][c % 3];
         corner[c] = (uint32_t)i;
         first[c / 3 + 1] = c / 3 * 3 + 3;
-        read_uv(n, way, mistake, i, uv[c]);
-        read_color(n, way, mistake, i, color[c]);
+        read_uv(n, kind, mistake, i, uv[c]);
+        read_color(n, kind, mistake, i, color[c]);
     }
     return ref_mesh_build(mesh, &polygons, &fit);
 }
 
-static struct ref_texture read_texture(const struct numbers *n, enum way way)
+static struct ref_texture read_texture(const struct numbers *n, enum kind kind)
 {
     static uint16_t texels[SIDE * SIDE];
-    const bool clamp = way == BESIDE;
+    const bool clamp = kind == BESIDE;
 
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double color[3] = {n->rgba[i][0] / 255.0, n->rgba[i][1] / 255.0, n->rgba[i][2] / 255.0};
@@ -277,26 +278,26 @@ static struct ref_texture read_texture(const struct numbers *n, enum way way)
         .width = SIDE, .height = SIDE, .texels = texels, .bits = 16, .clamp = {clamp, clamp}, .bilinear = clamp};
 }
 
-static void set_scene(struct ref_scene *scene, const struct ref_mesh *mesh, enum way way, enum mistake mistake)
+static void set_scene(struct ref_scene *scene, const struct ref_mesh *mesh, enum kind kind, enum mistake mistake)
 {
     accuracy_view(scene, mesh, 1);
-    ref_scene_orbit(scene, 25, way == BESIDE ? -10 : 50, 5, 2.4);
+    ref_scene_orbit(scene, 25, kind == BESIDE ? -10 : 50, 5, 2.4);
     scene->width = scene->height = 240;
     scene->shading = REF_GOURAUD;
     scene->two_sided = scene->colored = true;
     for (int k = 0; k < 3; k++)
-        scene->base[k] = mistake == WHITE ? 1 : byte_of(encoded(factor[way][k], mistake));
+        scene->base[k] = mistake == WHITE ? 1 : byte_of(encoded(factor[kind][k], mistake));
 }
 
 /* ---- what was imported ---- */
 
-static int import(struct sheen_host_mesh *host, enum way way)
+static int import(struct sheen_host_mesh *host, enum kind kind)
 {
     static const struct sheen_texture_options textures = {.most = 512, .cutoff = -1};
     const struct sheen_host_options options = {.colors = 1, .textures = &textures};
     struct sheen_problem problem;
 
-    if (sheen_host_mesh_load(host, way_name[way], &options, &problem) == 0)
+    if (sheen_host_mesh_load(host, kind_name[kind], &options, &problem) == 0)
         return 0;
     printf("  FAILED %s\n", problem.text);
     return -1;
@@ -355,25 +356,25 @@ static bool is_kept(struct accuracy_shot *shot, struct ref_scene *scene, const s
     return kept;
 }
 
-static int judge(const struct numbers *n, enum way way, enum mistake mistake)
+static int judge(const struct numbers *n, enum kind kind, enum mistake mistake)
 {
     static struct accuracy_shot shot;
-    struct ref_texture texture = read_texture(n, way);
+    struct ref_texture texture = read_texture(n, kind);
     struct sheen_host_mesh host;
     struct ref_mesh mesh;
     struct ref_scene scene;
     struct ref_picture picture;
 
-    if (import(&host, way) != 0 || read_mesh(&mesh, n, way, mistake) != 0)
+    if (import(&host, kind) != 0 || read_mesh(&mesh, n, kind, mistake) != 0)
         return 1;
-    set_scene(&scene, &mesh, way, mistake);
-    scene.texture = way == PLAIN ? NULL : &texture;
+    set_scene(&scene, &mesh, kind, mistake);
+    scene.texture = kind == PLAIN ? NULL : &texture;
     if (ref_render(&picture, &scene) != 0)
         return 1;
     const bool kept = is_kept(&shot, &scene, &picture, &host);
     const long corners = differing_corners(&host, &mesh);
     const bool wrong = mistake == NONE ? !kept || corners > 0 : kept;
-    printf("%-12s %-20s %5.1f %% compared, %6.2f %% equal, worst %d, %ld corners differ: %s%s\n", way_name[way],
+    printf("%-12s %-20s %5.1f %% compared, %6.2f %% equal, worst %d, %ld corners differ: %s%s\n", kind_name[kind],
            mistake_name[mistake],
            100.0 * (double)shot.score.compared / (double)(shot.score.covered + !shot.score.covered),
            100.0 * (double)shot.score.calm_equal / (double)(shot.score.calm + !shot.score.calm), shot.score.worst,
@@ -387,7 +388,7 @@ static int judge(const struct numbers *n, enum way way, enum mistake mistake)
 int main(void)
 {
     static const struct {
-        enum way way;
+        enum kind kind;
         enum mistake mistake;
     } mistaken[] = {{INSIDE, LINEAR}, {INSIDE, CLOCKWISE}, {BESIDE, LINEAR}, {BESIDE, WHITE}, {PLAIN, WHITE}};
     static struct numbers numbers;
@@ -398,12 +399,12 @@ int main(void)
         return 2;
     make_points(&numbers);
     failed += make_picture(&numbers) != 0;
-    for (int way = 0; way < WAYS; way++)
-        failed += write_mesh(&numbers, (enum way)way) != 0 || judge(&numbers, (enum way)way, NONE);
+    for (int kind = 0; kind < KINDS; kind++)
+        failed += write_mesh(&numbers, (enum kind)kind) != 0 || judge(&numbers, (enum kind)kind, NONE);
     for (size_t i = 0; i < sizeof mistaken / sizeof *mistaken; i++)
-        failed += judge(&numbers, mistaken[i].way, mistaken[i].mistake);
-    for (int way = 0; way < WAYS; way++)
-        remove(way_name[way]);
+        failed += judge(&numbers, mistaken[i].kind, mistaken[i].mistake);
+    for (int kind = 0; kind < KINDS; kind++)
+        remove(kind_name[kind]);
     remove("t.png");
     remove("b.bin");
     failed += chdir("/") != 0 || rmdir(place) != 0;

@@ -98,9 +98,9 @@ enum {
 #define NEARER 1.01
 #define AROUND 1.0     /* px: an edge counts as seen only if nothing within this distance hides it */
 #define ALL_AROUND 1.5 /* px: and as hidden only if everything within this one does: the next pixels' centres too */
-#define BESIDE 0.8     /* px: from a point of a line to the centre of a pixel that it draws, at most */
-#define SMOOTHED 1.0   /* px: the same from a contour to a pixel that is smoothed */
-#define SAMPLES_PX 4.  /* samples per pixel of an edge */
+#define FARTHEST 0.8   /* px: from a point of a line to the centre of a pixel that it draws, at most */
+#define FARTHEST_SMOOTHED 1.0 /* px: the same from a contour to a pixel that is smoothed */
+#define SAMPLES_PX 4.         /* samples per pixel of an edge */
 #define LINE_IN_FOG                                                                                                    \
     {                                                                                                                  \
         1, 0, 1                                                                                                        \
@@ -139,7 +139,7 @@ struct line_case {
     uint16_t fogged[PIXELS]; /* the same lines in fog, if the scene has any */
     uint8_t allowed[PIXELS]; /* pixels near an edge that is not certainly hidden */
     enum sheen_edging edging;
-    double beside;
+    double farthest;
     long seen, samples;
     long steps, as_fogged;           /* steps seen in fog, and those of them that have the fog's colour */
     int gap;                         /* the longest run of steps that are seen but not drawn */
@@ -200,7 +200,7 @@ static void allow(struct line_case *c, double x, double y)
 {
     for (int j = (int)y - 2; j <= (int)y + 2; j++)
         for (int i = (int)x - 2; i <= (int)x + 2; i++)
-            if (i >= 0 && j >= 0 && i < WIDTH && j < HEIGHT && hypot(i + 0.5 - x, j + 0.5 - y) <= c->beside)
+            if (i >= 0 && j >= 0 && i < WIDTH && j < HEIGHT && hypot(i + 0.5 - x, j + 0.5 - y) <= c->farthest)
                 c->allowed[j * WIDTH + i] = 1;
 }
 
@@ -430,7 +430,7 @@ static void check_case(const struct edge_mesh *mesh, const struct view *view, en
     memset(&c, 0, sizeof c);
     c.mesh = mesh;
     c.edging = edging;
-    c.beside = edging == SHEEN_SMOOTH ? SMOOTHED : BESIDE;
+    c.farthest = edging == SHEEN_SMOOTH ? FARTHEST_SMOOTHED : FARTHEST;
     scene_of(&scene, mesh, view->yaw, view->distance);
     ref_scene_orbit(&scene, view->yaw, view->pitch, 0, view->distance);
     scene.ortho = view->ortho;
@@ -503,7 +503,7 @@ static void check_fogged(const struct edge_mesh *mesh, const struct view *view)
     memset(&c, 0, sizeof c);
     c.mesh = mesh;
     c.edging = SHEEN_WIRE;
-    c.beside = BESIDE;
+    c.farthest = FARTHEST;
     scene_of(&scene, mesh, view->yaw, view->distance);
     ref_scene_orbit(&scene, view->yaw, view->pitch, 0, view->distance);
     scene.ortho = view->ortho;

@@ -10,7 +10,7 @@ uint16_t sheen_canvas_colour(enum sheen_pixel pixel, const uint8_t rgb[3])
     struct pixel_format format;
 
     sheen_format_begin(&format, &target);
-    return sheen_colour_bytes(&format, rgb);
+    return sheen_colour_pixel(&format, rgb);
 }
 
 void sheen_canvas_fill(const struct sheen_canvas *canvas, enum sheen_pixel pixel, struct sheen_rect rect,

@@ -81,7 +81,7 @@ static void clear_tile(const struct sheen_frame *f, const struct tile *t)
         paint(f, t, f->view.underlay);
         return;
     }
-    uint16_t background = sheen_colour_bytes(t->format, f->view.background);
+    uint16_t background = sheen_colour_pixel(t->format, f->view.background);
     if (t->format->grey)
         memset(t->pixels, background, count);
     else

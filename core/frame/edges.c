@@ -94,7 +94,7 @@ static COLD int edges_list(struct sheen_frame *f, struct draw_record *d, const s
     f->used = list.used;
     f->count.edges = list.lines;
     d->end_line = (uint16_t)list.lines;
-    d->line = sheen_colour_bytes(&f->format, object->material->line);
+    d->line = sheen_colour_pixel(&f->format, object->material->line);
     edges_cover(f, first);
     return SHEEN_OK;
 }

@@ -289,13 +289,13 @@ static int draw_triangles(struct sheen_frame *f, const struct draw_record *d, co
 static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sheen_object *object)
 {
     const struct sheen_material *m = object->material;
-    struct sheen_material by_ramp;
+    struct sheen_material ramped;
 
     d->power = power_of(m->shine);
     d->strong = m->specular > SHEEN_Q16(0.5);
-    d->by_ramp = 0;
+    d->pixel_ramp = 0;
     if (m->ramp != NULL)
-        m = m->ramp->reader->begin(d, m, &by_ramp, d->shader->at_pixels);
+        m = m->ramp->reader->begin(d, m, &ramped, d->shader->at_pixels);
     sheen_colour_begin(&d->colour, &f->format, m, d->light.diffuse_sum, d->light.specular_sum);
     d->shades = NULL;
     if (d->shader->find_shades != NULL)

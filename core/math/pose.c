@@ -5,7 +5,7 @@
 #include "fixed.h"
 
 #define ONE (1 << 30)
-#define LENGTHY (ONE + (1 << 20)) /* no component of a rotation is larger */
+#define LARGEST_COMPONENT (ONE + (1 << 20)) /* no component of a rotation is larger */
 
 /* Replaces what is 0 in a pose by its default. */
 static void complete(struct sheen_pose *pose)
@@ -26,7 +26,7 @@ COLD void sheen_pose_identity(struct sheen_pose *pose)
 COLD int sheen_is_rotation(const sheen_q30_t r[9], int32_t within)
 {
     for (int k = 0; k < 9; k++)
-        if (magnitude32(r[k]) > LENGTHY)
+        if (magnitude32(r[k]) > LARGEST_COMPONENT)
             return 0;
     for (int i = 0; i < 9; i += 3)
         for (int j = i; j < 9; j += 3) {

@@ -19,7 +19,7 @@ struct ring {
     uint32_t head, count;
 };
 
-#define UNKNOWN UINT32_MAX /* a blocker: not searched for yet, or there is none */
+#define NO_BLOCKER UINT32_MAX /* there is none, or none is searched for yet */
 
 static const int32_t *point(const struct ring *ring, uint32_t i)
 {
@@ -94,7 +94,7 @@ static int is_inside(const int32_t *const triangle[3], const int32_t *q, const s
 
 /*
  * What keeps corner i from being an ear: the corner itself if it does not turn left, else the first corner of the ring
- * in or on its triangle; UNKNOWN if it is an ear.
+ * in or on its triangle; NO_BLOCKER if it is an ear.
  */
 static uint32_t find_blocker(const struct ring *ring, uint32_t i)
 {
@@ -112,7 +112,7 @@ static uint32_t find_blocker(const struct ring *ring, uint32_t i)
             return j;
         j = ring->next[j];
     } while (j != ring->head);
-    return UNKNOWN;
+    return NO_BLOCKER;
 }
 
 /* The first ear, or the head. A corner is tested again only after a neighbour or its blocker was cut off. */
@@ -122,9 +122,9 @@ static uint32_t find_ear(struct ring *ring)
 
     do {
         uint32_t blocker = ring->blocker[i];
-        if (blocker == UNKNOWN || ring->next[blocker] == blocker)
+        if (blocker == NO_BLOCKER || ring->next[blocker] == blocker)
             ring->blocker[i] = blocker = find_blocker(ring, i);
-        if (blocker == UNKNOWN)
+        if (blocker == NO_BLOCKER)
             return i;
         i = ring->next[i];
     } while (i != ring->head);
@@ -137,7 +137,7 @@ static void cut_ears(struct ring *ring, uint32_t *triangles)
     for (uint32_t i = 0; i < ring->count; i++) {
         ring->next[i] = i + 1 < ring->count ? i + 1 : 0;
         ring->before[i] = i > 0 ? i - 1 : ring->count - 1;
-        ring->blocker[i] = UNKNOWN;
+        ring->blocker[i] = NO_BLOCKER;
     }
     for (; ring->count >= 3; ring->count--) {
         uint32_t ear = ring->count > 3 ? find_ear(ring) : ring->next[ring->head];
@@ -148,7 +148,7 @@ static void cut_ears(struct ring *ring, uint32_t *triangles)
         *triangles++ = next;
         ring->next[before] = next;
         ring->before[next] = before;
-        ring->blocker[before] = ring->blocker[next] = UNKNOWN;
+        ring->blocker[before] = ring->blocker[next] = NO_BLOCKER;
         ring->next[ear] = ear;
         if (ear == ring->head)
             ring->head = next;

@@ -74,9 +74,9 @@ static void diffuse_range(struct colour_terms *t)
 
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format)
 {
-    t->eighth = intensity_of(1u << (t->unit - 3), most_of(t->b, format->grey));
-    t->dim = intensity_of(1u << (t->unit - 5), most_of(t->c, format->grey));
-    t->low = t->high = NO_DIFFUSE;
+    t->diffuse_tolerance = intensity_of(1u << (t->unit_log2 - 3), most_of(t->b, format->grey));
+    t->faint_specular = intensity_of(1u << (t->unit_log2 - 5), most_of(t->c, format->grey));
+    t->low = t->high = NO_DIFFUSE_RANGE;
     if (!format->grey && t->fraction == LOOP_FRACTION)
         diffuse_range(t);
 }
@@ -118,7 +118,7 @@ COLD void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *
         t->c[k] = (uint16_t)(((uint32_t)(light[2][k] >> (drop + 14)) + 1) >> 1);
         t->top[k] = format->scale[k] << (16 - drop);
     }
-    t->unit = (uint8_t)(t->fraction + format->level_bits - 6);
+    t->unit_log2 = (uint8_t)(t->fraction + format->level_bits - 6);
 }
 
 /*
@@ -142,14 +142,14 @@ static uint32_t faint_entry(const struct power *power, uint32_t most, uint32_t f
 COLD void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
                           unsigned dither)
 {
-    const uint32_t least = 1u << (t->unit - 5), most = most_of(t->c, format->grey);
+    const uint32_t least = 1u << (t->unit_log2 - 5), most = most_of(t->c, format->grey);
     const unsigned shift = POWER_STEP - 16u - power->up; /* an entry in Q2.13 */
 
     power->limit = faint_entry(power, most, faint_highlight(least, dither)) << shift << 16;
     power->faint = (uint16_t)(faint_entry(power, most, least) << shift);
 }
 
-uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3])
+uint16_t sheen_colour_pixel(const struct pixel_format *format, const uint8_t rgb[3])
 {
     uint32_t channel[3], sum = 0; /* UQ8.16 */
 

@@ -154,17 +154,17 @@ struct pixel_format {
  * A channel before rounding is a + b * diffuse + c * specular, unsigned with `fraction` fraction bits, below 2^31
  * whatever the lights (see colour.c).
  */
-#define NO_DIFFUSE 0xffffu /* low and high if there is no such range */
+#define NO_DIFFUSE_RANGE 0xffffu /* low and high if there is no such range */
 
 struct colour_terms {
     uint8_t fraction;
-    uint8_t clamp; /* 1: with some normal a channel may exceed 1.0 */
-    uint8_t unit;  /* a 64th of 1.0 of a channel is 2^unit */
+    uint8_t clamp;     /* 1: with some normal a channel may exceed 1.0 */
+    uint8_t unit_log2; /* a 64th of 1.0 of a channel is 2^unit_log2 */
     /* by sheen_colour_reach: */
-    uint16_t dim;    /* the specular intensity, UQ1.15, that gives at most 1/32 of a 64th of 1.0; see faint_highlight */
-    uint16_t eighth; /* the diffuse intensity that gives at most 1/8 of a 64th */
-    uint16_t low;    /* from this diffuse intensity to `high` all channels of 565 stay 1/32 level */
-    uint16_t high;   /* below 1.0 and, unless they are constant, above 0 */
+    uint16_t faint_specular; /* the specular intensity, UQ1.15, of at most 1/32 of a 64th of 1.0; see faint_highlight */
+    uint16_t diffuse_tolerance; /* the difference of diffuse intensities that gives at most 1/8 of a 64th */
+    uint16_t low;               /* from this diffuse intensity to `high` all channels of 565 stay 1/32 level */
+    uint16_t high;              /* below 1.0 and, unless they are constant, above 0 */
     uint32_t a[3];
     uint16_t b[3], c[3];
     uint32_t top[3]; /* a channel's value at 1.0, to which it is clamped */
@@ -210,19 +210,19 @@ struct texel_terms {
     uint16_t grey[3]; /* a 565 level / 2^GREY_BITS of each channel in grey levels, with 31 - level_bits fraction bits */
     uint8_t fraction; /* 24..30 */
     uint8_t c_shift;
-    uint8_t alike;  /* 1: light is the same in all channels */
-    uint8_t white;  /* 1: the highlight is the same in all channels, at most 1.0 */
-    uint8_t packed; /* 1: both texel coordinates fit one word: see textured_rows.c */
-    uint8_t unlit;  /* 1: light is 1.0 everywhere, and there is no highlight */
+    uint8_t alike;     /* 1: light is the same in all channels */
+    uint8_t white;     /* 1: the highlight is the same in all channels, at most 1.0 */
+    uint8_t uv_packed; /* 1: both texel coordinates are stepped in one word: see texel_steps.h */
+    uint8_t unlit;     /* 1: light is 1.0 everywhere, and there is no highlight */
 };
 
 /* Colours of lights, for draws that read them. */
 struct tint_terms {
     uint32_t low[3]; /* by channel, what a ramp's `low` gives with white lights; `a` does not include it */
     uint8_t color[SHEEN_MAX_LIGHTS][3];
-    uint8_t lights;   /* 1: lights have colours, or are points */
-    uint8_t is_point; /* a bit per light: it is a point light */
-    int32_t reach;    /* units that raw 32768 of the posed mesh stands for, Q7.24; read if there are point lights */
+    uint8_t is_tinted;  /* 1: a light has a colour or is a point, so light is found by sheen_light_tinted */
+    uint8_t point_mask; /* bit i is set if light i is a point light */
+    int32_t reach;      /* units that raw 32768 of the posed mesh stands for, Q7.24; read if there are point lights */
     const struct sheen_points *points;   /* NULL: no point lights */
     const struct sheen_texture *texture; /* of shadings that have one */
 };
@@ -351,7 +351,7 @@ uint16_t sheen_finished(const struct colour_terms *t, unsigned is_565, unsigned 
 void sheen_format_begin(struct pixel_format *format, const struct sheen_target *target);
 void sheen_colour_begin(struct colour_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                         sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
-/* Fills in dim, eighth, low and high, for set-ups that ask whether an intensity shows. */
+/* Fills in faint_specular, diffuse_tolerance, low and high, for set-ups that ask whether an intensity shows. */
 void sheen_colour_reach(struct colour_terms *t, const struct pixel_format *format);
 /* Sets `limit`, where a highlight gives less than faint_highlight, and `faint`, where it gives less than 1/32 level. */
 void sheen_power_end(struct power *power, const struct colour_terms *t, const struct pixel_format *format,
@@ -363,7 +363,7 @@ int sheen_sphere_valid(const struct sheen_texture *t);
 void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *format, const struct sheen_material *m,
                        sheen_q16_t diffuse_sum, sheen_q16_t specular_sum);
 /* A colour as a tile's pixel, rounded and not dithered: 565 in the target's byte order, or a grey level. */
-uint16_t sheen_colour_bytes(const struct pixel_format *format, const uint8_t rgb[3]);
+uint16_t sheen_colour_pixel(const struct pixel_format *format, const uint8_t rgb[3]);
 /* Packs a tile's grey levels, one per byte, as the target has them, in place. */
 void sheen_pack_grey(const struct pixel_format *format, uint8_t *pixels, unsigned width, unsigned rows);
 

@@ -66,7 +66,8 @@ COLD void sheen_texel_begin(struct texel_terms *t, const struct pixel_format *fo
     t->fraction = (uint8_t)(30 - headroom);
     t->alike = 1;
     t->unlit = specular == 0;
-    t->packed = !m->texture->clamp_u && !m->texture->clamp_v && m->texture->width_log2 + m->texture->height_log2 <= 12;
+    t->uv_packed =
+        !m->texture->clamp_u && !m->texture->clamp_v && m->texture->width_log2 + m->texture->height_log2 <= 12;
     for (int k = 0; k < 3; k++) {
         t->a[k] = (uint32_t)(tinted(m->base[k], ambient) >> (2 + headroom));
         t->b[k] = (uint16_t)round_off(tinted(m->base[k], diffuse), 17 + headroom);

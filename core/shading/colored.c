@@ -91,7 +91,7 @@ HOT static APART void gouraud_corners(const struct setup *s, const struct surfac
         const struct lit kept = {c->at.v[k]->kept[0], c->at.v[k]->kept[1]};
         struct glow glow;
         uint32_t corner[3];
-        if (d->tint.lights || c->back)
+        if (d->tint.is_tinted || c->back)
             sheen_vertex_glow(d, at, c->back, &glow);
         else
             white_glow(d, &kept, &glow);
@@ -124,7 +124,7 @@ static void gouraud_colored_light(const struct draw *d, const int16_t normal[3],
 {
     struct lit lit = {0, 0};
 
-    if (!d->tint.lights)
+    if (!d->tint.is_tinted)
         light_normal(&d->light, &d->power, normal, &lit);
     kept[0] = (uint16_t)lit.diffuse;
     kept[1] = (uint16_t)lit.specular;

@@ -17,7 +17,7 @@ static uint32_t difference_of(const struct colour_terms *terms, const int32_t d[
 
     most = magnitude32(d[1]) > most ? magnitude32(d[1]) : most;
     most = magnitude32(d[1] - d[0]) > most ? magnitude32(d[1] - d[0]) : most;
-    most = (most << 1 >> (terms->unit - 19)) + 1;
+    most = (most << 1 >> (terms->unit_log2 - 19)) + 1;
     return most > 0xffff ? 0xffff : most;
 }
 
@@ -92,12 +92,12 @@ HOT static APART void glossy(struct setup *s, struct surface_corners *c, const s
     int32_t d[2];
 
     corner_channels(draw, lit, channel, d);
-    if (way_wanted(draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << terms->unit >> 20)) {
+    if (way_wanted(draw, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d[0], d[1], 3u << terms->unit_log2 >> 20)) {
         sheen_setup_linear(s, g, channel);
         return;
     }
     sheen_weigh(c);
-    s->fast = draw->early && !sheen_channels_leave(terms, channel, 0);
+    s->special_loop = draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
     if (!way_wanted(draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
         sheen_setup_quotient(s, c, g, channel);
@@ -116,12 +116,12 @@ HOT static void gouraud_setup(struct setup *s, struct surface_corners *c, const 
         return;
     }
     s->way = SHEEN_WAY_GOURAUD_LINEAR;
-    if (specular > faint_highlight(d->colour.dim, d->dither)) {
+    if (specular > faint_highlight(d->colour.faint_specular, d->dither)) {
         glossy(s, c, g, lit);
         return;
     }
     int32_t d1 = (int32_t)(lit[1].diffuse - lit[0].diffuse), d2 = (int32_t)(lit[2].diffuse - lit[0].diffuse);
-    int straight = way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.eighth);
+    int straight = way_wanted(d, SHEEN_WAY_GOURAUD_LINEAR) && sheen_straight(c, d1, d2, d->colour.diffuse_tolerance);
     if (straight && d->shades != NULL && !d->dither)
         sheen_setup_shades(s, g, lit[0].diffuse, d1, d2);
     else if (!straight || !sheen_setup_diffuse(s, g, lit[0].diffuse, d1, d2))

@@ -221,14 +221,14 @@ static uint32_t widest_linear(unsigned steps)
 }
 
 /* Chooses how texels are drawn for quadrics or normals, both of which keep coordinates off the picture's edges. */
-static APART void choose_pixels(struct setup *s, const struct surface_corners *c)
+static APART void choose_loop(struct setup *s, const struct surface_corners *c)
 {
     struct at_corners at[4];
     int32_t cosine[2][3];
 
     corner_cosines(cosine, c);
     corner_texels(s->draw, cosine, texel_edge(s->draw->texel.texture), at);
-    s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
+    s->special_loop = (uint8_t)sheen_textured_loop(s->draw, at);
 }
 
 /* 0: linear is good enough. APART, like the functions that it calls, because there is no stack to spare. */
@@ -241,7 +241,7 @@ static APART int curved_matcap(struct setup *s, struct surface_corners *c, const
 
     if (apart <= widest_linear(steps) && !piece)
         return 0;
-    choose_pixels(s, c);
+    choose_loop(s, c);
     if (piece || apart > widest_quadratic[steps > 6 ? steps - 6 : 0] ||
         !quadratic_matcap((struct matcap_setup *)s, c, g, h))
         normal_matcap((struct matcap_setup *)s, c, g);

@@ -13,7 +13,7 @@
  * from the normal, according to the triangle's way.
  */
 struct matcap_setup {
-    struct setup s; /* fast: enum textured_pixels; detail: 1..LARGEST_BLOCK */
+    struct setup s; /* special_loop: enum textured_loop; detail: 1..LARGEST_BLOCK */
     union {
         struct quadric quadric[2]; /* (1 + x of the normal) / 2 and (1 - y) / 2, UQ1.31, within the picture */
         struct plane normal[3];    /* the normal in eye space times 1/m, Q1.30 */

@@ -81,7 +81,7 @@ static void matcap_colored_setup(struct setup *s, struct surface_corners *c, con
 {
     sheen_setup_shares((struct shares_setup *)s, c, g);
     s->way = SHEEN_WAY_MATCAP_NORMALS;
-    s->fast = 0;
+    s->special_loop = 0;
     s->rows = matcap_colored_rows;
 }
 
@@ -89,7 +89,7 @@ static void matcap_vertex_colored_setup(struct setup *s, struct surface_corners 
 {
     sheen_setup_shares((struct shares_setup *)s, c, g);
     s->way = SHEEN_WAY_TEXTURED_QUOTIENT;
-    s->fast = 0;
+    s->special_loop = 0;
     s->rows = matcap_vertex_colored_rows;
 }
 

@@ -249,7 +249,8 @@ HOT static void phong_setup(struct setup *s, struct surface_corners *c, const st
         if ((!piece && sheen_setup_reflection(s, c, g, &f)) ||
             (g->area >> 13 >= SMALLEST_CELLS && way_wanted(s->draw, SHEEN_WAY_PHONG_CELLS) &&
              normal_planes(s, c, g, &f)) ||
-            (!piece && !s->draw->by_ramp && !s->draw->fog && g->area >> 13 < LARGEST_BY_ROOT && root_way(s, c, g, &f)))
+            (!piece && !s->draw->pixel_ramp && !s->draw->fog && g->area >> 13 < LARGEST_BY_ROOT &&
+             root_way(s, c, g, &f)))
             return;
     }
     (void)normal_planes(s, c, g, NULL);

@@ -37,7 +37,7 @@ enum quads_taken {
  * carry: three numbers for each corner of a triangle, for the side that is seen, which its pieces interpolate linearly
  *   and have in place of normals; NULL: pieces have normals.
  * setup: chooses the cheapest way whose error stays below what a level shows; sets way, rows and, if that way reads it,
- *   fast; fills in what follows *s. g: NULL if the triangle is too flat for gradients.
+ *   special_loop; fills in what follows *s. g: NULL if the triangle is too flat for gradients.
  * find_shades: sheen_shades_of, or NULL for a shading that uses no shades and so does not link that function.
  * takes: 0 if the shading cannot show the material's texture, which may be NULL. `takes` is NULL if it needs none.
  */

@@ -63,12 +63,12 @@ HOT static void slerp_setup(struct setup *setup, struct surface_corners *c, cons
         sheen_face(&f, c);
     if (f.apart <= CLOSE_ARCS && sheen_setup_reflection(setup, c, g, &f))
         return;
-    int one = f.apart <= (d->power.shininess > 16 ? WIDEST_SHARP : WIDEST_ARC) && d->by_ramp < 2 &&
+    int one = f.apart <= (d->power.shininess > 16 ? WIDEST_SHARP : WIDEST_ARC) && d->pixel_ramp < 2 &&
               way_wanted(d, SHEEN_WAY_SLERP);
     sheen_weigh(c);
     sheen_slerp_corners(&((struct slerp_setup *)setup)->at, c, one ? &f : NULL);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
-    setup->fast = 0;
+    setup->special_loop = 0;
     setup->rows = sheen_slerp_rows;
 }
 

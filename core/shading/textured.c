@@ -44,8 +44,8 @@ HOT static void textured_as(struct setup *s, struct surface_corners *c, const st
         specular[k] = (int32_t)(lit[k + 1].specular - lit[0].specular);
     }
     sheen_setup_textured(s, c, g, at,
-                         sheen_straight(c, diffuse[0], diffuse[1], colour->eighth / 2) &&
-                             sheen_straight(c, specular[0], specular[1], 4u * colour->dim));
+                         sheen_straight(c, diffuse[0], diffuse[1], colour->diffuse_tolerance / 2) &&
+                             sheen_straight(c, specular[0], specular[1], 4u * colour->faint_specular));
 }
 
 static void textured_setup(struct setup *s, struct surface_corners *c, const struct gradients *g)

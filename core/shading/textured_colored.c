@@ -33,7 +33,7 @@ static APART void corners_of(const struct setup *s, int is_flat, struct texel_co
     for (int i = 0; i < 2; i++)
         sheen_texels_of(&corners->place[i], s->draw, s->draw->tint.texture, &at, i);
     if (!s->draw->tint.texture->bilinear)
-        sheen_keep_within(corners->place, BORDER_BIAS);
+        sheen_inset_corners(corners->place, BORDER_BIAS);
     for (int i = 0; i < 2; i++)
         sheen_mix_corners(&corners->place[i], q);
     corners_glow(s, triangle, is_flat, glow);
@@ -63,7 +63,7 @@ static void shares_as(struct setup *s, struct surface_corners *c, const struct g
 {
     sheen_setup_shares((struct shares_setup *)s, c, g);
     s->way = SHEEN_WAY_TEXTURED_QUOTIENT;
-    s->fast = 0;
+    s->special_loop = 0;
     s->rows = rows;
 }
 

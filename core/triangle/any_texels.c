@@ -62,7 +62,7 @@ SPECIALISED void put_fogged_texel(const struct texel_run *r, uint32_t at, uint32
 /* A channel, in 1/32 level, times light. If light may exceed 1.0, 4 of its bits are cut so that the product fits. */
 SPECIALISED uint32_t under_light(const struct texel_run *r, uint32_t channel, uint32_t light)
 {
-    if (r->pixels == TEXTURED_ANY)
+    if (r->special_loop == TEXTURED_ANY)
         return channel * ((light + 8) >> 4) >> 1;
     return r->d->texel.texture->bilinear ? channel * (light >> 5) : (channel >> 5) * light;
 }
@@ -72,7 +72,7 @@ SPLIT void any_colour(const struct texel_run *r, uint32_t offset, uint32_t thres
                       uint32_t nearest, int is_fogged)
 {
     const struct texel_terms *terms = &r->d->texel;
-    const unsigned fraction = r->pixels == TEXTURED_ANY ? BRIGHT_BITS : LIGHT_BITS;
+    const unsigned fraction = r->special_loop == TEXTURED_ANY ? BRIGHT_BITS : LIGHT_BITS;
     const uint32_t sum =
         terms->texture->bilinear ? any_mixed(terms->texture, at->u, at->v, nearest) : spread(nearest) << 5;
     const uint32_t light = not_negative(at->light), specular = not_negative(at->specular);
@@ -99,7 +99,7 @@ SPLIT void any_loop(const struct texel_run *r, const struct texel_at *from, int 
     uint32_t offset = (uint32_t)(r->depth - r->t->depth), x = (uint32_t)r->x, packed = packed_at(&at, width);
 
     for (int32_t i = 1; i <= r->count; i++, x++, offset++) {
-        if (terms->packed) {
+        if (terms->uv_packed) {
             at.u = packed << (16 - PACKED_BITS);
             at.v = packed >> (PACKED_BITS + width) << (16 - PACKED_BITS);
         }
@@ -113,7 +113,7 @@ SPLIT void any_loop(const struct texel_run *r, const struct texel_at *from, int 
         at.v += r->step.v;
         at.light += r->step.light;
         at.specular += r->step.specular;
-        packed += r->packed + (i % TEXEL_PART == 0 ? r->mend : 0);
+        packed += r->packed_step + (i % TEXEL_PART == 0 ? r->mend : 0);
     }
 }
 

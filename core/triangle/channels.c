@@ -6,7 +6,7 @@
 /* 1 if perspective changes a channel by at most 3/64 of a 64th of 1.0, as with Gouraud's colours. */
 static int is_straight(const struct surface_corners *c, const struct colour_terms *terms, int32_t d1, int32_t d2)
 {
-    return sheen_straight(c, d1, d2, 3u << terms->unit >> 20);
+    return sheen_straight(c, d1, d2, 3u << terms->unit_log2 >> 20);
 }
 
 /* 1 if perspective shows in no channel and, on grey targets, where the sum is what counts, not in their sum. */

@@ -130,7 +130,8 @@ static uint32_t part_step(uint32_t from, uint32_t to, int32_t count)
 static int bends(const struct texel_rows *r, const uint32_t from[], const uint32_t middle[], const uint32_t end[],
                  int32_t half, int32_t count)
 {
-    const uint32_t eighth = 1u << (r->s->s.draw->colour.unit - 3), texel = r->c->texel_of != NULL ? 1u << 11 : 1u << 13;
+    const uint32_t eighth = 1u << (r->s->s.draw->colour.unit_log2 - 3),
+                   texel = r->c->texel_of != NULL ? 1u << 11 : 1u << 13;
 
     for (unsigned i = 0; i < r->run.values; i++) {
         const uint32_t linear = from[i] + (uint32_t)half * part_step(from[i], end[i], count);

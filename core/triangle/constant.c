@@ -20,7 +20,7 @@ void sheen_setup_colour(struct setup *s, uint32_t channel[3])
         ((struct constant_setup *)s)->pixel = sheen_finished(terms, d->is_565, d->swap, channel);
         return;
     }
-    s->fast = d->is_565;
+    s->special_loop = d->is_565;
     s->rows = sheen_dithered_constant_rows;
     for (int k = 0; k < 3; k++)
         linear->channel[k] = (struct plane){channel[k], 0, 0};

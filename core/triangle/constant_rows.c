@@ -99,7 +99,7 @@ void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
     const struct linear_setup *planes = (const struct linear_setup *)s;
 
 #if FAST_LOOPS
-    if (s->fast) {
+    if (s->special_loop) {
         if (t->format->swap)
             packed_constant_rows(t, planes, 1);
         else

@@ -36,9 +36,9 @@ SPECIALISED uint32_t under_fog(uint32_t level, uint32_t apart, int32_t share, un
 }
 
 /* A run on 565 with nothing to clamp. even: it has one colour; adds: as in under_fog. */
-SPECIALISED void clear_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
-                           const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap, unsigned even,
-                           unsigned adds)
+SPECIALISED void unclamped_run(const struct tile *t, const struct draw *d, uint16_t *depth, uint32_t x, int32_t count,
+                               const uint8_t *threshold, struct fog_at at, struct fog_at step, unsigned swap,
+                               unsigned even, unsigned adds)
 {
     const intptr_t to_pixel = t->to_pixel;
     const uint16_t *end = depth + count;
@@ -97,17 +97,17 @@ static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t l
     const struct fog_terms *fog = d->fog;
     const uint32_t near = (uint32_t)fog->start - FOG_MARGIN, z = plane_at(&l->s.depth, x, y);
     const uint32_t end = z + (uint32_t)last * l->s.depth.dx;
-    int clear = d->colour.fraction == LOOP_FRACTION &&
-                within(near - (z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
+    int unclamped = d->colour.fraction == LOOP_FRACTION &&
+                    within(near - (z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
 
     at->z = z;
     at->left = (1u << 30) - ((uint32_t)fog->start - (z >> fog->shift)) * fog->scale;
     for (int k = 0; k < 3; k++) {
         const uint32_t channel = plane_at(&l->channel[k], x, y);
         at->apart[k] = ((uint32_t)fog->level[k] << (LOOP_FRACTION - 10)) - channel;
-        clear &= within(channel, channel + (uint32_t)last * l->channel[k].dx, d->colour.top[k]);
+        unclamped &= within(channel, channel + (uint32_t)last * l->channel[k].dx, d->colour.top[k]);
     }
-    return clear;
+    return unclamped;
 }
 
 SPECIALISED void held_row(const struct tile *t, const struct linear_setup *l, int32_t x, int32_t x1, int32_t y)
@@ -141,11 +141,11 @@ static void fogged_rows(const struct tile *t, const struct setup *s)
         }
         uint16_t *depth = t->depth + tile_offset(t, x, y);
         if (FAST_LOOPS && threshold == NULL && t->format->swap && s->way == SHEEN_WAY_FLAT)
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 1, 0);
+            unclamped_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 1, 0);
         else if (FAST_LOOPS && threshold == NULL && t->format->swap)
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 0, FOG_ADDS);
+            unclamped_run(t, s->draw, depth, (uint32_t)x, x1 - x, NULL, at, step, 1, 0, FOG_ADDS);
         else
-            clear_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap, 0, 0);
+            unclamped_run(t, s->draw, depth, (uint32_t)x, x1 - x, threshold, at, step, t->format->swap, 0, 0);
     }
 }
 
@@ -159,8 +159,8 @@ static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
 void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
                         const struct fogged_colour *to, int32_t n, unsigned twice)
 {
-    static const uint16_t part[LONGEST + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
-                                               1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */
+    static const uint16_t part[LONGEST_BLOCK + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
+                                                     1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */
     const struct tile *t = r->t;
     struct packed_way way = {.to_pixel = t->to_pixel, .dither = t->dither, .swap = t->format->swap};
     const uint32_t half = t->dither ? 0 : 1u << 10; /* of the one rounding */
@@ -186,13 +186,13 @@ void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_co
 void sheen_fogged_any_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
                           struct shaded_run *run, unsigned second)
 {
-    general_loop(t, d, at, x, x1, y, run, (enum second)second, d->by_ramp, 1);
+    general_loop(t, d, at, x, x1, y, run, (enum second)second, d->pixel_ramp, 1);
 }
 
 void sheen_fogged_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                              const struct normal_run *run)
 {
-    if (d->by_ramp)
+    if (d->pixel_ramp)
         normal_loop(t, d, x, x1, y, run, 1, 1);
     else
         normal_loop(t, d, x, x1, y, run, 0, 1);
@@ -258,7 +258,7 @@ static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, 
     terms->start = (int32_t)(from > most ? most : from < -most ? -most : from);
     terms->reach = (uint16_t)asr64(reach, shift);
     terms->scale = (uint16_t)((sheen_reciprocal((uint32_t)terms->reach << 16) >> 17) + 1);
-    levels_of(terms->level, format, sheen_colour_bytes(format, fog->color));
+    levels_of(terms->level, format, sheen_colour_pixel(format, fog->color));
     return SHEEN_OK;
 }
 
@@ -277,8 +277,8 @@ static void line_fog_draw(struct draw *d, const struct fog_terms *terms)
 
 static void fog_setup(struct setup *s)
 {
-    if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->fast != TEXTURED_ANY)
-        s->fast = TEXTURED_FOGGED;
+    if (s->way >= SHEEN_WAY_TEXTURED_LINEAR && s->special_loop != TEXTURED_ANY)
+        s->special_loop = TEXTURED_FOGGED;
     else if (s->way == SHEEN_WAY_FLAT || s->way == SHEEN_WAY_GOURAUD_LINEAR)
         s->rows = fogged_rows;
     else if (s->way == SHEEN_WAY_GOURAUD_QUOTIENT)

@@ -177,9 +177,9 @@ static APART void faded_run(const struct texel_run *r, const struct texel_at *fr
 
 void sheen_fogged_texel_run(const struct texel_run *r, const struct texel_at *from)
 {
-    if (r->pixels == TEXTURED_FOGGED && r->d->texel.unlit && !r->d->texel.texture->bilinear)
+    if (r->special_loop == TEXTURED_FOGGED && r->d->texel.unlit && !r->d->texel.texture->bilinear)
         faded_run(r, from);
-    else if (r->pixels == TEXTURED_FOGGED)
+    else if (r->special_loop == TEXTURED_FOGGED)
         fogged_run(r, from);
     else
         sheen_fogged_any_texels(r, from);

@@ -13,8 +13,8 @@
 #define MOST_BENT 1024
 #define NEARLY_STRAIGHT 160
 
-/* The most px of a block with a highlight; LONGEST without one. */
-#define LONGEST_SHINY 8
+/* The most px of a block with a highlight. */
+#define LONGEST_SHINY_BLOCK 8
 
 /* Apart, so that it has the registers that it needs. */
 static APART void colour_here(struct fogged_colour *c, const struct draw *d, const struct shaded_run *at,
@@ -79,8 +79,8 @@ static int32_t longest_of(const struct shaded_run *run, enum second second)
     const uint32_t bend = magnitude32((int32_t)run->ddu);
 
     if (second != SECOND_POWER)
-        return LONGEST;
-    return bend < 1u << 24 ? LONGEST_SHINY : bend < 1u << 26 ? LONGEST_SHINY / 2 : 1;
+        return LONGEST_BLOCK;
+    return bend < 1u << 24 ? LONGEST_SHINY_BLOCK : bend < 1u << 26 ? LONGEST_SHINY_BLOCK / 2 : 1;
 }
 
 /*
@@ -134,7 +134,7 @@ void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_
     struct fogged_run r = {t, depth, DITHER_ROW(t, depth - x, y), run->dz};
 
     /* stippled draws have other thresholds than those that packed channels are dithered with */
-    if (d->by_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
+    if (d->pixel_ramp || !d->fog->is_565 || (t->dither && t->thresholds != sheen_thresholds))
         sheen_fogged_any_run(t, d, at, x, x1, y, run, second);
     else
         draw_blocks(&r, d, run, x1 - x, (enum second)second);

@@ -6,7 +6,7 @@
 
 #include "quadric.h"
 
-#define LONGEST 16 /* the most px of a block */
+#define LONGEST_BLOCK 16 /* px */
 
 /* The run being drawn. */
 struct fogged_run {

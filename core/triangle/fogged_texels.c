@@ -4,17 +4,19 @@
 #include "texel_loops.h"
 
 #if FAST_LOOPS
-SPLIT struct way fogged_way(const struct texel_run *r, unsigned packed, unsigned glossy, unsigned dither, unsigned swap)
+SPLIT struct texel_way fogged_way(const struct texel_run *r, unsigned uv_packed, unsigned glossy, unsigned dither,
+                                  unsigned swap)
 {
-    struct way way = way_of(packed, 1, glossy, dither, swap);
+    struct texel_way way = way_of(uv_packed, 1, glossy, dither, swap);
 
     way_through(&way, r->d->fog);
     return way;
 }
 
-SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned packed, unsigned dither)
+SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *part, unsigned uv_packed,
+                            unsigned dither)
 {
-    struct way way = fogged_way(r, packed, 0, dither, 1);
+    struct texel_way way = fogged_way(r, uv_packed, 0, dither, 1);
 
     fade(&way);
     nearest_part(r, *part, way);
@@ -22,7 +24,7 @@ SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *
 
 static APART void glossy_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
-    if (!r->d->texel.packed)
+    if (!r->d->texel.uv_packed)
         nearest_part(r, *part, fogged_way(r, 0, 1, r->t->dither, 1));
     else
         r->t->dither ? nearest_part(r, *part, fogged_way(r, 1, 1, 1, 1))
@@ -38,11 +40,11 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
     else if (is_glossy(part))
         glossy_fogged_part(r, part);
     else if (r->t->dither)
-        r->d->texel.packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 1, 1))
-                           : nearest_part(r, *part, fogged_way(r, 0, 0, 1, 1));
+        r->d->texel.uv_packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 1, 1))
+                              : nearest_part(r, *part, fogged_way(r, 0, 0, 1, 1));
     else
-        r->d->texel.packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 0, 1))
-                           : nearest_part(r, *part, fogged_way(r, 0, 0, 0, 1));
+        r->d->texel.uv_packed ? nearest_part(r, *part, fogged_way(r, 1, 0, 0, 1))
+                              : nearest_part(r, *part, fogged_way(r, 0, 0, 0, 1));
 }
 #else
 void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
@@ -57,7 +59,7 @@ void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
     const struct sheen_texture *texture = r->d->texel.texture;
 
     if (r->t->format->swap && (texture->bits & 15) == 0 && !texture->keyed) {
-        if (!r->d->texel.packed)
+        if (!r->d->texel.uv_packed)
             r->t->dither ? faded_part(r, part, 0, 1) : faded_part(r, part, 0, 0);
         else
             r->t->dither ? faded_part(r, part, 1, 1) : faded_part(r, part, 1, 0);

@@ -33,7 +33,7 @@ static APART void tinted_light(const struct draw *d, const int16_t at[3], const 
 
 static inline void glow_light(const struct draw *d, const int16_t at[3], const int16_t seen[3], struct glow *glow)
 {
-    if (d->tint.lights)
+    if (d->tint.is_tinted)
         tinted_light(d, at, seen, glow);
     else
         white_light(d, seen, glow);
@@ -73,9 +73,9 @@ COLD void sheen_glow_begin(struct draw *d, const struct sheen_material *material
 
     (void)format;
     d->tint.texture = material->texture;
-    d->tint.lights = 0;
+    d->tint.is_tinted = 0;
     d->tint.points = NULL;
-    d->tint.is_point = 0;
+    d->tint.point_mask = 0;
     for (unsigned i = 0; i < d->light.count; i++) {
         const uint8_t *color = object->lights[i].color;
         const int coloured = (color[0] | color[1] | color[2]) != 0;
@@ -83,13 +83,13 @@ COLD void sheen_glow_begin(struct draw *d, const struct sheen_material *material
             d->tint.color[i][k] = coloured ? color[k] : 255;
         if (object->lights[i].radius > 0)
             d->tint.points = object->lights[i].points;
-        d->tint.lights |= (uint8_t)(coloured || d->tint.points != NULL);
+        d->tint.is_tinted |= (uint8_t)(coloured || d->tint.points != NULL);
     }
     if (d->tint.points != NULL)
         d->tint.points->place(d, object, view);
     for (int k = 0; k < 3; k++) {
         const uint32_t a = d->colour.a[k], part = is_low ? mul_high(a, share) : a;
-        d->tint.low[k] = d->tint.lights ? a - part : 0;
-        d->colour.a[k] = by_colour(part, white ? 255 : ambient[k]) + (d->tint.lights ? 0 : a - part);
+        d->tint.low[k] = d->tint.is_tinted ? a - part : 0;
+        d->colour.a[k] = by_colour(part, white ? 255 : ambient[k]) + (d->tint.is_tinted ? 0 : a - part);
     }
 }

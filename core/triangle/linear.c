@@ -82,7 +82,7 @@ SPECIALISED void pack_planes(struct packed_setup *p, const struct gradients *g, 
     rb->base = pack_red_blue(red - (MIDDLE << fraction), blue - (MIDDLE << fraction), fraction) +
                ((MIDDLE << 11) + early) * 0x10001u - (uint32_t)x * rb->dx - (uint32_t)y * rb->dy;
     p->green = (struct plane){(c[1].base << up) + (early << 15), c[1].dx << up, c[1].dy << up};
-    p->s.fast = 1;
+    p->s.special_loop = 1;
     p->s.rows = sheen_packed_rows;
 }
 
@@ -121,8 +121,8 @@ HOT int sheen_setup_diffuse(struct setup *s, const struct gradients *g, uint32_t
 }
 
 /*
- * channel: by component and corner. Differences are cut to 15 bits, 2^-10 level. fast: no sum of a channel and a
- * threshold leaves its field of a word, even with the planes' rounding, which is below 1/32 level.
+ * channel: by component and corner. Differences are cut to 15 bits, 2^-10 level. special_loop is for channels whose sum
+ * with a threshold never leaves its field of a word, even with the planes' rounding, which is below 1/32 level.
  */
 HOT void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t channel[3][3])
 {
@@ -136,8 +136,8 @@ HOT void sheen_setup_linear(struct setup *s, const struct gradients *g, uint32_t
         const uint32_t *f = channel[i];
         sheen_plane(&plane[i], g, f[0], cut_difference(f[1], f[0]), cut_difference(f[2], f[0]), 16);
     }
-    s->fast = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
-    if (s->fast && packable(g)) {
+    s->special_loop = s->draw->is_565 && !sheen_channels_leave(terms, channel, margin);
+    if (s->special_loop && packable(g)) {
         pack_planes((struct packed_setup *)s, g, plane, terms->fraction,
                     plane_at(&plane[0], g->origin[0], g->origin[1]), plane_at(&plane[2], g->origin[0], g->origin[1]));
         return;

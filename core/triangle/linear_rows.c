@@ -218,7 +218,7 @@ HOT void sheen_linear_rows(const struct tile *t, const struct setup *s)
     const unsigned own = FAST_LOOPS && t->format->swap;
 
 #if FAST_LOOPS
-    if (!s->fast && own && s->draw->is_565 && s->draw->colour.fraction == LOOP_FRACTION) {
+    if (!s->special_loop && own && s->draw->is_565 && s->draw->colour.fraction == LOOP_FRACTION) {
         if (t->dither)
             clamped_565_rows(t, l, 1);
         else
@@ -226,7 +226,7 @@ HOT void sheen_linear_rows(const struct tile *t, const struct setup *s)
         return;
     }
 #endif
-    if (!s->fast)
+    if (!s->special_loop)
         clamped_rows(t, l);
     else if (!own)
         any_column_rows(t, l);

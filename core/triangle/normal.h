@@ -76,9 +76,9 @@ void sheen_normal_run_by_ramp(const struct tile *t, const struct draw *d, int32_
 static inline void draw_normal_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
                                    const struct normal_run *run)
 {
-    (d->fog       ? d->fog->mixer->normal_run
-     : d->by_ramp ? d->light.ramp->reader->normal_run
-                  : sheen_normal_run)(t, d, x, x1, y, run);
+    (d->fog          ? d->fog->mixer->normal_run
+     : d->pixel_ramp ? d->light.ramp->reader->normal_run
+                     : sheen_normal_run)(t, d, x, x1, y, run);
 }
 
 #endif

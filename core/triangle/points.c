@@ -50,7 +50,7 @@ static COLD void points_place(struct draw *d, const struct sheen_object *object,
     for (unsigned i = 0; i < d->light.count; i++)
         if (object->lights[i].radius > 0) {
             place_point(d, &object->lights[i], &pose, view, i);
-            d->tint.is_point |= (uint8_t)(1u << i);
+            d->tint.point_mask |= (uint8_t)(1u << i);
         }
     d->tint.reach = (int32_t)(((int64_t)pose.scale * d->mesh->scale) >> 16);
 }

@@ -28,7 +28,7 @@ static uint32_t bent(const struct quad *q)
 int sheen_lit_linearly(const struct draw *d, const struct quad *q)
 {
     const struct colour_terms *t = &d->colour;
-    const uint32_t dark = faint_highlight(t->dim, d->dither), low = t->low > 0 ? t->low : 1;
+    const uint32_t dark = faint_highlight(t->faint_specular, d->dither), low = t->low > 0 ? t->low : 1;
 
     for (int k = 0; k < 4; k++) {
         const uint16_t *kept = q->v[k]->kept;
@@ -36,5 +36,5 @@ int sheen_lit_linearly(const struct draw *d, const struct quad *q)
             return 0;
     }
     const uint32_t off = bent(q), last = q->v[3]->kept[0];
-    return off <= t->eighth && last >= low + off && last + off <= t->high;
+    return off <= t->diffuse_tolerance && last >= low + off && last + off <= t->high;
 }

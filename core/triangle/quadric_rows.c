@@ -246,9 +246,9 @@ HOT void sheen_shaded_run(const struct tile *t, const struct draw *d, int32_t x,
                   : quick_run(t, d, before, last, thresholds, run, SECOND_POWER, 0, 1);
 #endif
     else
-        (d->fog       ? d->fog->mixer->shaded_run
-         : d->by_ramp ? d->light.ramp->reader->shaded_run
-                      : general_run)(t, d, at, x, x1, y, run, second);
+        (d->fog          ? d->fog->mixer->shaded_run
+         : d->pixel_ramp ? d->light.ramp->reader->shaded_run
+                         : general_run)(t, d, at, x, x1, y, run, second);
 }
 
 #if FAST_LOOPS

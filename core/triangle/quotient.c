@@ -13,7 +13,7 @@ void sheen_setup_quotient(struct setup *s, const struct surface_corners *c, cons
 
     s->way = SHEEN_WAY_GOURAUD_QUOTIENT;
     s->rows = sheen_quotient_rows;
-    s->fast = 0;
+    s->special_loop = 0;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++)
             value[k] = (int32_t)mul_high(channel[i][k], c->weight[k]);

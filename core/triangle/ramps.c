@@ -21,7 +21,7 @@ static COLD const struct sheen_material *begin_by_ramp(struct draw *d, const str
     const int64_t low = (int64_t)held_product(m->diffuse, m->ramp->low) * d->light.diffuse_sum;
 
     d->light.ramp = m->ramp;
-    d->by_ramp = (uint8_t)(at_pixels ? 1 + 2 * (m->ramp->steep & 15u) : 0);
+    d->pixel_ramp = (uint8_t)(at_pixels ? 1 + 2 * (m->ramp->steep & 15u) : 0);
     *by = *m;
     by->ambient = max32(m->ambient + (int32_t)asr64(low + (1 << 15), 16), 0);
     by->diffuse = max32(held_product(m->diffuse, m->ramp->span), 0);

@@ -103,7 +103,7 @@ COLD uint8_t sheen_most_bend(const struct draw *d, uint32_t most)
     const int sharp = d->strong && d->power.shininess > 32;
     unsigned warp = BENDS;
 
-    if (d->light.count != 1 || d->by_ramp || sharp)
+    if (d->light.count != 1 || d->pixel_ramp || sharp)
         return 0;
     if (d->power.limit != 0 && widest_with_highlight(d) < most)
         most = widest_with_highlight(d);
@@ -150,12 +150,12 @@ HOT int sheen_setup_reflection(struct setup *s, const struct surface_corners *c,
     struct excesses e;
 
     /* all dark: in the triangle L.N is a mean of the corners' times a positive factor */
-    if (most3(f->ln) <= 0 && (f->kept == NULL || (int16_t)f->kept[0] <= 0) && !s->draw->by_ramp) {
+    if (most3(f->ln) <= 0 && (f->kept == NULL || (int16_t)f->kept[0] <= 0) && !s->draw->pixel_ramp) {
         const struct lit dark = {0, 0};
         sheen_setup_constant(s, &dark);
         return 1;
     }
-    if (f->apart > (uint32_t)s->draw->most_apart << 21 >> (s->draw->by_ramp >> 1) ||
+    if (f->apart > (uint32_t)s->draw->most_apart << 21 >> (s->draw->pixel_ramp >> 1) ||
         !way_wanted(s->draw, SHEEN_WAY_PHONG_QUADRATIC) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
         return 0;
     angle_excesses(&e, f);

@@ -106,7 +106,7 @@ COLD void sheen_loop_begin(struct draw *d, const struct sheen_material *material
     }
     q->power_end = power->limit > 0 ? (power->limit << power->up) + POWER_GUARD : 0;
     q->power = power->table;
-    q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->by_ramp; /* these loops read no ramp */
+    q->usable = d->is_565 && t->fraction == LOOP_FRACTION && !d->pixel_ramp; /* these loops read no ramp */
 }
 
 COLD const struct shades *sheen_shades_of(const struct draw *d, struct shades *store, unsigned count, unsigned *taken)

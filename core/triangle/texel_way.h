@@ -24,8 +24,8 @@ struct faded_fog {
 };
 
 /* How a run is drawn. In specialised loops the fields before `fog` are compile-time constants. */
-struct way {
-    unsigned packed, lit, glossy, dither, swap;
+struct texel_way {
+    unsigned uv_packed, lit, glossy, dither, swap;
     uint8_t other;                 /* the texture has a palette or a transparent colour */
     uint8_t fogged;                /* light and highlight are what the fog leaves of them */
     uint8_t faded;                 /* unlit: what the fog leaves is stepped in place of its share */
@@ -38,14 +38,14 @@ struct way {
     struct faded_fog mist; /* if faded */
 };
 
-SPECIALISED struct way way_of(unsigned packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
+SPECIALISED struct texel_way way_of(unsigned uv_packed, unsigned lit, unsigned glossy, unsigned dither, unsigned swap)
 {
-    struct way way = {.packed = packed, .lit = lit, .glossy = glossy, .dither = dither, .swap = swap};
+    struct texel_way way = {.uv_packed = uv_packed, .lit = lit, .glossy = glossy, .dither = dither, .swap = swap};
 
     return way;
 }
 
-SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
+SPECIALISED void way_begin(struct texel_way *way, const struct texel_run *r)
 {
     way->texture = r->d->texel.texture;
     way->half = 1u << (LIGHT_BITS - 1);
@@ -56,7 +56,7 @@ SPECIALISED void way_begin(struct way *way, const struct texel_run *r)
     way->thresholds = DITHER_ROW(r->t, r->depth - r->x, r->y);
 }
 
-SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
+SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct texel_way *way)
 {
     return way->dither ? threshold_pair(way->thresholds, depth) << (LIGHT_BITS - 11) : way->half;
 }
@@ -64,7 +64,7 @@ SPECIALISED uint32_t threshold_at(const uint16_t *depth, const struct way *way)
 /* ---- fog, and what is known when a program runs ---- */
 
 /* The fog that a run is seen through. */
-SPECIALISED void way_through(struct way *way, const struct fog_terms *fog)
+SPECIALISED void way_through(struct texel_way *way, const struct fog_terms *fog)
 {
     way->fogged = 1;
     for (int k = 0; k < 3; k++)
@@ -72,7 +72,7 @@ SPECIALISED void way_through(struct way *way, const struct fog_terms *fog)
 }
 
 /* For unlit texels: a part's fog is then what the fog leaves of them, plus half a step of UQ1.11 for its rounding. */
-SPECIALISED void fade(struct way *way)
+SPECIALISED void fade(struct texel_way *way)
 {
     const uint32_t half = way->dither ? 0 : 1u << 10; /* of the one rounding */
     const uint32_t blue_red = (way->fog[2] << 16) + way->fog[0], green = way->fog[1];
@@ -95,11 +95,12 @@ enum fogging {
 };
 
 /* For any texels, with light and fog linear along the part. */
-SPLIT void any_way(struct way *way, const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
+SPLIT void any_way(struct texel_way *way, const struct texel_run *r, const struct texel_part *part,
+                   enum fogging fogging)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
 
-    way->packed = r->d->texel.packed;
+    way->uv_packed = r->d->texel.uv_packed;
     way->lit = fogging == FOG_DIMS || !r->d->texel.unlit;
     way->glossy = fogging != FOG_FADES && is_glossy(part);
     way->dither = r->t->dither;
@@ -135,13 +136,13 @@ struct stepped {
     uint32_t z, light, specular, fog, u, v;
 };
 
-SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const struct way *way)
+SPECIALISED void step_on(struct stepped *at, const struct stepped *step, const struct texel_way *way)
 {
     at->z += step->z;
     at->u += step->u;
     OPAQUE(at->z); /* else gcc multiplies to get the values at the run's end */
     OPAQUE(at->u);
-    if (!way->packed) {
+    if (!way->uv_packed) {
         at->v += step->v;
         OPAQUE(at->v);
     }
@@ -164,7 +165,7 @@ struct added {
     uint32_t red, green, blue;
 };
 
-SPECIALISED struct added added_at(const struct stepped *at, uint32_t threshold, const struct way *way)
+SPECIALISED struct added added_at(const struct stepped *at, uint32_t threshold, const struct texel_way *way)
 {
     struct added a = {threshold, threshold, threshold};
 
@@ -205,12 +206,12 @@ SPECIALISED uint32_t rounded_texel(uint32_t r, uint32_t g, uint32_t b, unsigned 
 }
 
 /* Reads a texel; n is its number if `other`, else its offset in bytes. */
-SPLIT uint32_t texel_at(const uint8_t *texels, uint32_t n, const struct way *way)
+SPLIT uint32_t texel_at(const uint8_t *texels, uint32_t n, const struct texel_way *way)
 {
     return way->other ? texel_number(way->texture, n) : *(const uint16_t *)(const void *)(texels + n);
 }
 
-SPECIALISED int is_key(uint32_t texel, const struct way *way)
+SPECIALISED int is_key(uint32_t texel, const struct texel_way *way)
 {
     return way->other && way->texture->keyed && texel == way->texture->key;
 }
@@ -249,7 +250,7 @@ SPECIALISED uint32_t packed_levels(uint32_t blue_red, uint32_t green)
  * fog + (texel - fog) * left, in two products; no channel exceeds the larger of the fog's and the texel's. left:
  * UQ1.11, at most 1.0.
  */
-SPECIALISED uint32_t faded_texel(const uint16_t *depth, uint32_t texel, uint32_t left, const struct way *way)
+SPECIALISED uint32_t faded_texel(const uint16_t *depth, uint32_t texel, uint32_t left, const struct texel_way *way)
 {
     uint32_t blue_red = (blue_red_of(texel) - way->mist.blue_red) * left + way->mist.blue_red_mist;
     OPAQUE_BOTH(blue_red, texel); /* one after the other: registers are few */

@@ -7,7 +7,7 @@
  * Moves f inwards if it lies on a border and is the least or the most of the three. It stays the least or the most,
  * because it moves by less than the corners lie apart.
  */
-static inline void keep_corner(int32_t *f, int32_t a, int32_t b, int32_t by)
+static inline void inset_corner(int32_t *f, int32_t a, int32_t b, int32_t by)
 {
     if ((uint16_t)*f != BORDER_BIAS)
         return;
@@ -17,13 +17,13 @@ static inline void keep_corner(int32_t *f, int32_t a, int32_t b, int32_t by)
         *f -= BORDER_BIAS + by;
 }
 
-void sheen_keep_within(struct at_corners at[2], int32_t by)
+void sheen_inset_corners(struct at_corners at[2], int32_t by)
 {
     for (int i = 0; i < 2; i++) {
         int32_t *const f = at[i].f;
-        keep_corner(&f[0], f[1], f[2], by);
-        keep_corner(&f[1], f[0], f[2], by);
-        keep_corner(&f[2], f[0], f[1], by);
+        inset_corner(&f[0], f[1], f[2], by);
+        inset_corner(&f[1], f[0], f[2], by);
+        inset_corner(&f[2], f[0], f[1], by);
     }
 }
 

@@ -26,7 +26,7 @@ void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct s
  * at pixels may be off: a triangle that ends where a texel ends must not show the next texel, which may be the one at
  * the picture's other side. at: of sheen_texels_of.
  */
-void sheen_keep_within(struct at_corners at[2], int32_t by);
+void sheen_inset_corners(struct at_corners at[2], int32_t by);
 
 /*
  * A 565 value spread out: green at bit 21, red at 11, blue at 0. Sums of such values by shares of 32 fit, too; their

@@ -11,7 +11,7 @@
  * texture that repeats (or no coordinate near its edges), and light and highlight without hue and at most 1.0. From
  * UNLIT to OTHER texels are nearest, and from UNLIT to GLOSSY 565 without key.
  */
-enum textured_pixels {
+enum textured_loop {
     TEXTURED_ANY,
     TEXTURED_UNLIT,
     TEXTURED_LIT, /* no highlight */
@@ -29,7 +29,7 @@ enum textured_pixels {
  * highlight itself; else the specular intensity. Both have LIGHT_BITS of fraction.
  */
 struct textured_setup {
-    struct setup s; /* fast: enum textured_pixels; detail: up, 0..30 */
+    struct setup s; /* special_loop: enum textured_loop; detail: up, 0..30 */
     struct plane u, v, light, specular, weight;
 };
 
@@ -44,10 +44,10 @@ struct texel_run {
     int32_t x, y, count;
     const struct tile *t; /* set by sheen_textured_begin, as are these: */
     const struct draw *d;
-    unsigned pixels;        /* enum textured_pixels */
-    uint32_t columns, rows; /* masks of coordinates, see textured_rows.c */
-    struct texel_at step;   /* set by sheen_textured_step, as are these: */
-    uint32_t packed, mend;
+    unsigned special_loop;      /* enum textured_loop */
+    uint32_t columns, rows;     /* masks of coordinates, see textured_rows.c */
+    struct texel_at step;       /* set by sheen_textured_step, as are these: */
+    uint32_t packed_step, mend; /* U and V in one word, see texel_steps.h; mend: what TEXEL_PART steps lack */
 };
 
 /*
@@ -71,7 +71,7 @@ static inline int32_t texel_light(const struct texel_terms *t, uint32_t diffuse)
 }
 
 /* The cheapest loop that gives the same pixels as TEXTURED_ANY. at: as for sheen_setup_textured. */
-enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4]);
+enum textured_loop sheen_textured_loop(const struct draw *d, const struct at_corners at[4]);
 
 /*
  * at: U and V in texels, Q15.16, and light and specular as struct textured_setup has them; U and V are overwritten.

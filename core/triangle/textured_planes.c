@@ -97,7 +97,7 @@ static int shows_565(const struct draw *d)
     return d->is_565 || (d->fog != NULL && d->fog->is_565 && !d->stippled);
 }
 
-HOT enum textured_pixels sheen_textured_pixels(const struct draw *d, const struct at_corners at[4])
+HOT enum textured_loop sheen_textured_loop(const struct draw *d, const struct at_corners at[4])
 {
     const struct texel_terms *terms = &d->texel;
     const struct sheen_texture *t = terms->texture;
@@ -132,12 +132,12 @@ HOT void sheen_setup_textured(struct setup *s, struct surface_corners *c, const 
 
     t->light = (struct plane){(uint32_t)at[2].f[0], 0, 0}; /* if unlit, it is the same everywhere */
     t->specular = (struct plane){0, 0, 0};
-    s->fast = (uint8_t)sheen_textured_pixels(s->draw, at);
+    s->special_loop = (uint8_t)sheen_textured_loop(s->draw, at);
     s->rows = sheen_textured_blocks;
     s->way = SHEEN_WAY_TEXTURED_LINEAR;
     const int linear = g == NULL || (straight && texels_straight(c, &at[0]) && texels_straight(c, &at[1]));
     if (!s->draw->texel.texture->bilinear)
-        sheen_keep_within(at, !s->draw->texel.packed ? BORDER_BIAS : linear ? RUN_BIAS : BLOCK_BIAS);
+        sheen_inset_corners(at, !s->draw->texel.uv_packed ? BORDER_BIAS : linear ? RUN_BIAS : BLOCK_BIAS);
     if (!linear) {
         textured_quotients(t, c, g, at);
         return;

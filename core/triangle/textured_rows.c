@@ -21,11 +21,11 @@ HOT void sheen_textured_step(struct texel_run *r, const struct texel_at *step)
     const unsigned width = r->d->texel.texture->width_log2;
 
     r->step = *step;
-    if (r->d->texel.packed) {
-        r->packed = packed_step(step->u, step->v, width);
+    if (r->d->texel.uv_packed) {
+        r->packed_step = packed_step(step->u, step->v, width);
         r->mend = packed_rest(step->u) + (packed_rest(step->v) << (PACKED_BITS + width));
     } else {
-        r->packed = r->mend = 0;
+        r->packed_step = r->mend = 0;
     }
 }
 
@@ -35,7 +35,7 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 
     r->t = t;
     r->d = s->draw;
-    r->pixels = s->fast;
+    r->special_loop = s->special_loop;
     r->columns = ((1u << texture->width_log2) - 1);
     r->rows = ((1u << texture->height_log2) - 1) << texture->width_log2;
 }
@@ -44,7 +44,7 @@ void sheen_textured_begin(struct texel_run *r, const struct tile *t, const struc
 
 void sheen_any_bilinear(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, part, fogging);
     bilinear_loop(r, part, &way);
@@ -52,7 +52,7 @@ void sheen_any_bilinear(const struct texel_run *r, const struct texel_part *part
 
 void sheen_any_nearest(const struct texel_run *r, const struct texel_part *part, enum fogging fogging)
 {
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, part, fogging);
     nearest_loop(r, part, &way);
@@ -74,7 +74,7 @@ SPECIALISED void nearest_as(const struct texel_run *r, const struct texel_at *at
 {
     const unsigned swap = r->t->format->swap;
 
-    if (r->d->texel.packed)
+    if (r->d->texel.uv_packed)
         swap ? nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 1))
              : nearest_part(r, whole_run(r, at), way_of(1, lit, glossy, dither, 0));
     else
@@ -105,7 +105,7 @@ HOT static APART void glossy_run(const struct texel_run *r, const struct texel_a
 static APART void other_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, &whole, NOT_FOGGED);
     nearest_loop(r, &whole, &way);
@@ -115,7 +115,7 @@ HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at
 {
     const unsigned swap = r->t->format->swap;
 
-    if (r->d->texel.packed)
+    if (r->d->texel.uv_packed)
         swap ? bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 1))
              : bilinear_part(r, whole_run(r, at), way_of(1, 0, 0, 0, 0));
     else
@@ -126,7 +126,7 @@ HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at
 static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
-    struct way way;
+    struct texel_way way;
 
     any_way(&way, r, &whole, NOT_FOGGED);
     bilinear_loop(r, &whole, &way);
@@ -134,7 +134,7 @@ static APART void other_mixed_run(const struct texel_run *r, const struct texel_
 
 void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
-    switch (r->pixels) {
+    switch (r->special_loop) {
     case TEXTURED_UNLIT:
         unlit_run(r, at);
         return;
@@ -164,7 +164,7 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
 
-    if (r->pixels == TEXTURED_ANY || r->pixels == TEXTURED_FOGGED)
+    if (r->special_loop == TEXTURED_ANY || r->special_loop == TEXTURED_FOGGED)
         (r->d->fog ? r->d->fog->mixer->texel_run : sheen_any_texels)(r, at);
     else
         any_part(r, &whole, NOT_FOGGED);

@@ -93,7 +93,7 @@ static int choose_lights(struct tinted_quadrics_setup *q, const struct surface_c
         if (i > 0)
             sheen_face_light(f, c->at.normal, c->back, d->light.to[i]);
         const int dark = most3(f->ln) <= 0;
-        lit |= (unsigned)(!dark || d->by_ramp) << i;
+        lit |= (unsigned)(!dark || d->pixel_ramp) << i;
         if (dark || !has_highlight(e, f, d, i))
             continue;
         shines |= 1u << i;
@@ -116,7 +116,7 @@ HOT int sheen_setup_tinted_quadrics(struct setup *s, const struct surface_corner
     if (!way_wanted(d, SHEEN_WAY_PHONG_QUADRATIC) || !quadric_fits(g->exponent, g->stretch))
         return 0;
     sheen_face(&f, c);
-    if (f.apart > widest >> (d->by_ramp >> 1) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
+    if (f.apart > widest >> (d->pixel_ramp >> 1) || !sheen_leans(e.edges.lean, c, REFLECTION_LEAN))
         return 0;
     angle_excesses(&e, &f);
     q->edges = e.edges;
@@ -251,7 +251,7 @@ SPECIALISED struct channels pixel_channels(const struct draw *d, const struct ti
     for (const struct tinted_beam *beam = q->beam, *end = beam + q->lights; beam < end; beam++) {
         const int32_t ln = asr32((int32_t)walk_on(w++), 15);
         *to = (uint32_t)max32(ln, 0);
-        add_light(&c, beam->base, d->by_ramp ? response_at(d->light.ramp, ln) : *to);
+        add_light(&c, beam->base, d->pixel_ramp ? response_at(d->light.ramp, ln) : *to);
         to++;
     }
     if (q->colored) {

@@ -26,7 +26,7 @@ struct draw {
     uint8_t dither;
     uint8_t swap;        /* as in struct pixel_format */
     uint8_t is_565;      /* the target is 565, not grey */
-    uint8_t by_ramp;     /* 0: no ramp is read per pixel; else 1 + 2 * the ramp's `steep` */
+    uint8_t pixel_ramp;  /* 0: no ramp is read per pixel; else 1 + 2 * the ramp's `steep` */
     uint8_t early;       /* 565, not dithered: the final rounding's 1/2 may be added in advance */
     uint8_t stippled;    /* enum stippled */
     uint8_t left_out[8]; /* stippled draws: bit x & 7 of entry y & 7 is set if pixel (x, y) is left out */
@@ -58,7 +58,7 @@ static inline void take_general_loops(struct draw *d)
     d->shades = NULL;
     d->is_565 = d->early = 0;
     d->dither = 1;
-    d->colour.low = d->colour.high = NO_DIFFUSE;
+    d->colour.low = d->colour.high = NO_DIFFUSE_RANGE;
 }
 
 /* shades.c: a shader's `begin` that fills in d->loop. */
@@ -140,7 +140,7 @@ struct setup {
     int16_t row, end_row;   /* the next row to draw; one past the last */
     uint8_t right;          /* one bit per edge from bit 0 on, 1 if it bounds the right; a final 1 marks the end */
     uint8_t needs_clipping; /* 1: spans may leave the tile's columns, so they are clipped */
-    uint8_t fast;           /* 1: loops need not clamp; some ways define it otherwise */
+    uint8_t special_loop;   /* 0: a loop for anything; else one for what the way has checked: 1, or its own enum */
     uint8_t detail;         /* each way defines it */
     const struct draw *draw;
     void (*rows)(const struct tile *t, const struct setup *s);
@@ -328,7 +328,7 @@ void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s);
 /* linear.c: channels, or the diffuse intensity, that are linear on the screen. */
 struct linear_setup {
     struct setup s;
-    struct plane channel[3]; /* with the draw's fraction bits; s.fast: 565, and no corner exceeds 1.0 */
+    struct plane channel[3]; /* with the draw's fraction bits; s.special_loop: 565, and no corner exceeds 1.0 */
 };
 
 /* Steps with 11 fraction bits are off by 2^-12 per pixel, which is accurate enough for PACKED_RUN px. */

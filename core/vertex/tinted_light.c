@@ -31,7 +31,7 @@ void sheen_light_tinted(const struct lighting *l, const struct power *power, con
         beam.to = l->to[i];
         beam.lv1 = l->lv1[i];
         beam.left = UINT32_MAX;
-        if ((tint->is_point >> i & 1u) != 0)
+        if ((tint->point_mask >> i & 1u) != 0)
             tint->points->beam(l, i, at, normal, &beam);
         if (beam.left == 0)
             continue;

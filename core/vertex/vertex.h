@@ -184,7 +184,7 @@ struct draw;
 
 /* The functions for point lights. Lights point to them, so that they are linked only if there are point lights. */
 struct sheen_points {
-    /* Puts the object's point lights into d->light and d->tint, whose `lights` is set before; view: world to eye. */
+    /* Puts the object's point lights into d->light and d->tint, whose is_tinted is set by then; view: world to eye. */
     void (*place)(struct draw *d, const struct sheen_object *object, const struct sheen_pose *view);
     /* The mean of the vertices of a triangle's polygon. */
     void (*middle)(const struct draw *d, uint32_t triangle, int16_t middle[3]);

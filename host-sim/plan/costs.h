@@ -20,25 +20,25 @@ enum sheen_plan_cpu {
     SHEEN_PLAN_CPUS
 };
 
-/* Shaders, in the order of room_of's table (memory.c) and of tests/bench/costs. */
-enum sheen_plan_room {
-    SHEEN_PLAN_ROOM_FLAT,
-    SHEEN_PLAN_ROOM_GOURAUD,
-    SHEEN_PLAN_ROOM_PHONG,
-    SHEEN_PLAN_ROOM_SLERP,
-    SHEEN_PLAN_ROOM_FLAT_COLORED,
-    SHEEN_PLAN_ROOM_GOURAUD_COLORED,
-    SHEEN_PLAN_ROOM_TEXTURED_FLAT,
-    SHEEN_PLAN_ROOM_TEXTURED,
-    SHEEN_PLAN_ROOM_MATCAP,
-    SHEEN_PLAN_ROOM_MATCAP_VERTEX,
-    SHEEN_PLAN_ROOM_TEXTURED_FLAT_COLORED,
-    SHEEN_PLAN_ROOM_TEXTURED_COLORED,
-    SHEEN_PLAN_ROOM_MATCAP_COLORED,
-    SHEEN_PLAN_ROOM_MATCAP_VERTEX_COLORED,
-    SHEEN_PLAN_ROOM_PHONG_COLORED,
-    SHEEN_PLAN_ROOM_SLERP_COLORED,
-    SHEEN_PLAN_ROOMS
+/* Shaders, in the order of shader_index's table (memory.c) and of tests/bench/costs. */
+enum sheen_plan_shader {
+    SHEEN_PLAN_SHADER_FLAT,
+    SHEEN_PLAN_SHADER_GOURAUD,
+    SHEEN_PLAN_SHADER_PHONG,
+    SHEEN_PLAN_SHADER_SLERP,
+    SHEEN_PLAN_SHADER_FLAT_COLORED,
+    SHEEN_PLAN_SHADER_GOURAUD_COLORED,
+    SHEEN_PLAN_SHADER_TEXTURED_FLAT,
+    SHEEN_PLAN_SHADER_TEXTURED,
+    SHEEN_PLAN_SHADER_MATCAP,
+    SHEEN_PLAN_SHADER_MATCAP_VERTEX,
+    SHEEN_PLAN_SHADER_TEXTURED_FLAT_COLORED,
+    SHEEN_PLAN_SHADER_TEXTURED_COLORED,
+    SHEEN_PLAN_SHADER_MATCAP_COLORED,
+    SHEEN_PLAN_SHADER_MATCAP_VERTEX_COLORED,
+    SHEEN_PLAN_SHADER_PHONG_COLORED,
+    SHEEN_PLAN_SHADER_SLERP_COLORED,
+    SHEEN_PLAN_SHADERS
 };
 
 /* What a program may name besides shaders, in the order of tests/bench/costs. */
@@ -72,7 +72,7 @@ extern const float sheen_plan_cost[SHEEN_PLAN_COUNTS][SHEEN_PLAN_CPUS];
  * B of flash in a linked firmware, at -O2 and at -Os: the core with its tables and libgcc, for each shader; what each
  * extra adds to Gouraud; a panel's record with its driver.
  */
-extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_ROOMS];
+extern const uint32_t sheen_plan_core_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_SHADERS];
 extern const uint32_t sheen_plan_extra_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_EXTRAS];
 extern const uint32_t sheen_plan_panel_flash[SHEEN_PLAN_CPUS][2][SHEEN_PLAN_DRIVERS];
 

@@ -36,7 +36,7 @@ enum {
 
 static unsigned linear_kind(const struct tile *t, const struct setup *s)
 {
-    if (!s->fast)
+    if (!s->special_loop)
         return t->format->grey ? SHEEN_PLAN_CLAMPED_GREY_SETUP : SHEEN_PLAN_CLAMPED_SETUP;
     return t->dither ? SHEEN_PLAN_COLUMNS_DITHERED_SETUP : SHEEN_PLAN_COLUMNS_SETUP;
 }
@@ -44,7 +44,7 @@ static unsigned linear_kind(const struct tile *t, const struct setup *s)
 static unsigned dithered_constant_kind(const struct tile *t, const struct setup *s)
 {
     (void)t;
-    return s->fast ? SHEEN_PLAN_CONSTANT_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP;
+    return s->special_loop ? SHEEN_PLAN_CONSTANT_DITHERED_SETUP : SHEEN_PLAN_CONSTANT_GREY_DITHERED_SETUP;
 }
 
 static unsigned shades_kind(const struct tile *t, const struct setup *s)
@@ -69,7 +69,7 @@ static unsigned constant_kind(const struct tile *t, const struct setup *s)
 /* 1 if fog's own loops for 565 draw it. */
 static int is_fogged(const struct tile *t, const struct setup *s)
 {
-    return s->draw->fog && !t->format->grey && !s->draw->by_ramp && !s->draw->stippled;
+    return s->draw->fog && !t->format->grey && !s->draw->pixel_ramp && !s->draw->stippled;
 }
 
 /* Chooses as sheen_take_quadric_rows() does. */
@@ -204,17 +204,18 @@ static unsigned texels_kind(const struct tile *t, const struct setup *s)
     const struct texel_terms *terms = &s->draw->texel;
     const struct sheen_texture *texture = terms->texture;
 
-    if (s->fast == TEXTURED_ANY && t->format->grey)
+    if (s->special_loop == TEXTURED_ANY && t->format->grey)
         return SHEEN_PLAN_TEXELS_ANY_GREY_COVERED;
-    if (s->fast == TEXTURED_FOGGED && ((texture->bits & 15) != 0 || texture->keyed || texture->bilinear))
+    if (s->special_loop == TEXTURED_FOGGED && ((texture->bits & 15) != 0 || texture->keyed || texture->bilinear))
         return SHEEN_PLAN_TEXELS_FOGGED_OTHER_COVERED;
-    if (s->fast == TEXTURED_FOGGED && !terms->packed)
+    if (s->special_loop == TEXTURED_FOGGED && !terms->uv_packed)
         return SHEEN_PLAN_TEXELS_FOGGED_APART_COVERED;
-    if (s->fast == TEXTURED_OTHER && terms->unlit)
+    if (s->special_loop == TEXTURED_OTHER && terms->unlit)
         return SHEEN_PLAN_TEXELS_OTHER_COVERED;
-    if ((s->fast == TEXTURED_BILINEAR && t->dither) || (s->fast == TEXTURED_BILINEAR_OTHER && terms->unlit))
+    if ((s->special_loop == TEXTURED_BILINEAR && t->dither) ||
+        (s->special_loop == TEXTURED_BILINEAR_OTHER && terms->unlit))
         return SHEEN_PLAN_TEXELS_BILINEAR_OTHER_COVERED;
-    return kinds[s->fast];
+    return kinds[s->special_loop];
 }
 
 static void count_texels(const struct tile *t, const struct setup *s, uint32_t rows, uint32_t covered, uint32_t shaded)
@@ -233,12 +234,13 @@ static void count_texels(const struct tile *t, const struct setup *s, uint32_t r
     SHEEN_TAP(TEXELS_LIGHT, is_new && !terms->unlit && s->way == SHEEN_WAY_TEXTURED_LINEAR);
     SHEEN_TAP(TEXELS_SKEWED_LIGHT, is_new && !terms->unlit && s->way == SHEEN_WAY_TEXTURED_QUOTIENT);
     SHEEN_TAP(TEXEL_ROW, rows);
-    SHEEN_TAP(TEXEL_DITHERED, t->dither && s->fast != TEXTURED_ANY && s->fast != TEXTURED_UNLIT ? shaded : 0);
-    SHEEN_TAP(TEXEL_APART, terms->packed ? 0 : covered);
-    SHEEN_TAP(TEXEL_MIXED_APART, terms->packed || !terms->texture->bilinear ? 0 : shaded);
+    SHEEN_TAP(TEXEL_DITHERED,
+              t->dither && s->special_loop != TEXTURED_ANY && s->special_loop != TEXTURED_UNLIT ? shaded : 0);
+    SHEEN_TAP(TEXEL_APART, terms->uv_packed ? 0 : covered);
+    SHEEN_TAP(TEXEL_MIXED_APART, terms->uv_packed || !terms->texture->bilinear ? 0 : shaded);
     SHEEN_TAP(TEXEL_NIBBLE, terms->texture->bits == 4 ? covered : 0);
-    SHEEN_TAP(TEXEL_MIXED, s->fast == TEXTURED_ANY && terms->texture->bilinear ? shaded : 0);
-    SHEEN_TAP(FOG, s->fast == TEXTURED_ANY && s->draw->fog ? shaded : 0);
+    SHEEN_TAP(TEXEL_MIXED, s->special_loop == TEXTURED_ANY && terms->texture->bilinear ? shaded : 0);
+    SHEEN_TAP(FOG, s->special_loop == TEXTURED_ANY && s->draw->fog ? shaded : 0);
 }
 
 /* ---- taps ---- */
@@ -273,7 +275,7 @@ static void count_shaded(const struct tile *t, const struct setup *s, unsigned k
     SHEEN_TAP(GENERAL_565, general && !t->format->grey ? shaded : 0);
     SHEEN_TAP(FOG, s->draw->fog && !own_fog ? shaded : 0);
     SHEEN_TAP(FOG_DITHERED, own_fog && kind >= SHEEN_PLAN_FOGGED_CURVED_SETUP && t->dither ? shaded : 0);
-    SHEEN_TAP(RAMP, s->draw->by_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
+    SHEEN_TAP(RAMP, s->draw->pixel_ramp && s->way > SHEEN_WAY_GOURAUD_QUOTIENT ? lights : 0);
 }
 
 void sheen_plan_rows(const struct tile *tile, const struct setup *setup)

@@ -61,9 +61,9 @@ static enum sheen_plan_driver driver_kind(const struct sheen_panel_record *recor
     return (enum sheen_plan_driver)kind;
 }
 
-static unsigned room_of(const struct sheen_shader *shader)
+static unsigned shader_index(const struct sheen_shader *shader)
 {
-    static const struct sheen_shader *const shaders[SHEEN_PLAN_ROOMS] = {
+    static const struct sheen_shader *const shaders[SHEEN_PLAN_SHADERS] = {
         &sheen_flat,
         &sheen_gouraud,
         &sheen_phong,
@@ -81,22 +81,22 @@ static unsigned room_of(const struct sheen_shader *shader)
         &sheen_phong_colored,
         &sheen_slerp_colored,
     };
-    unsigned room = 0;
+    unsigned i = 0;
 
-    while (room + 1 < SHEEN_PLAN_ROOMS && shaders[room] != shader)
-        room++;
-    return room;
+    while (i + 1 < SHEEN_PLAN_SHADERS && shaders[i] != shader)
+        i++;
+    return i;
 }
 
 /* What a scene names: one bit per shader, above them one bit per extra. cuts: 1 if triangles are clipped. */
 static uint32_t named_of(const struct sheen_scene *scene, int cuts)
 {
-    uint32_t rooms = 0, extras = (uint32_t)(cuts != 0) << SHEEN_PLAN_EXTRA_CLIPPER;
+    uint32_t shaders = 0, extras = (uint32_t)(cuts != 0) << SHEEN_PLAN_EXTRA_CLIPPER;
 
     for (size_t i = 0; i < scene->count; i++) {
         struct sheen_object o;
         sheen_scene_object(scene, 0, i, &o);
-        rooms |= 1u << room_of(o.shader);
+        shaders |= 1u << shader_index(o.shader);
         extras |= (uint32_t)(o.transparency > 0) << SHEEN_PLAN_EXTRA_STIPPLE;
         extras |= (uint32_t)(o.material->ramp != NULL) << SHEEN_PLAN_EXTRA_RAMP;
         extras |= (uint32_t)(o.morph != NULL) << SHEEN_PLAN_EXTRA_MORPH;
@@ -105,19 +105,19 @@ static uint32_t named_of(const struct sheen_scene *scene, int cuts)
         extras |= (uint32_t)(o.edges == &sheen_edges_wire) << SHEEN_PLAN_EXTRA_WIRE;
     }
     extras |= (uint32_t)(scene->view.fog != NULL) << SHEEN_PLAN_EXTRA_FOG;
-    return rooms | extras << SHEEN_PLAN_ROOMS;
+    return shaders | extras << SHEEN_PLAN_SHADERS;
 }
 
 /* The core's B of flash: flat, and for each shader named what it has more than flat. small: 1 for -Os. */
 static uint32_t core_flash(enum sheen_plan_cpu cpu, unsigned small, uint32_t named)
 {
-    const uint32_t *room = sheen_plan_core_flash[cpu][small], *extra = sheen_plan_extra_flash[cpu][small];
-    uint32_t sum = room[0];
+    const uint32_t *shader = sheen_plan_core_flash[cpu][small], *extra = sheen_plan_extra_flash[cpu][small];
+    uint32_t sum = shader[0];
 
-    for (unsigned i = 0; i < SHEEN_PLAN_ROOMS; i++)
-        sum += (named >> i & 1u) * (room[i] - room[0]);
+    for (unsigned i = 0; i < SHEEN_PLAN_SHADERS; i++)
+        sum += (named >> i & 1u) * (shader[i] - shader[0]);
     for (unsigned i = 0; i < SHEEN_PLAN_EXTRAS; i++)
-        sum += (named >> SHEEN_PLAN_ROOMS >> i & 1u) * extra[i];
+        sum += (named >> SHEEN_PLAN_SHADERS >> i & 1u) * extra[i];
     return sum;
 }
 
