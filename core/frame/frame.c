@@ -323,7 +323,6 @@ static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *ob
     d->dither = f->view.dither != 0;
     d->is_565 = !f->format.grey;
     d->swap = f->format.swap;
-    d->early = FAST_LOOPS && d->is_565 && !d->dither;
     d->forced = f->forced;
     d->stippled = STIPPLED_NOT;
     d->depth_bias = object->depth_bias;

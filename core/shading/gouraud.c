@@ -97,7 +97,6 @@ HOT static APART void glossy(struct setup *s, struct surface_corners *c, const s
         return;
     }
     sheen_weigh(c);
-    s->special_loop = draw->early && !sheen_channels_leave(terms, channel, 0);
     s->way = SHEEN_WAY_GOURAUD_QUADRATIC;
     if (!way_wanted(draw, SHEEN_WAY_GOURAUD_QUADRATIC) || !quadratic(s, c, g, lit, difference_of(terms, d)))
         sheen_setup_quotient(s, c, g, channel);

@@ -27,7 +27,6 @@ struct draw {
     uint8_t swap;        /* as in struct pixel_format */
     uint8_t is_565;      /* the target is 565, not grey */
     uint8_t pixel_ramp;  /* 0: no ramp is read per pixel; else 1 + 2 * the ramp's `steep` */
-    uint8_t early;       /* 565, not dithered: the final rounding's 1/2 may be added in advance */
     uint8_t stippled;    /* enum stippled */
     uint8_t left_out[8]; /* stippled draws: bit x & 7 of entry y & 7 is set if pixel (x, y) is left out */
     uint8_t forced;      /* 1 + the enum sheen_way that a test forces wherever it is accurate enough, or 0 */
@@ -56,7 +55,7 @@ struct draw {
 static inline void take_general_loops(struct draw *d)
 {
     d->shades = NULL;
-    d->is_565 = d->early = 0;
+    d->is_565 = 0;
     d->dither = 1;
     d->colour.low = d->colour.high = NO_DIFFUSE_RANGE;
 }
