@@ -325,6 +325,7 @@ int sheen_options_parse(struct sheen_options *options, const struct sheen_comman
         error = sheen_option_set(options, option, optarg, problem);
         options->shade_given |= option->offset == AT(shade);
         options->matcap_given |= option->offset == AT(matcap);
+        options->cull_given |= option->offset == AT(two_sided);
     }
     if (!error)
         error = check_values(options, command->bit, problem);

@@ -86,6 +86,7 @@ struct sheen_options {
     int edges;                    /* enum sheen_edging; -1: not given */
     struct sheen_paint line;      /* the edges' colour; not given: black on a light background, else white */
     int two_sided, average, affine, ortho;
+    int cull_given; /* 1: on the command line */
     double crease;  /* degrees; 180 averages all */
     int equal;      /* 1: averages of normals weigh all faces alike */
     int up;         /* 0: y, 1: z; -1: not given */

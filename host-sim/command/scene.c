@@ -7,9 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "builtin.h"
+#include "host_border.h"
 #include "matcaps.h"
 #include "ramps.h"
 
+#define FAR_OFF 10000.0   /* in radii: from there a mesh looks as in an orthographic view */
 #define DEPTH_STEPS 65020 /* from z_far to z_near (struct sheen_canvas) */
 
 static sheen_q16_t to_q16(double x)
@@ -182,6 +185,24 @@ static int check_shading(struct sheen_scene *scene, struct sheen_problem *proble
     return sheen_problem(problem, SHEEN_ERR_UNSUPPORTED, "--shade: point lights are for flat and gouraud");
 }
 
+/* Sets shows_inside, for the first frame. The builtin meshes are known to whoever draws them. */
+static int look_inside(struct sheen_scene *scene, const struct sheen_host_mesh *host)
+{
+    const struct sheen_options *options = scene->options;
+    struct sheen_pose pose;
+    const double distance = options->ortho ? FAR_OFF : options->distance;
+    double eye[3]; /* the third row of the rotation is the direction to it */
+
+    if (options->quiet || options->cull_given || strncmp(options->mesh, SHEEN_BUILTIN, strlen(SHEEN_BUILTIN)) == 0)
+        return SHEEN_OK;
+    sheen_scene_pose(scene, 0, &pose);
+    for (int k = 0; k < 3; k++)
+        eye[k] = distance * pose.rotation[6 + k] / (1 << 30);
+    int found = sheen_host_border_is_seen(host, eye);
+    scene->shows_inside = found > 0;
+    return found < 0 ? found : SHEEN_OK;
+}
+
 static int load(struct sheen_scene *scene, struct sheen_problem *problem)
 {
     const struct sheen_options *options = scene->options;
@@ -200,6 +221,8 @@ static int load(struct sheen_scene *scene, struct sheen_problem *problem)
     error = sheen_scene_texels(&scene->texels, &host, options);
     if (!error)
         error = make_meshes(scene, &host);
+    if (!error)
+        error = look_inside(scene, &host);
     sheen_host_mesh_free(&host);
     if (!error && (error = check_shading(scene, problem)) != 0)
         return error;

@@ -27,8 +27,9 @@ struct sheen_scene {
     const struct sheen_texture **own_texture; /* per mesh; NULL: none */
     struct sheen_texels matcap;               /* shown instead if the shading is a matcap */
     int has_colors;                           /* 1: a mesh has vertex colours */
-    int edgeless; /* 1: the edges drawn by default are left out, as no frame has room for them */
-    int is_usage; /* 1: an error is the command line's, not the mesh's */
+    int shows_inside; /* 1: a file's mesh is not closed, its inside is seen, and no --cull was given */
+    int edgeless;     /* 1: the edges drawn by default are left out, as no frame has room for them */
+    int is_usage;     /* 1: an error is the command line's, not the mesh's */
     struct sheen_light lights[SHEEN_MAX_LIGHTS];
     struct sheen_view view;
     struct sheen_fog fog; /* the view's, where it has one */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "glass.h"
+#include "notes.h"
 #include "progress.h"
 
 const char *sheen_turntable_panel_name(const struct sheen_turntable *table)
@@ -140,6 +141,19 @@ static void warn_if_empty(struct sheen_turntable *table)
     fprintf(stderr, "sheen: warning: %s\n", line.text);
 }
 
+/* Where the picture may have holes: once, and not if a warning has named --cull already. */
+static void note_inside(struct sheen_turntable *table)
+{
+    struct sheen_notes notes = {0};
+
+    if (!table->scene.shows_inside || table->warned)
+        return;
+    table->scene.shows_inside = 0;
+    sheen_note(&notes, SHEEN_NOTE_DONE, "%s: not closed; --cull none also draws the faces seen from behind",
+               table->options->mesh);
+    sheen_notes_print(&notes, 0);
+}
+
 int sheen_turntable_problem(const struct sheen_turntable *table, int error, struct sheen_problem *problem)
 {
     const char *mesh = table->options->mesh, *text = sheen_strerror(error);
@@ -159,5 +173,6 @@ int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen
     if (error)
         return sheen_turntable_problem(table, error, problem);
     warn_if_empty(table);
+    note_inside(table);
     return sheen_turntable_read(table, problem);
 }

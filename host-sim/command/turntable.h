@@ -41,7 +41,7 @@ int sheen_turntable_open_panel(struct sheen_turntable *table, const struct sheen
 
 /*
  * Draws frame `number` (yaw + number * yaw_step) and reads the picture off the glass. The first time that nothing is to
- * be seen, a warning on standard error says why.
+ * be seen, a warning on standard error says why; with the first frame, a line tells of a mesh that is not closed.
  */
 int sheen_turntable_draw(struct sheen_turntable *table, int number, struct sheen_problem *problem);
 

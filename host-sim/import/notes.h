@@ -21,7 +21,7 @@ struct sheen_notes {
 enum sheen_note_kind {
     SHEEN_NOTE_WARNING,
     SHEEN_NOTE_ON_COLORS, /* a warning about the file's colours, which not every command uses */
-    SHEEN_NOTE_DONE       /* no warning: reports what was asked for */
+    SHEEN_NOTE_DONE       /* no warning: reports what was asked for, or what may help */
 };
 
 /* Adds a line, without newline, that names the file. */

@@ -180,35 +180,53 @@ static void put_board(FILE *out, const struct sheen_plan *plan, unsigned number)
 
 /* ---- all boards ---- */
 
+/* What limits frames, or that the board cannot hold the mesh. */
+static const char *limit_or_lack(const struct sheen_plan *plan, unsigned number)
+{
+    if (sheen_plan_ram_short(plan, sheen_plan_board_at(number)))
+        return "no RAM";
+    return sheen_plan_flash_short(plan, number) ? "no flash" : sheen_plan_limit(plan, number);
+}
+
 static void put_line(FILE *out, const struct sheen_plan *plan, unsigned number)
 {
     const struct sheen_plan_board *board = sheen_plan_board_at(number);
     const struct sheen_plan_times *changed = &plan->times[number][0], *whole = &plan->times[number][1];
-    const uint32_t ram = sheen_plan_ram_short(plan, board), flash = sheen_plan_flash_short(plan, number);
 
-    fprintf(out, "%s  %-13s", how(board), board->name);
-    fprintf(out, " %7.1f %7.1f  %6.1f %6.1f  %6.1f %6.1f  %7u %7u", MS * sheen_plan_drawing(&changed->mean),
-            MS * changed->mean.bus, 1 / changed->mean.period[0], 1 / changed->mean.period[1], 1 / whole->mean.period[0],
-            1 / whole->mean.period[1], plan->ram.all, plan->flash[number].all);
-    if (ram)
-        fprintf(out, "  RAM: %u B short\n", ram);
-    else if (flash)
-        fprintf(out, "  flash: %u B short\n", flash);
-    else
-        fprintf(out, "  %s\n", sheen_plan_limit(plan, number));
+    fprintf(out, "%s %-11s %6.1f %6.1f %6.1f %6.1f %6.1f %6.1f %6u %s\n", how(board), board->name,
+            MS * sheen_plan_drawing(&changed->mean), MS * changed->mean.bus, 1 / changed->mean.period[0],
+            1 / changed->mean.period[1], 1 / whole->mean.period[0], 1 / whole->mean.period[1], plan->flash[number].all,
+            limit_or_lack(plan, number));
+}
+
+/* What all boards need, and how much of it which of them lack. */
+static void put_memory(FILE *out, const struct sheen_plan *plan)
+{
+    const struct sheen_plan_board *board;
+
+    fprintf(out, "counted    RAM: %u B", plan->ram.all);
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
+        if (sheen_plan_ram_short(plan, board))
+            fprintf(out, ", %s is %u B short", board->name, sheen_plan_ram_short(plan, board));
+    }
+    fputs("\n", out);
+    for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
+        if (sheen_plan_flash_short(plan, i))
+            fprintf(out, "counted    flash: %s is %u B short\n", board->name, sheen_plan_flash_short(plan, i));
+    }
 }
 
 static void put_all(FILE *out, const struct sheen_plan *plan)
 {
-    fprintf(out, "%-9s  %-13s %15s  %13s  %13s  %15s\n", "", "", "ms a frame", "changed", "whole frames", "bytes");
-    fprintf(out, "%-9s  %-13s %7s %7s  %6s %6s  %6s %6s  %7s %7s  %s\n", "", "board", "drawing", "bus", "1 buf",
-            "2 buf", "1 buf", "2 buf", "RAM", "flash", "limit");
+    fprintf(out, "%21s %13s %13s %13s\n", "", "ms a frame", "changed", "whole frames");
+    fprintf(out, "%-9s %-11s %6s %6s %6s %6s %6s %6s %6s %s\n", "", "board", "draw", "bus", "1 buf", "2 buf", "1 buf",
+            "2 buf", "flash", "limit");
     for (unsigned i = 0; sheen_plan_board_at(i); i++)
         put_line(out, plan, i);
-    fprintf(
-        out,
-        "buf: frames a second in the mean, with one buffer and with two. measured: cycles of the emulated\n"
-        "processor; estimated: instructions times a factor (--board NAME tells); RAM, flash and bus are counted.\n");
+    put_memory(out, plan);
+    fprintf(out, "buf: frames a second in the mean, with one buffer and with two. measured:\n"
+                 "cycles of the emulated processor; estimated: instructions times a factor\n"
+                 "(--board NAME tells). RAM, flash (B) and bus are counted.\n");
 }
 
 void sheen_plan_text(FILE *out, const struct sheen_plan *plan, int board)

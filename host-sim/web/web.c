@@ -99,6 +99,7 @@ static void copy_look(struct sheen_options *to, const struct sheen_options *from
     to->line = from->line;
     to->morph_weight = from->morph_weight;
     to->two_sided = from->two_sided;
+    to->cull_given = from->cull_given;
     to->affine = from->affine;
     to->ortho = from->ortho;
     to->undithered = from->undithered;
