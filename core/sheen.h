@@ -553,7 +553,7 @@ int sheen_end(struct sheen_frame *frame);
 
 /*
  * A whole frame: sheen_begin(), sheen_draw() for each object, sheen_end(). If a draw fails nothing is sent, its error
- * is returned, and the next frame sends everything. sheen_frame_about() says what was wrong, sheen_frame_stats() with
+ * is returned, and the next frame sends everything; sheen_frame_about() says what was wrong, sheen_frame_stats() with
  * which object.
  */
 int sheen_render(struct sheen_frame *frame, const struct sheen_view *view, const struct sheen_object *objects,
@@ -634,7 +634,10 @@ int sheen_wait(struct sheen_frame *frame);
 /* Make the next frame send everything (because the panel was written to by others, or lost power). */
 void sheen_invalidate(struct sheen_frame *frame);
 
-/* Counters of the frame since sheen_begin(); those marked * count only in builds with SHEEN_STATS=1. */
+/*
+ * Counters of the frame since the last sheen_begin() that succeeded; those marked * count only in builds with
+ * SHEEN_STATS=1.
+ */
 struct sheen_stats {
     uint32_t objects; /* drawn; after a sheen_render() that failed at an object, the index of that object */
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed (a quad counts once); cut */

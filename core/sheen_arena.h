@@ -3,7 +3,8 @@
  *
  *     static uint64_t arena[SHEEN_ARENA_DEFAULT_BYTES(240, 240, 2, 530, 512) / 8];
  *
- * is for a configuration that sets nothing but target, max_vertices and max_triangles, on a target of 16 rows or more.
+ * is for a configuration that sets nothing but target, max_vertices and max_triangles (on a target of less than 16 rows
+ * it is more than needed), and so for up to 4 objects a frame.
  * SHEEN_ARENA_BYTES takes all that a configuration can set, with defaults written out: band_rows 16, at most height,
  * rounded up to align_y; buffers 1; used as many as vertices, and at most so many; draws 4; carried as many as
  * triangles, at most 80. pixel_bytes is 2 on 565, 1 on greys. The result is a multiple of 8. Add for

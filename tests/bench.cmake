@@ -12,6 +12,7 @@ target_link_libraries(bench_host PRIVATE bench_scenes)
 sheen_script(bench bench COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR})
 set_tests_properties(bench PROPERTIES FIXTURES_REQUIRED boards)
 sheen_script(bench_profile bench COMMAND tests/bench/profile --build ${CMAKE_BINARY_DIR} M3 S1 gouraud)
+sheen_script(bench_hot bench COMMAND tests/bench/hot --build ${CMAKE_BINARY_DIR})
 sheen_script(bench_short freestanding COMMAND tests/bench/report --build ${CMAKE_BINARY_DIR} M3 M0+)
 
 # What `sheen plan` predicts, against emulated processors: arenas must be the same, flash and times nearly.

@@ -64,7 +64,7 @@ SPECIALISED void line_rows(const struct line_tile *lt, const struct steps *s, ui
     }
 }
 
-void sheen_line_rows(const struct line_tile *t, const struct steps *s, uint16_t pixel, int contour)
+HOT void sheen_line_rows(const struct line_tile *t, const struct steps *s, uint16_t pixel, int contour)
 {
     if (contour && s->steep)
         line_rows(t, s, pixel, 1, 1);

@@ -98,7 +98,7 @@ SPECIALISED void smooth_rows(const struct line_tile *lt, const struct steps *s, 
     }
 }
 
-void sheen_smooth_rows(const struct line_tile *t, const struct steps *s)
+HOT void sheen_smooth_rows(const struct line_tile *t, const struct steps *s)
 {
     if (s->steep)
         smooth_rows(t, s, 1);
@@ -174,7 +174,7 @@ static void put_row(const struct tile *t, uint32_t line, const struct mixed *lis
             ((uint16_t *)t->pixels)[line + list->x] = list->pixel;
 }
 
-void sheen_smooth_finish(const struct line_tile *lt)
+HOT void sheen_smooth_finish(const struct line_tile *lt)
 {
     const uint32_t pitch = lt->tile->pitch;
     struct mixed *above = lt->mixed, *end = above;

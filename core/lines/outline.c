@@ -20,7 +20,7 @@ static void fogged_line(const struct line_tile *t, struct steps *s, uint16_t pix
     }
 }
 
-static void draw_lines(const struct line_tile *t, const struct line *line, const struct line *end, uint16_t pixel)
+HOT static void draw_lines(const struct line_tile *t, const struct line *line, const struct line *end, uint16_t pixel)
 {
     const int32_t y0 = t->y0, y1 = t->y1;
     struct steps s;

@@ -21,7 +21,7 @@ static int32_t biased_z(const struct line_tile *t, const struct vertex *v)
  * Steps are at pixels' centres, from the line's end of lower coordinate on. Range: a centre lies before the other end,
  * so what the steps add up to stays below the line's own extent and 2^-14 of that: 2^10 px in Q.16, z16 in Q.8.
  */
-int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line)
+HOT int sheen_line_begin(struct steps *s, const struct line_tile *t, const struct line *line)
 {
     const struct vertex *a = &t->vertex[line->from], *b = &t->vertex[line->to];
     const struct sheen_rect rect = t->tile->rect;

@@ -36,8 +36,8 @@ static int quadratic_will_do(const int32_t lean[3], uint32_t difference)
  * Returns 0 if planes need steps of 31 bits (wide), the triangle is too small or a needle, or 1/m is too uneven.
  * difference: as difference_of returns it.
  */
-static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
-                           const struct lit lit[3], uint32_t difference)
+HOT static APART int quadratic(struct setup *s, const struct surface_corners *c, const struct gradients *g,
+                               const struct lit lit[3], uint32_t difference)
 {
     struct quadric_setup *q = (struct quadric_setup *)s;
     const int32_t diffuse[3] = {(int32_t)lit[0].diffuse, (int32_t)lit[1].diffuse, (int32_t)lit[2].diffuse};

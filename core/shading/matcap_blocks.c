@@ -97,7 +97,7 @@ struct block_end {
 };
 
 /* Finds the texel of e->n, a normal of any length; the picture's middle if it is too short to have a direction. */
-static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
+HOT static APART void texel_of_normal(struct block_end *e, const struct sheen_texture *t)
 {
     int32_t x, y;
 
@@ -144,7 +144,7 @@ static void normal_row(const struct matcap_setup *m, struct row_left *r)
     }
 }
 
-void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_matcap_normal_rows(const struct tile *t, const struct setup *s)
 {
     const struct matcap_setup *m = (const struct matcap_setup *)s;
     struct row_left r;

@@ -222,7 +222,7 @@ static APART void draw_squares(const struct tile *t, const struct square_line *l
     }
 }
 
-static APART void cell_by_squares(const struct tile *t, struct cell *c)
+HOT static APART void cell_by_squares(const struct tile *t, struct cell *c)
 {
     const int32_t size = 1 << CELL_SHIFT(&c->p->of.s);
     const int32_t from = max32(c->left - c->x, 0) >> 2, last = ((min32(c->right - c->x, size) + 3) >> 2) - from;
@@ -314,7 +314,7 @@ static int columns_of(struct cell *c)
     return c->left < c->right;
 }
 
-void sheen_phong_cell_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_phong_cell_rows(const struct tile *t, const struct setup *s)
 {
     const int32_t size = 1 << CELL_SHIFT(s), last = t->first_row + (int32_t)t->rows;
     struct node right[3];

@@ -68,7 +68,6 @@ HOT static void slerp_setup(struct setup *setup, struct surface_corners *c, cons
     sheen_weigh(c);
     sheen_slerp_corners(&((struct slerp_setup *)setup)->at, c, one ? &f : NULL);
     setup->way = one ? SHEEN_WAY_SLERP : SHEEN_WAY_SLERP_NORMALS;
-    setup->special_loop = 0;
     setup->rows = sheen_slerp_rows;
 }
 

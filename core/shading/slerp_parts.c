@@ -356,7 +356,7 @@ static void draw_row(const struct tile *t, struct arc_row *r, const struct span 
     }
 }
 
-static APART void begin_edge(struct arc *arc, const struct arc_row *r, unsigned edge)
+HOT static APART void begin_edge(struct arc *arc, const struct arc_row *r, unsigned edge)
 {
     if (r->s->way == SHEEN_WAY_SLERP)
         sheen_arc_series(&arc->series, r->at->h[edge]);

@@ -6,7 +6,7 @@
 SETUP_FITS(struct constant_setup);
 
 /* A dithered colour becomes planes without steps; otherwise the finished pixel is made here. */
-void sheen_setup_colour(struct setup *s, uint32_t channel[3])
+HOT void sheen_setup_colour(struct setup *s, uint32_t channel[3])
 {
     const struct draw *d = s->draw;
     const struct colour_terms *terms = &d->colour;

@@ -94,7 +94,7 @@ static COLD void general_constant_rows(const struct tile *t, const struct linear
     }
 }
 
-void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
+HOT void sheen_dithered_constant_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *planes = (const struct linear_setup *)s;
 

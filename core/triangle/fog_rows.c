@@ -123,7 +123,7 @@ SPECIALISED void held_row(const struct tile *t, const struct linear_setup *l, in
                              threshold[(uint32_t)x & 7u], t->format->grey);
 }
 
-static void fogged_rows(const struct tile *t, const struct setup *s)
+HOT static void fogged_rows(const struct tile *t, const struct setup *s)
 {
     const struct linear_setup *l = (const struct linear_setup *)s;
     struct fog_at at, step;
@@ -156,8 +156,8 @@ static void fogged_quotient_rows(const struct tile *t, const struct setup *s)
 
 /* ---- intensities, normals ---- */
 
-void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
-                        const struct fogged_colour *to, int32_t n, unsigned twice)
+HOT void sheen_fogged_block(struct fogged_run *r, uint32_t z, const struct fogged_colour *from,
+                            const struct fogged_colour *to, int32_t n, unsigned twice)
 {
     static const uint16_t part[LONGEST_BLOCK + 1] = {0,    16384, 8192, 5461, 4096, 3277, 2731, 2341, 2048,
                                                      1820, 1638,  1489, 1365, 1260, 1170, 1092, 1024}; /* 2^14 / n */

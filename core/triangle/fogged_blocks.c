@@ -109,7 +109,7 @@ static APART void bright_part(const struct texel_run *r, struct fogged_part *p, 
     sheen_fogged_any_texels(&run, &p->at);
 }
 
-static APART void fogged_run(const struct texel_run *r, const struct texel_at *from)
+HOT static APART void fogged_run(const struct texel_run *r, const struct texel_at *from)
 {
     struct fogged_part p = {{r->depth, 0, &p.at, &p.step, 0, 0}, *from, r->step, from->light, from->specular};
 
@@ -156,7 +156,7 @@ static int32_t faded_steps(const struct texel_run *r, int32_t left, struct texel
     return count;
 }
 
-static APART void faded_run(const struct texel_run *r, const struct texel_at *from)
+HOT static APART void faded_run(const struct texel_run *r, const struct texel_at *from)
 {
     struct texel_at at;
     struct texel_part p = {r->depth, 0, from, &r->step, 0, 0};

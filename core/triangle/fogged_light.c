@@ -17,8 +17,8 @@
 #define LONGEST_SHINY_BLOCK 8
 
 /* Apart, so that it has the registers that it needs. */
-static APART void colour_here(struct fogged_colour *c, const struct draw *d, const struct shaded_run *at,
-                              enum second second)
+HOT static APART void colour_here(struct fogged_colour *c, const struct draw *d, const struct shaded_run *at,
+                                  enum second second)
 {
     const struct colour_terms *terms = &d->colour;
     const struct fog_terms *fog = d->fog;
@@ -127,8 +127,8 @@ static void draw_blocks(struct fogged_run *r, const struct draw *d, struct shade
     }
 }
 
-void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1, int32_t y,
-                             struct shaded_run *run, unsigned second)
+HOT void sheen_fogged_shaded_run(const struct tile *t, const struct draw *d, uint32_t at, int32_t x, int32_t x1,
+                                 int32_t y, struct shaded_run *run, unsigned second)
 {
     uint16_t *depth = t->depth + at;
     struct fogged_run r = {t, depth, DITHER_ROW(t, depth - x, y), run->dz};

@@ -22,7 +22,7 @@ SPECIALISED void faded_part(const struct texel_run *r, const struct texel_part *
     nearest_part(r, *part, way);
 }
 
-static APART void glossy_fogged_part(const struct texel_run *r, const struct texel_part *part)
+HOT static APART void glossy_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     if (!r->d->texel.uv_packed)
         nearest_part(r, *part, fogged_way(r, 0, 1, r->t->dither, 1));
@@ -31,7 +31,7 @@ static APART void glossy_fogged_part(const struct texel_run *r, const struct tex
                      : nearest_part(r, *part, fogged_way(r, 1, 1, 0, 1));
 }
 
-void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
+HOT void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     const struct sheen_texture *texture = r->d->texel.texture;
 
@@ -47,13 +47,13 @@ void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
                               : nearest_part(r, *part, fogged_way(r, 0, 0, 0, 1));
 }
 #else
-void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
+HOT void sheen_fogged_part(const struct texel_run *r, const struct texel_part *part)
 {
     any_part(r, part, FOG_DIMS);
 }
 #endif
 
-void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
+HOT void sheen_faded_part(const struct texel_run *r, const struct texel_part *part)
 {
 #if FAST_LOOPS
     const struct sheen_texture *texture = r->d->texel.texture;

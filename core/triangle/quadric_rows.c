@@ -51,8 +51,8 @@ PIXEL uint32_t plain_pixel(const struct loop_terms *q, uint32_t f, uint32_t u, c
 
 /* The threshold is loaded last, or on M0+ before a call, so that fewer registers are in use. */
 #if defined(__ARM_ARCH_6M__)
-static APART uint32_t pixel_by(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
-                               const struct tile *t, const uint16_t *depth)
+HOT static APART uint32_t pixel_by(const struct loop_terms *q, uint32_t f, uint32_t u, uint32_t threshold,
+                                   const struct tile *t, const uint16_t *depth)
 {
     struct lit lit = power_lit(q, f, u);
 
@@ -206,8 +206,9 @@ SPECIALISED void cosine_shades_run(const struct tile *t, const struct shades *sh
 
 #if FAST_LOOPS
 /* In the machine's byte order one loop serves plain and dithered pixels. */
-static APART void unswapped_power_run(const struct tile *t, const struct draw *d, uint16_t *depth, const uint16_t *last,
-                                      const threshold_t *thresholds, const struct shaded_run *run)
+HOT static APART void unswapped_power_run(const struct tile *t, const struct draw *d, uint16_t *depth,
+                                          const uint16_t *last, const threshold_t *thresholds,
+                                          const struct shaded_run *run)
 {
     quick_run(t, d, depth, last, thresholds, run, SECOND_POWER, t->dither, 0);
 }

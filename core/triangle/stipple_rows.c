@@ -154,7 +154,7 @@ static void take_triangle(struct stippled_rows *r, const struct tile *t)
         }
 }
 
-static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct setup *s)
+HOT static int stipple_hide(struct stippled_rows *r, struct tile *t, const struct setup *s)
 {
     const int32_t strip = strip_of(s);
 

@@ -53,8 +53,8 @@ static uint32_t largest_of(const struct at_corners *at)
     return magnitude32(at->f[0]) | magnitude32(at->f[1]) | magnitude32(at->f[2]);
 }
 
-static APART void textured_quotients(struct textured_setup *t, struct surface_corners *c, const struct gradients *g,
-                                     const struct at_corners at[4])
+HOT static APART void textured_quotients(struct textured_setup *t, struct surface_corners *c, const struct gradients *g,
+                                         const struct at_corners at[4])
 {
     const unsigned zeros = clz32(largest_of(&at[0]) | largest_of(&at[1])), up = zeros < 2 ? 0 : zeros - 2;
     int32_t half[3];

@@ -92,7 +92,7 @@ HOT static APART void lit_run(const struct texel_run *r, const struct texel_at *
     nearest_as(r, at, 1, 0, 0);
 }
 
-static APART void dithered_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void dithered_run(const struct texel_run *r, const struct texel_at *at)
 {
     nearest_as(r, at, 1, 0, 1);
 }
@@ -102,7 +102,7 @@ HOT static APART void glossy_run(const struct texel_run *r, const struct texel_a
     r->t->dither ? nearest_as(r, at, 1, 1, 1) : nearest_as(r, at, 1, 1, 0);
 }
 
-static APART void other_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void other_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
     struct texel_way way;
@@ -123,7 +123,7 @@ HOT static APART void mixed_run(const struct texel_run *r, const struct texel_at
              : bilinear_part(r, whole_run(r, at), way_of(0, 0, 0, 0, 0));
 }
 
-static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
+HOT static APART void other_mixed_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
     struct texel_way way;
@@ -132,7 +132,7 @@ static APART void other_mixed_run(const struct texel_run *r, const struct texel_
     bilinear_loop(r, &whole, &way);
 }
 
-void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
+HOT void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
     switch (r->special_loop) {
     case TEXTURED_UNLIT:
@@ -160,7 +160,7 @@ void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 
 #else
 
-void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
+HOT void sheen_textured_run(const struct texel_run *r, const struct texel_at *at)
 {
     const struct texel_part whole = whole_run(r, at);
 

@@ -76,5 +76,4 @@ void sheen_setup_tinted(struct setup *s, struct surface_corners *c, const struct
     sheen_setup_shares((struct shares_setup *)s, c, g);
     s->way = SHEEN_WAY_PHONG_LIGHTS;
     s->rows = sheen_tinted_rows;
-    s->special_loop = 0;
 }

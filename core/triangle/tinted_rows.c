@@ -28,8 +28,8 @@ static struct channels light_tinted(const struct draw *d, const struct tinted_ru
                              times_colour(c.b, color[2]) + gloss.b};
 }
 
-void sheen_tinted_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
-                      const struct tinted_run *run)
+HOT void sheen_tinted_run(const struct tile *t, const struct draw *d, int32_t x, int32_t x1, int32_t y,
+                          const struct tinted_run *run)
 {
     const struct rounding rounding = rounding_of(t, &d->colour, y);
     uint32_t at = tile_offset(t, x, y), z = run->z, weight = run->weight, n[3], c[3];

@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:cube`. */
 /* clang-format off */
-#ifndef cube_MESH_H_eb6770b0
-#define cube_MESH_H_eb6770b0
+#ifndef cube_MESH_H_81ac4c24
+#define cube_MESH_H_81ac4c24
 
 #include "sheen.h"
 
@@ -48,9 +48,7 @@ static const struct sheen_mesh cube = {
     .offset = {0, 0, 0},
 };
 
-enum {
-    cube_vertices = 24,
-    cube_triangles = 12
-};
+#define cube_vertices 24
+#define cube_triangles 12
 
 #endif

@@ -1,7 +1,7 @@
 /* Made by `sheen bake mist.obj --groups --filter bilinear --palette 16`. */
 /* clang-format off */
-#ifndef mist_MESH_H_c525b555
-#define mist_MESH_H_c525b555
+#ifndef mist_MESH_H_9f3e0095
+#define mist_MESH_H_9f3e0095
 
 #include "sheen.h"
 
@@ -1218,9 +1218,7 @@ static const struct {
     {&mist_3, "floor", {255, 255, 255}, &mist_texture_0},
 };
 
-enum {
-    mist_vertices = 778,
-    mist_triangles = 494
-};
+#define mist_vertices 778
+#define mist_triangles 494
 
 #endif

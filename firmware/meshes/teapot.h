@@ -1,7 +1,7 @@
 /* Made by `sheen bake builtin:teapot --crease 180`. */
 /* clang-format off */
-#ifndef teapot_MESH_H_6842cf23
-#define teapot_MESH_H_6842cf23
+#ifndef teapot_MESH_H_917d99c7
+#define teapot_MESH_H_917d99c7
 
 #include "sheen.h"
 
@@ -517,9 +517,7 @@ static const struct sheen_mesh teapot = {
     .offset = {0, 0, 0},
 };
 
-enum {
-    teapot_vertices = 529,
-    teapot_triangles = 992
-};
+#define teapot_vertices 529
+#define teapot_triangles 992
 
 #endif

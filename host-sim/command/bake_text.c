@@ -312,7 +312,10 @@ static int close_body(struct body *body, FILE *stream, const char *name, const c
     return ferror(stream) ? SHEEN_ERR_ARGUMENT : SHEEN_OK;
 }
 
-/* What a program needs to know when it is compiled, for SHEEN_ARENA_DEFAULT_BYTES(): all parts together. */
+/*
+ * What a program needs to know when it is compiled, for SHEEN_ARENA_DEFAULT_BYTES(): all parts together. Not enums,
+ * which C++ does not like to be added if they are of different headers.
+ */
 static void put_counts(FILE *stream, const struct sheen_bake *bake)
 {
     uint32_t vertices = 0, triangles = 0;
@@ -321,8 +324,8 @@ static void put_counts(FILE *stream, const struct sheen_bake *bake)
         vertices += bake->meshes[i].mesh.vertices;
         triangles += bake->meshes[i].mesh.triangles;
     }
-    fprintf(stream, "enum {\n    %s_vertices = %" PRIu32 ",\n    %s_triangles = %" PRIu32 "\n};\n\n", bake->name,
-            vertices, bake->name, triangles);
+    fprintf(stream, "#define %s_vertices %" PRIu32 "\n#define %s_triangles %" PRIu32 "\n\n", bake->name, vertices,
+            bake->name, triangles);
 }
 
 static void put_bake(FILE *stream, const struct sheen_bake *bake)
