@@ -6,9 +6,8 @@
 
 #include "pixel.h"
 
-/* SHEEN_NO_ASSEMBLY: defined if the compiler would not save r8 to r11, which the loops write (sheen_speed.h). */
-#if defined(__OPTIMIZE__) && FAST_LOOPS && !SHEEN_STATS && !defined(SHEEN_NO_ASSEMBLY) &&                              \
-    !defined(__ARM_BIG_ENDIAN) && (defined(__thumb2__) || (defined(__thumb__) && defined(__ARM_ARCH_6M__)))
+#if defined(__OPTIMIZE__) && FAST_LOOPS && !SHEEN_STATS && !defined(__ARM_BIG_ENDIAN) &&                               \
+    (defined(__thumb2__) || (defined(__thumb__) && defined(__ARM_ARCH_6M__)))
 #define THUMB_LOOPS 1
 
 #ifdef __thumb2__

@@ -10,6 +10,8 @@ INDIRECT = "__indirect_call"
 # B of functions of libgcc 12 and newlib on Cortex-M, which push seven and five words; for others deepest() gets a
 # value.
 OUTSIDE = {"__aeabi_lmul": 40, "__clzsi2": 8, "memcpy": 40, "memset": 40}
+# B that assembly in a function pushes, on an M0+ (core/triangle/thumb_runs.h).
+PUSHED = {"sheen_linear_rows": 12, "sheen_wide_shades_rows": 12}
 # Which functions the indirect calls of the core reach, through pointers in sheen_shader, sheen_edges, sheen_clipper,
 # line_kind, sheen_ramp_reader, sheen_fog_mixer, sheen_morpher, sheen_points and arc_row: (callers, functions called).
 # Without this, each call could reach every function whose address is taken.
@@ -70,7 +72,7 @@ class CallGraph:
     def _add_node(self, name, label):
         frame = re.search(r"(\d+) bytes \(([a-z,]+)\)", label)
         if frame:            # nodes without a frame are functions defined elsewhere
-            self.stack[name] = int(frame[1])
+            self.stack[name] = int(frame[1]) + PUSHED.get(name, 0)
             if frame[2] != "static":
                 self.dynamic.append(name)
 

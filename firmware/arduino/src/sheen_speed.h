@@ -10,9 +10,6 @@
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE_SIZE__) && !defined(SHEEN_SMALL)
 #pragma GCC optimize("O2")
-#ifdef __ARM_ARCH_6M__ /* given -Os, GCC saves none of r8 to r11 there, in spite of the pragma */
-#define SHEEN_NO_ASSEMBLY
-#endif
 #endif
 
 /* ARDUINO_ARCH_RP2040: the core of Earle Philhower, on both chips; TARGET_RP2040: Arduino's own. */
