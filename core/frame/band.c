@@ -174,6 +174,8 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
     if (!carried) {
         if (w->first_free == f->config.max_carried)
             return 1;
+        if (w->first_free >= w->count.carried) /* lower slots are given out first */
+            w->count.carried = w->first_free + 1u;
         move_slot(w, &w->first_free, place);
     }
     *link = &s->next;

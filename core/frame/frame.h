@@ -63,6 +63,7 @@ struct draw_counts {
 
 struct band_counts {
     uint32_t spans, covered, shaded, rectangles, pixels;
+    uint32_t carried; /* the most set-ups carried at once */
 };
 
 struct worker {

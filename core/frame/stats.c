@@ -26,6 +26,7 @@ COLD void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *sta
         stats->shaded += w->shaded;
         stats->rectangles += w->rectangles;
         stats->pixels += w->pixels;
+        stats->carried = w->carried > stats->carried ? w->carried : stats->carried;
     }
     stats->ram_arena = (uint32_t)f->arena_bytes;
     stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof *f->place + c->max_used * sizeof(struct vertex));

@@ -36,7 +36,8 @@ static void print_triangles(FILE *stream, const struct sheen_stats *stats, const
             stats->triangles, stats->front, stats->drawn, stats->clipped);
     for (size_t i = 0; i < sizeof way_names / sizeof way_names[0]; i++)
         fprintf(stream, "%s\"%s\": %" PRIu32, i ? ", " : "", way_names[i], by_way[i]);
-    fprintf(stream, "}}, \"setups\": %" PRIu32 ", \"spans\": %" PRIu32, stats->setups, stats->spans);
+    fprintf(stream, "}}, \"setups\": %" PRIu32 ", \"carried\": %" PRIu32 ", \"spans\": %" PRIu32, stats->setups,
+            stats->carried, stats->spans);
 }
 
 int sheen_stats_json(FILE *stream, const struct sheen_turntable *table, int number)
