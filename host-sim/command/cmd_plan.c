@@ -73,7 +73,7 @@ static int judge(const struct sheen_plan *plan, int board, struct sheen_problem 
 
     if (ram)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s needs %u B of RAM, %u more than it has",
-                             plan->options->mesh, b->name, plan->ram.all, ram);
+                             plan->options->mesh, b->name, plan->least.all, ram);
     if (flash)
         return sheen_problem(problem, SHEEN_ERR_MEMORY, "%s on %s needs %u B of flash, %u more than it has",
                              plan->options->mesh, b->name, plan->flash[board].all, flash);

@@ -44,7 +44,8 @@ def table(sheen):
     for number, board in enumerate(next(iter(plans.values()))["boards"]):
         yield row(board["board"], "measured" if board["measured"] else "estimated",
                   *(rate(p["boards"][number]) for p in plans.values()))
-    yield row("RAM, KB", "counted", *(f"{p['ram']['all'] / 1024:.0f}" for p in plans.values()))
+    yield row("RAM, KB", "counted", *(f"{p['ram']['all'] / 1024:.0f} ({p['ram']['least'] / 1024:.0f})"
+                                      for p in plans.values()))
 
 
 def page(sheen, lines):
@@ -55,7 +56,7 @@ def page(sheen, lines):
             "what changes, with two buffers and bands of 16 rows. *Measured* are cycles of the emulated processor,"
             " *estimated* instructions in",
             "QEMU times cycles an instruction; `sheen plan MESH --board NAME` tells where the time goes, and what to"
-            " change first.", "", *lines, "", f"Costs: {costs}."]
+            " change first. RAM is what", "default capacities take (what this turn takes).", "", *lines, "", f"Costs: {costs}."]
 
 
 def replace(path, text):

@@ -26,7 +26,7 @@ double sheen_plan_bus_hz(const struct sheen_plan *plan, const struct sheen_plan_
 
 uint32_t sheen_plan_ram_short(const struct sheen_plan *plan, const struct sheen_plan_board *board)
 {
-    return plan->ram.all > board->ram ? plan->ram.all - board->ram : 0;
+    return plan->least.all > board->ram ? plan->least.all - board->ram : 0;
 }
 
 uint32_t sheen_plan_flash_short(const struct sheen_plan *plan, unsigned board)
@@ -176,6 +176,7 @@ static void note_most(struct sheen_plan *plan, const struct sheen_plan_run *run)
     sheen_frame_stats(run->table.scene.frame, &stats);
     plan->used = stats.used > plan->used ? stats.used : plan->used;
     plan->listed = stats.drawn > plan->listed ? stats.drawn : plan->listed;
+    plan->carried = stats.carried > plan->carried ? stats.carried : plan->carried;
     plan->edges = stats.edges > plan->edges ? stats.edges : plan->edges;
     plan->cut += stats.clipped;
 }
@@ -220,6 +221,20 @@ static void note_look(struct sheen_plan *plan, const struct sheen_scene *scene)
              scene->view.dither ? ", dithered" : "");
 }
 
+/* RAM with default capacities, and with those that this turn takes. */
+static void take_memory(struct sheen_plan *plan)
+{
+    struct sheen_config *c = &plan->counted;
+
+    sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
+    *c = plan->config;
+    c->max_used = (uint16_t)plan->used;
+    c->max_triangles = (uint16_t)plan->listed;
+    c->max_carried = (uint16_t)(plan->carried > 0 ? plan->carried : 1);
+    c->max_edges = c->max_edges ? (uint16_t)(plan->edges + plan->triangles / 64 + 1) : 0;
+    sheen_plan_ram(&plan->least, c, &plan->target);
+}
+
 /* Takes over sizes and computes RAM and flash, once the frames have been drawn. */
 static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run)
 {
@@ -235,7 +250,7 @@ static void take_sizes(struct sheen_plan *plan, const struct sheen_plan_run *run
     plan->config.target = NULL;
     plan->target = *run->panel;
     plan->target.ctx = NULL;
-    sheen_plan_ram(&plan->ram, &plan->config, &plan->target);
+    take_memory(plan);
     for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++)
         sheen_plan_flash(&plan->flash[i], board->cpu, scene, plan->cut > 0, plan->choice.record);
 }

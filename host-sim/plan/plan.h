@@ -40,13 +40,15 @@ struct sheen_plan {
     struct sheen_sim_choice choice;
     const char *panel;
     uint32_t vertices, triangles;                        /* of the meshes */
-    uint32_t used, listed, edges;                        /* the most in any frame */
+    uint32_t used, listed, carried, edges;               /* the most in any frame */
     uint32_t cut;                                        /* triangles cut, in all frames */
     struct sheen_target target;                          /* a copy; its callbacks MUST not be called, ctx is NULL */
     struct sheen_config config;                          /* its target is NULL */
     struct sheen_plan_times times[SHEEN_PLAN_BOARDS][2]; /* [0]: what changed is sent, [1]: whole frames */
     struct sheen_plan_flash flash[SHEEN_PLAN_BOARDS];
-    struct sheen_plan_ram ram;
+    struct sheen_plan_ram ram;   /* with default capacities */
+    struct sheen_config counted; /* the capacities that this turn takes */
+    struct sheen_plan_ram least; /* with these */
 };
 
 /* Draws `views` frames of a turn and makes the plan from them. 0, or a negative code and *problem. */
@@ -59,7 +61,7 @@ unsigned sheen_plan_band_rows(const struct sheen_plan *plan);
 /* Hz: as asked for, else what the panel is rated for, and at most what the board has. */
 double sheen_plan_bus_hz(const struct sheen_plan *plan, const struct sheen_plan_board *board);
 
-/* The B of RAM, or of flash, that are missing; 0: it fits. */
+/* The B of RAM, with the capacities that this turn takes, or of flash, that are missing; 0: it fits. */
 uint32_t sheen_plan_ram_short(const struct sheen_plan *plan, const struct sheen_plan_board *board);
 uint32_t sheen_plan_flash_short(const struct sheen_plan *plan, unsigned board);
 

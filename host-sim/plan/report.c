@@ -87,17 +87,15 @@ static void put_ram(FILE *out, const struct sheen_plan *plan, const struct sheen
         sheen_plan_ram(&other, &config, &plan->target);
         fprintf(out, "%s %u: %u B", rows > 4 ? "," : "", rows, other.all);
     }
-    config = plan->config;
-    config.max_used = (uint16_t)plan->used;
-    config.max_triangles = (uint16_t)plan->listed;
-    config.max_edges = config.max_edges ? (uint16_t)(plan->edges + plan->triangles / 64 + 1) : 0;
-    sheen_plan_ram(&other, &config, &plan->target);
-    fprintf(out, "\ncounted    RAM with max_used %u and max_triangles %u", plan->used, plan->listed);
+    config = plan->counted;
+    fprintf(out, "\ncounted    RAM with max_used %u, max_triangles %u, max_carried %u", config.max_used,
+            config.max_triangles, config.max_carried);
     if (config.max_edges)
-        fprintf(out, " and max_edges %u", config.max_edges);
+        fprintf(out, ", max_edges %u", config.max_edges);
     if (plan->cut > 0)
         fprintf(out, ", the clipper and max_clipped %u", config.max_clipped);
-    fprintf(out, ", what this turn takes: %u B\n", other.all);
+    fprintf(out, ", what this turn takes: %u B%s\n", plan->least.all,
+            r->all > board->ram && plan->least.all <= board->ram ? ", which fits" : "");
 }
 
 static void put_flash(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board, unsigned number)
@@ -204,7 +202,7 @@ static void put_memory(FILE *out, const struct sheen_plan *plan)
 {
     const struct sheen_plan_board *board;
 
-    fprintf(out, "counted    RAM: %u B", plan->ram.all);
+    fprintf(out, "counted    RAM: %u B, %u B with the capacities that this turn takes", plan->ram.all, plan->least.all);
     for (unsigned i = 0; (board = sheen_plan_board_at(i)) != NULL; i++) {
         if (sheen_plan_ram_short(plan, board))
             fprintf(out, ", %s is %u B short", board->name, sheen_plan_ram_short(plan, board));
@@ -257,8 +255,8 @@ static void put_rates(FILE *out, const struct sheen_plan *plan, int measured)
 
 void sheen_plan_brief(FILE *out, const struct sheen_plan *plan)
 {
-    fprintf(out, "%s, bands of %u rows, %s: RAM %u B; frames/s: ", plan->panel, sheen_plan_band_rows(plan),
-            shadings[plan->shade], plan->ram.all);
+    fprintf(out, "%s, bands of %u rows, %s: RAM %u B, at least %u B; frames/s: ", plan->panel,
+            sheen_plan_band_rows(plan), shadings[plan->shade], plan->ram.all, plan->least.all);
     put_rates(out, plan, 1);
     put_rates(out, plan, 0);
     putc('\n', out);

@@ -78,8 +78,10 @@ void sheen_plan_json(FILE *out, const struct sheen_plan *plan, int board)
     put_quoted(out, sheen_plan_found);
     fprintf(out,
             ", \"ram\": {\"all\": %u, \"arena\": %u, \"vertices\": %u, \"lists\": %u, \"bands\": %u, \"rest\": %u, "
-            "\"stack\": %u, \"second_core\": %u}, \"boards\": [",
-            r->all, r->arena, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK, r->second_core);
+            "\"stack\": %u, \"second_core\": %u, \"least\": %u, \"max_used\": %u, \"max_triangles\": %u, "
+            "\"max_carried\": %u}, \"boards\": [",
+            r->all, r->arena, r->vertices, r->lists, r->bands, r->rest, SHEEN_PLAN_STACK, r->second_core,
+            plan->least.all, plan->counted.max_used, plan->counted.max_triangles, plan->counted.max_carried);
     for (unsigned i = 0; sheen_plan_board_at(i); i++) {
         if (board >= 0 && i != (unsigned)board)
             continue;
