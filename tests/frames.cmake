@@ -28,5 +28,8 @@ sheen_test(test_flythrough frames SOURCES test_flythrough.c loaded_mesh.c
 if(NOT SHEEN_SANITIZED) # tests/checks/cross runs it under sanitizers
   sheen_script(frame_sums frames COMMAND tests/golden/compare frame_sums.txt $<TARGET_FILE:frame_sum>)
 endif()
+sheen_test(test_demo frames SOURCES test_demo.c ${PROJECT_SOURCE_DIR}/firmware/demo.c
+  LIBRARIES core_picture sheen::core)
+target_include_directories(test_demo PRIVATE ${PROJECT_SOURCE_DIR}/firmware)
 # The scenes come from bench.cmake.
 sheen_test(test_frame_ram frames SOURCES test_frame_ram.c LIBRARIES bench_scenes)
