@@ -114,35 +114,48 @@ static void put_flash(FILE *out, const struct sheen_plan *plan, const struct she
                 plan->ram.all + f->all, board->ram, plan->ram.all + f->all > board->ram ? ", which is too much" : "");
 }
 
-/*
- * The size of a mesh that RAM would suffice for, with as many vertices per triangle as this one. If the largest bands
- * leave no room for a mesh, smaller ones are tried, then fewer carried set-ups.
- */
+/* Capacities for a mesh of so many triangles that takes as much of each for a triangle as this one does. */
+static void set_capacities(struct sheen_config *config, const struct sheen_plan *plan, uint64_t triangles)
+{
+    config->max_vertices = (uint16_t)(triangles * plan->vertices / plan->triangles + 3);
+    config->max_used = (uint16_t)(triangles * plan->used / plan->triangles + 3);
+    config->max_triangles = (uint16_t)(triangles * plan->listed / plan->triangles + 1);
+    config->max_edges = (uint16_t)(triangles * plan->counted.max_edges / plan->triangles);
+}
+
+/* The largest mesh like this one, in triangles, that the configuration's bands and carried set-ups leave RAM for. */
+static uint32_t fitting(const struct sheen_plan *plan, const struct sheen_plan_board *board,
+                        struct sheen_config *config)
+{
+    struct sheen_plan_ram ram;
+    uint32_t most = 0;
+
+    for (uint32_t step = 1u << 15; step > 0; step /= 2) {
+        set_capacities(config, plan, most + step);
+        sheen_plan_ram(&ram, config, &plan->target);
+        most += ram.all <= board->ram && most + step <= plan->triangles ? step : 0;
+    }
+    return most;
+}
+
+/* If the largest bands leave no room for half of the mesh, smaller ones are tried, then fewer carried set-ups. */
 static void put_fitting(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board)
 {
     static const struct {
         uint16_t rows, carried;
     } tries[] = {{16, 80}, {8, 80}, {4, 80}, {4, 16}};
     struct sheen_config config = plan->config;
-    struct sheen_plan_ram ram;
+    uint32_t most = 0;
 
-    for (unsigned i = 0; i < sizeof tries / sizeof tries[0]; i++) {
-        uint32_t most = 0;
+    for (unsigned i = 0; i < sizeof tries / sizeof tries[0] && 2 * most < plan->triangles; i++) {
+        const uint16_t counted = plan->counted.max_carried;
         config.band_rows = tries[i].rows;
-        config.max_carried = tries[i].carried;
-        for (uint32_t step = 1u << 15; step > 0; step /= 2) {
-            config.max_triangles = (uint16_t)(most + step);
-            config.max_vertices = (uint16_t)((uint64_t)(most + step) * plan->vertices / plan->triangles + 3);
-            config.max_edges = (uint16_t)((uint64_t)(most + step) * plan->config.max_edges / plan->triangles);
-            sheen_plan_ram(&ram, &config, &plan->target);
-            most += ram.all <= board->ram && most + step <= plan->triangles ? step : 0;
-        }
-        if (most < 12)
-            continue;
-        fprintf(out, "counted    RAM would suffice for %u triangles in bands of %u rows", most, tries[i].rows);
-        fprintf(out, tries[i].carried < 80 ? ", with max_carried %u\n" : "\n", tries[i].carried);
-        return;
+        config.max_carried = tries[i].carried < counted ? tries[i].carried : counted;
+        most = fitting(plan, board, &config);
     }
+    if (most >= 12)
+        fprintf(out, "counted    RAM would suffice for %u such triangles in bands of %u rows, with max_carried %u\n",
+                most, config.band_rows, config.max_carried);
 }
 
 static void put_changes(FILE *out, const struct sheen_plan *plan, const struct sheen_plan_board *board, unsigned number)
