@@ -1,6 +1,6 @@
 /*
  * test_dither.c - the one rounding: with dither and without it, every pixel is exactly what the formula in
- * core/pixel/pixel.h makes of the core's own unrounded colour.
+ * core/pixel/rounding.h makes of the core's own unrounded colour.
  */
 #include <math.h>
 #include <setjmp.h>

@@ -2,7 +2,7 @@
  * test_dither_tap.h - the core's unrounded colours, pixel by pixel.
  *
  * The library core_tapped is the core with this header included before the first line of every file, and is otherwise
- * unchanged. With it, pixel/pixel.h hands over each colour that it is about to round.
+ * unchanged. With it, pixel/rounding.h hands over each colour that it is about to round.
  */
 #ifndef TEST_DITHER_TAP_H
 #define TEST_DITHER_TAP_H

@@ -1,5 +1,5 @@
 /*
- * taps.h - the core's taps in the build that counts (SHEEN_TAPS, core/pixel/pixel.h). Only one thread at a time may
+ * taps.h - the core's taps in the build that counts (SHEEN_TAPS, core/pixel/build.h). Only one thread at a time may
  * draw, because the counts are global.
  */
 #ifndef SHEEN_PLAN_TAPS_H
