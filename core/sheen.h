@@ -643,7 +643,7 @@ struct sheen_stats {
     uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed (a quad counts once); cut */
     uint32_t used;                             /* vertices transformed: what max_used has to hold */
     uint32_t edges;                            /* listed to be drawn */
-    uint32_t carried;         /* set-ups kept from band to band at once; if fewer than max_carried, so many would do */
+    uint32_t carried;         /* set-ups that max_carried has to hold, at least 1; if it is less: one more than it is */
     uint32_t setups, spans;   /* set-ups of triangles, again for each band if not carried; rows of triangles */
     uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels; /* pushes and their area in px */

@@ -172,10 +172,10 @@ static int draw_entry(const struct sheen_frame *f, struct worker *w, struct tile
         return 0;
     }
     if (!carried) {
+        if (w->first_free > w->most_carried)
+            w->most_carried = w->first_free;
         if (w->first_free == f->config.max_carried)
             return 1;
-        if (w->first_free >= w->count.carried) /* lower slots are given out first */
-            w->count.carried = w->first_free + 1u;
         move_slot(w, &w->first_free, place);
     }
     *link = &s->next;

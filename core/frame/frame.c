@@ -47,6 +47,7 @@ static void workers_begin(struct sheen_frame *f)
     for (unsigned i = 0; i < f->config.workers; i++) {
         struct worker *w = &f->worker[i];
         w->last_band = -2; /* `pending` is of no band yet */
+        w->most_carried = 0;
         memset(&w->count, 0, sizeof *w - offsetof(struct worker, count));
     }
 }

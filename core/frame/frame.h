@@ -63,7 +63,6 @@ struct draw_counts {
 
 struct band_counts {
     uint32_t spans, covered, shaded, rectangles, pixels;
-    uint32_t carried; /* the most set-ups carried at once */
 };
 
 struct worker {
@@ -74,6 +73,7 @@ struct worker {
     uint8_t *carried;   /* max_carried slots of SETUP_BYTES each, and a spare one that ends both lists */
     uint8_t first_carried, first_free;
     uint8_t buffer;                    /* index of the one to draw into next */
+    uint8_t most_carried;              /* set-ups, in this frame, when one more was to be carried */
     int32_t last_band;                 /* the band drawn last; -2: `pending` is of no band */
     const threshold_t *dither_rows[8]; /* thresholds for the tile that is being drawn */
     struct band_counts count;          /* counters from here on, 0 when a frame begins */

@@ -18,15 +18,15 @@ COLD void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *sta
                                   .used = f->used,
                                   .edges = f->count.edges};
     for (unsigned i = 0; i < c->workers; i++) {
-        const struct band_counts *w = &f->worker[i].count;
+        const struct worker *w = &f->worker[i];
         for (unsigned way = 0; way < SHEEN_WAYS; way++)
-            stats->setups += f->worker[i].by_way[way];
-        stats->spans += w->spans;
-        stats->covered += w->covered;
-        stats->shaded += w->shaded;
-        stats->rectangles += w->rectangles;
-        stats->pixels += w->pixels;
-        stats->carried = w->carried > stats->carried ? w->carried : stats->carried;
+            stats->setups += w->by_way[way];
+        stats->spans += w->count.spans;
+        stats->covered += SHEEN_STATS ? w->count.covered : 0;
+        stats->shaded += SHEEN_STATS ? w->count.shaded : 0;
+        stats->rectangles += w->count.rectangles;
+        stats->pixels += w->count.pixels;
+        stats->carried = (uint32_t)max32((int32_t)stats->carried, w->most_carried + 1);
     }
     stats->ram_arena = (uint32_t)f->arena_bytes;
     stats->ram_vertices = (uint32_t)(c->max_vertices * sizeof *f->place + c->max_used * sizeof(struct vertex));

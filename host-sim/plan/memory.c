@@ -24,7 +24,8 @@ void sheen_plan_ram(struct sheen_plan_ram *ram, const struct sheen_config *confi
 {
     const uint32_t align = or_else(target->align_y, 1), pixel = target->pixel > SHEEN_RGB565_LE ? 1 : 2;
     const uint32_t used = or_else(config->max_used, config->max_vertices), buffers = or_else(config->buffers, 1);
-    const uint32_t carried = or_else(config->max_carried, config->max_triangles < 80 ? config->max_triangles : 80);
+    const uint32_t carried = or_else(
+        config->max_carried, config->max_triangles < SHEEN_PLAN_CARRIED ? config->max_triangles : SHEEN_PLAN_CARRIED);
     uint32_t rows = or_else(config->band_rows, 16);
 
     rows = rows > target->height ? target->height : rows;

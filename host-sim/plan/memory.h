@@ -9,6 +9,7 @@
 #include "sheen_panel.h"
 
 #define SHEEN_PLAN_STACK 2048u /* B: 1 KB for the core, as much for its caller and for interrupts */
+#define SHEEN_PLAN_CARRIED 80u /* set-ups carried by default, at most: sheen.h */
 
 /* In B on a 32-bit processor. */
 struct sheen_plan_ram {

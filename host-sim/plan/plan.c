@@ -230,7 +230,7 @@ static void take_memory(struct sheen_plan *plan)
     *c = plan->config;
     c->max_used = (uint16_t)plan->used;
     c->max_triangles = (uint16_t)plan->listed;
-    c->max_carried = (uint16_t)(plan->carried > 0 ? plan->carried : 1);
+    c->max_carried = (uint16_t)(plan->carried < SHEEN_PLAN_CARRIED ? plan->carried : SHEEN_PLAN_CARRIED);
     c->max_edges = c->max_edges ? (uint16_t)(plan->edges + plan->triangles / 64 + 1) : 0;
     sheen_plan_ram(&plan->least, c, &plan->target);
 }
