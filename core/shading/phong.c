@@ -36,26 +36,6 @@ static int32_t square_excess(const int32_t w[3], int i, int j, uint32_t h)
     return -(int32_t)((product * (h >> 16) >> 12) + (apart >> 13));
 }
 
-HOT void sheen_phong_rows(const struct tile *t, const struct setup *s)
-{
-    const struct phong_setup *p = (const struct phong_setup *)s;
-    struct quadric square;
-
-    sheen_quadric_from(&square, &p->square, -p->x, t->first_row - p->y);
-    for (unsigned row = 0; row < t->rows; row++, quadric_down(&square)) {
-        int32_t x = t->spans[row].x0, x1 = t->spans[row].x1, y = t->first_row + (int32_t)row;
-        struct root_run run = {.z = plane_at(&s->depth, x, y),
-                               .ln = plane_at(&p->light, x, y),
-                               .nv = plane_at(&p->view, x, y),
-                               .dz = s->depth.dx,
-                               .dln = p->light.dx,
-                               .dnv = p->view.dx};
-        quadric_run(&square, x, &run.d, &run.step, &run.bend);
-        if (x < x1)
-            sheen_root_run(t, s->draw, x, x1, y, &run);
-    }
-}
-
 /* 0 if N.N would not be exact enough. */
 static APART COLD int root_way(struct setup *s, struct surface_corners *c, const struct gradients *g,
                                const struct facing *f)

@@ -58,16 +58,6 @@ struct square_line {
 void sheen_part_of_square(const struct tile *t, const struct square_line *l, int32_t x, int32_t x1, int32_t y);
 int sheen_whole_squares(const struct tile *t, const struct square_line *l);
 
-/* Pixels of a row: values at the first, and steps per pixel; d: N.N, whose step changes by `bend` at each pixel. */
-struct root_run {
-    uint32_t z, ln, nv, d, step;
-    uint32_t dz, dln, dnv, bend;
-};
-
-/* phong_rows.c: draws columns x to before x1, x < x1; *run is stepped on. */
-void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
-                    struct root_run *run);
-
 void sheen_phong_cell_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_rows(const struct tile *t, const struct setup *s);
 void sheen_phong_lights_rows(const struct tile *t, const struct setup *s);

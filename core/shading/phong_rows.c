@@ -56,13 +56,28 @@ SPECIALISED struct lit lit_by_root(const struct draw *draw, int32_t ln, int32_t 
     return lit;
 }
 
-SPECIALISED void root_step(struct root_run *at)
+/* A pixel's values; d: N.N, whose step changes by the quadric's dxx at each pixel. */
+struct root_at {
+    uint32_t z, ln, nv, d, step;
+};
+
+SPECIALISED struct root_at root_begin(const struct phong_setup *p, const struct quadric *square, int32_t x, int32_t y)
 {
-    at->z += at->dz;
-    at->ln += at->dln;
-    at->nv += at->dnv;
+    uint32_t bend;
+    struct root_at at = {
+        .z = plane_at(&p->s.depth, x, y), .ln = plane_at(&p->light, x, y), .nv = plane_at(&p->view, x, y)};
+
+    quadric_run(square, x, &at.d, &at.step, &bend);
+    return at;
+}
+
+SPECIALISED void root_step(const struct phong_setup *p, struct root_at *at)
+{
+    at->z += p->s.depth.dx;
+    at->ln += p->light.dx;
+    at->nv += p->view.dx;
     at->d += at->step;
-    at->step += at->bend;
+    at->step += p->square.dxx;
 }
 
 #if FAST_LOOPS
@@ -90,49 +105,65 @@ PIXEL uint32_t root_pixel(const struct root_row *row, int32_t ln, int32_t nv, ui
                       pair << (LOOP_FRACTION - 11));
 }
 
-/* 565 with the loop's terms: the pixels whose depths follow `depth`, up to `last` inclusive. */
-SPECIALISED void quick_root_run(const struct tile *t, const struct draw *draw, const threshold_t *thresholds,
-                                uint16_t *depth, const uint16_t *last, const struct root_run *run)
+/* 565 with the loop's terms. */
+SPECIALISED void quick_root_rows(const struct tile *t, const struct phong_setup *p, const struct quadric *first)
 {
-    struct root_row row = {draw, thresholds, t, NULL};
+    struct root_row row = {p->s.draw, NULL, t, NULL};
+    struct quadric square = *first; /* a copy whose address nobody has, so that it can be in registers */
     const intptr_t to_pixel = t->to_pixel;
-    const unsigned swap = draw->swap;
-    struct root_run at = *run;
+    const unsigned swap = p->s.draw->swap;
+    const struct span *span = t->spans;
+    uint16_t *line = t->depth + (t->first_row - t->rect.y0) * (int32_t)t->pitch - t->rect.x0;
 
-    do {
-        depth++;
-        if (nearer(t, depth, at.z)) {
-            row.depth = depth;
-            *pixel_at(depth, to_pixel) = pixel_order(root_pixel(&row, (int32_t)at.ln, (int32_t)at.nv, at.d), swap);
-        }
-        root_step(&at);
-    } while (depth != last);
+    for (int32_t y = t->first_row, last = y + t->rows; y != last;
+         y++, span++, line += t->pitch, quadric_down(&square)) {
+        uint16_t *depth = line + span->x0, *const end = line + span->x1;
+        if (depth >= end)
+            continue;
+        struct root_at at = root_begin(p, &square, span->x0, y);
+        if (t->dither)
+            row.thresholds = t->dither_rows[y & 7];
+        do {
+            if (nearer(t, depth, at.z)) {
+                row.depth = depth;
+                *pixel_at(depth, to_pixel) = pixel_order(root_pixel(&row, (int32_t)at.ln, (int32_t)at.nv, at.d), swap);
+            }
+            root_step(p, &at);
+        } while (++depth != end);
+    }
 }
 #endif
 
 /* Any format, clamp and dither. */
-static COLD void general_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
-                                  struct root_run *run)
+static COLD void general_root_rows(const struct tile *t, const struct phong_setup *p, struct quadric *square)
 {
-    struct rounding rounding = rounding_of(t, &draw->colour, y);
+    const struct draw *draw = p->s.draw;
 
-    for (uint32_t at = tile_offset(t, x, y); x < x1; x++, at++, root_step(run)) {
-        if (nearer(t, t->depth + at, run->z)) {
-            struct lit lit = lit_by_root(draw, (int32_t)run->ln, (int32_t)run->nv, run->d);
-            put_any(t, draw, rounding, at, x, &lit);
+    for (unsigned row = 0; row < t->rows; row++, quadric_down(square)) {
+        const int32_t y = t->first_row + (int32_t)row;
+        const struct rounding rounding = rounding_of(t, &draw->colour, y);
+        int32_t x = t->spans[row].x0;
+        struct root_at at = root_begin(p, square, x, y);
+        for (uint32_t offset = tile_offset(t, x, y); x < t->spans[row].x1; x++, offset++, root_step(p, &at)) {
+            if (nearer(t, t->depth + offset, at.z)) {
+                struct lit lit = lit_by_root(draw, (int32_t)at.ln, (int32_t)at.nv, at.d);
+                put_any(t, draw, rounding, offset, x, &lit);
+            }
         }
     }
 }
 
-HOT void sheen_root_run(const struct tile *t, const struct draw *draw, int32_t x, int32_t x1, int32_t y,
-                        struct root_run *run)
+HOT void sheen_phong_rows(const struct tile *t, const struct setup *s)
 {
+    const struct phong_setup *p = (const struct phong_setup *)s;
+    struct quadric square;
+
+    sheen_quadric_from(&square, &p->square, -p->x, t->first_row - p->y);
 #if FAST_LOOPS
-    if (draw->is_565 && draw->loop.usable) {
-        uint16_t *before = t->depth + tile_offset(t, x, y) - 1;
-        quick_root_run(t, draw, t->dither ? t->dither_rows[y & 7] : NULL, before, before + (x1 - x), run);
+    if (s->draw->is_565 && s->draw->loop.usable) {
+        quick_root_rows(t, p, &square);
         return;
     }
 #endif
-    general_root_run(t, draw, x, x1, y, run);
+    general_root_rows(t, p, &square);
 }
