@@ -105,12 +105,19 @@ static inline int64_t columns(int64_t at, int64_t step, int32_t rows, int16_t *c
     return at;
 }
 
+/* On M0+ an edge is a function of its own, so that it has all the registers that it needs. */
+#if defined(__ARM_ARCH_6M__)
+#define EDGE HOT static APART
+#else
+#define EDGE static inline
+#endif
+
 /*
  * Sets up the edge from `upper` down to `lower`: writes its columns in the rows of `to`, and to *e what later rows
  * need. to->whole: `to` has all rows of the triangle, so *e is not used.
  */
-static inline void edge_begin(struct edge *e, const struct screen_corner *upper, const struct screen_corner *lower,
-                              const struct edge_rows *to, int16_t *column)
+EDGE void edge_begin(struct edge *e, const struct screen_corner *upper, const struct screen_corner *lower,
+                     const struct edge_rows *to, int16_t *column)
 {
     const int32_t first = upper->row, end = lower->row, width = lower->x - upper->x, height = lower->y - upper->y;
     int32_t row = first, rows = end - first;
