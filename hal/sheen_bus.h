@@ -42,10 +42,11 @@ struct sheen_bus {
 
     /*
      * Sends `commands` (0..SHEEN_BUS_COMMANDS) bytes with D/C low, then `count` bytes
-     * with D/C high; the panel stays selected in between. `commands` and `count` are
-     * not both 0; if one is 0, its pointer may be NULL. The command bytes may change as
-     * soon as send returns. The data MAY leave later (DMA): nobody touches them until
-     * wait returns. The driver calls wait between any two calls of send.
+     * with D/C high; the panel stays selected, or is deselected between whole bytes.
+     * `commands` and `count` are not both 0; if one is 0, its pointer may be NULL. The
+     * command bytes may change as soon as send returns. The data MAY leave later (DMA):
+     * nobody touches them until wait returns. The driver calls wait between any two
+     * calls of send.
      */
     int (*send)(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count);
 
