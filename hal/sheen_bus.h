@@ -17,7 +17,8 @@
  *   ESP-IDF         esp_lcd_panel_io_tx_param(io, command[0], data, count), or tx_color for pixels; if there are no
  *                   data, tx_param(io, command[0], command + 1, commands - 1) on an IO with dc_low_on_param; if there
  *                   is no command, -1 in place of command[0]
- *   Zephyr          mipi_dbi_command_write(), or mipi_dbi_write_display() if there is no command
+ *   Zephyr          mipi_dbi_command_write(), once for each of several command bytes, because it sends parameters with
+ *                   D/C high; mipi_dbi_write_display() if there is no command
  */
 #ifndef SHEEN_BUS_H
 #define SHEEN_BUS_H
