@@ -50,6 +50,7 @@ static void forget_window(struct sheen_panel *panel)
 static void initialise(struct sheen_panel *panel)
 {
     forget_window(panel);
+    panel->lit = 1; /* even if it fails: the glass may have been lit by then, or before */
     panel->record->driver->init(panel);
     if (panel->apply_settings)
         panel->apply_settings(panel);
@@ -63,21 +64,34 @@ int sheen_panel_init(struct sheen_panel *panel)
     return sheen_panel_give(panel);
 }
 
-/* Sends nothing to a panel that was never lit or is in an unknown state. */
+/*
+ * Makes a controller in an unknown state take commands again, as an initialisation does. A reset darkens the glass;
+ * without one, a command that was cut off would swallow the one that does.
+ */
+static void regain(struct sheen_panel *panel)
+{
+    const struct sheen_panel_driver *driver = panel->record->driver;
+
+    sheen_panel_reset(panel);
+    if (driver->command == sheen_panel_low_command)
+        sheen_panel_resynchronise(panel, driver->off[0]);
+}
+
+/* Sends nothing to a panel that was never lit. An error of the push under way is returned, but leaves no panel lit. */
 int sheen_panel_off(struct sheen_panel *panel)
 {
     const struct sheen_panel_driver *driver = panel->record->driver;
-    unsigned count = panel->ready ? driver->off_count : 0;
+    int earlier = end_push(panel);
 
-    if (count)
-        sheen_panel_take(panel);
-    else
-        end_push(panel);
-    for (unsigned i = 0; i < count; i++)
-        driver->command(panel, driver->off[i], NULL, 0);
-    int error = sheen_panel_give(panel);
+    if (panel->lit && sheen_panel_take(panel) == SHEEN_OK) {
+        if (!panel->ready)
+            regain(panel);
+        for (unsigned i = 0; i < driver->off_count; i++)
+            driver->command(panel, driver->off[i], NULL, 0);
+        panel->lit = sheen_panel_give(panel) != SHEEN_OK;
+    }
     panel->ready = 0;
-    return error;
+    return earlier != SHEEN_OK ? earlier : panel->error;
 }
 
 int sheen_panel_turn(struct sheen_panel *panel, unsigned orientation)

@@ -17,7 +17,8 @@
  *   ESP-IDF         esp_lcd_panel_io_tx_param(io, command[0], data, count), or tx_color for pixels; if there are no
  *                   data, tx_param(io, command[0], command + 1, commands - 1) on an IO with dc_low_on_param; if there
  *                   is no command, -1 in place of command[0]
- *   Zephyr          mipi_dbi_command_write(), or mipi_dbi_write_display() if there is no command
+ *   Zephyr          mipi_dbi_command_write(), once for each of several command bytes, because it sends parameters with
+ *                   D/C high; mipi_dbi_write_display() if there is no command
  */
 #ifndef SHEEN_BUS_H
 #define SHEEN_BUS_H
@@ -42,10 +43,11 @@ struct sheen_bus {
 
     /*
      * Sends `commands` (0..SHEEN_BUS_COMMANDS) bytes with D/C low, then `count` bytes
-     * with D/C high; the panel stays selected in between. `commands` and `count` are
-     * not both 0; if one is 0, its pointer may be NULL. The command bytes may change as
-     * soon as send returns. The data MAY leave later (DMA): nobody touches them until
-     * wait returns. The driver calls wait between any two calls of send.
+     * with D/C high; the panel stays selected, or is deselected between whole bytes.
+     * `commands` and `count` are not both 0; if one is 0, its pointer may be NULL. The
+     * command bytes may change as soon as send returns. The data MAY leave later (DMA):
+     * nobody touches them until wait returns. The driver calls wait between any two
+     * calls of send.
      */
     int (*send)(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count);
 

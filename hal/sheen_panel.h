@@ -101,6 +101,7 @@ struct sheen_panel {
     uint32_t window[2];                   /* last sent for x, y: first << 16 | last, in the controller's units */
     uint8_t orientation;                  /* 0..7 */
     uint8_t ready;                        /* initialised, and no error since */
+    uint8_t lit;                          /* an initialisation has begun since it was last switched off */
     uint8_t te_on;                        /* each initialisation switches the TE output on */
     uint8_t has_brightness, brightness;   /* 1: a brightness was asked for; its level */
     uint8_t in_flight;                    /* a call of the bus may still be under way */
@@ -129,7 +130,10 @@ int sheen_panel_target(struct sheen_panel *panel, struct sheen_target *target);
  */
 int sheen_panel_init(struct sheen_panel *panel);
 
-/* Darkens the glass and puts the controller to sleep; the next push initialises it again. No effect if unlit. */
+/*
+ * Darkens the glass and puts the controller to sleep; the next push initialises it again. After an error it resets the
+ * controller first, which takes a quarter of a second. No effect if the panel was never lit, or is off.
+ */
 int sheen_panel_off(struct sheen_panel *panel);
 
 /*

@@ -174,6 +174,25 @@ static void fault_stuck_reset(void **state)
     assert_int_equal(chip.reset_level, 1);
 }
 
+/* An ILI9341 needs 10 us, which begin when the module's capacitor is discharged. */
+static void reset_line_falls_slowly(void **state)
+{
+    struct sheen_sim_controller ili9341;
+    struct sheen_sim_bus bus;
+
+    (void)state;
+    assert_int_equal(sheen_sim_controller_open(&ili9341, sheen_sim_module_find("ili9341-240x320")), 0);
+    sheen_sim_bus_open(&bus, &ili9341, 1);
+    for (uint32_t low_us = 110; low_us >= 109; low_us--) {
+        assert_int_equal(ili9341.complaints, 0);
+        bus.bus.reset(&bus, 0);
+        bus.bus.delay(&bus, low_us);
+        bus.bus.reset(&bus, 1);
+    }
+    assert_string_equal(ili9341.first_complaint, "ili9341-240x320: reset low for 9 us, needs 10");
+    sheen_sim_controller_close(&ili9341);
+}
+
 /* One call: the command's bytes, read at once, then the data, read at the wait. */
 static void a_command_with_its_data(void **state)
 {
@@ -260,6 +279,7 @@ int main(void)
         TEST(fault_timeout),
         TEST(fault_brown_out),
         TEST(fault_stuck_reset),
+        TEST(reset_line_falls_slowly),
     };
 
     return cmocka_run_group_tests_name("bus", tests, NULL, NULL);

@@ -42,7 +42,7 @@ static struct {
     struct sheen_bus far_end; /* of the pin watcher */
     int level[SHEEN_WIRE_COUNT];
     unsigned mode, own_cs;
-    unsigned selected, selections; /* spidev's own chip select */
+    unsigned selected, selections; /* the kernel's own chip select of the panel */
     unsigned long calls, fail_at;  /* system calls and changes of lines; fail_at 0: none fails */
     int error;                     /* errno of the call that fails */
     unsigned address, functions;
@@ -177,6 +177,19 @@ int __wrap_clock_nanosleep(clockid_t clock, int flags, const struct timespec *un
     return 0;
 }
 
+/*
+ * A device with another chip select on the same SPI, a touch controller, is asked between any two messages to the
+ * panel. The kernel does not deselect the panel before, if cs_change left it selected (spi.c, spi_set_cs).
+ */
+static void other_device(void)
+{
+    static const uint8_t read_x[3] = {0xD0};
+
+    if (machine.selected)
+        sheen_sim_receive(machine.controller, machine.level[SHEEN_WIRE_DC] ? SHEEN_SIM_DATA : SHEEN_SIM_COMMAND, read_x,
+                          sizeof read_x);
+}
+
 /* One transfer, with D/C at its line's level; the kernel's chip select falls, and rises again unless cs_change. */
 static int transfer(const struct spi_ioc_transfer *one)
 {
@@ -193,6 +206,7 @@ static int transfer(const struct spi_ioc_transfer *one)
     machine.longest = one->len > machine.longest ? one->len : machine.longest;
     sheen_sim_receive(machine.controller, machine.level[SHEEN_WIRE_DC] ? SHEEN_SIM_DATA : SHEEN_SIM_COMMAND,
                       (const uint8_t *)(uintptr_t)one->tx_buf, one->len);
+    other_device();
     return (int)one->len;
 }
 
@@ -350,8 +364,11 @@ static void every_kind_and_panel(void **state)
     assert_true(pairs >= 33 * 7 + 8 * 2);
 }
 
-/* Chip select, the kernel's or a line, stays low from a command to the end of its data and then rises. */
-static void one_selection_a_call(void **state)
+/*
+ * A line as chip select stays low from a command to the end of its data and then rises. The kernel's rises after each
+ * message, because other devices' messages may come between.
+ */
+static void selections_of_a_push(void **state)
 {
     const struct sheen_panel_record *record = sheen_panel_find("ili9341");
 
@@ -369,7 +386,8 @@ static void one_selection_a_call(void **state)
         before = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
         assert_int_equal(canvas_push(&rig.canvas, (struct sheen_rect){0, 0, 240, 20}), 0); /* 9,600 B: 3 transfers */
         unsigned after = wiring->cs ? (unsigned)machine.watcher.selections : machine.selections;
-        assert_int_equal(after - before, 3); /* for CASET, RASET and RAMWR */
+        /* CASET, RASET and RAMWR; or these, the parameters of two and three transfers of pixels. */
+        assert_int_equal(after - before, wiring->cs ? 3 : 8);
         assert_int_equal(machine.selected, 0);
         assert_int_equal(machine.level[SHEEN_WIRE_CS], wiring->cs != NULL);
         rig_close(&rig);
@@ -489,7 +507,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_and_panel),
-        cmocka_unit_test(one_selection_a_call),
+        cmocka_unit_test(selections_of_a_push),
         cmocka_unit_test(every_call_fails_once),
         cmocka_unit_test(i2c_words),
         cmocka_unit_test(te_line),

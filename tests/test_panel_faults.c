@@ -28,6 +28,18 @@ static int two_frames(struct canvas *canvas)
     return error;
 }
 
+/* The glass of a panel that was switched off shows nothing. */
+static void assert_dark(struct canvas *canvas, const char *name, int after)
+{
+    size_t pixels = (size_t)canvas->target->width * canvas->target->height, lit = 0;
+
+    assert_int_equal(sheen_sim_panel_picture(canvas->panel, canvas->seen), 0);
+    for (size_t i = 0; i < pixels; i++)
+        lit += canvas->seen[i] != 0;
+    if (lit)
+        fail_msg("%s, call %d: switched off after the error, and %zu pixels are lit", name, after, lit);
+}
+
 static uint64_t operations_of_two_frames(const char *name)
 {
     struct canvas canvas;
@@ -39,7 +51,8 @@ static uint64_t operations_of_two_frames(const char *name)
     return operations;
 }
 
-static void fail_at(const char *name, enum sheen_sim_fault fault, uint64_t after)
+/* off: the panel is switched off between the error and the next frame. */
+static void fail_at(const char *name, enum sheen_sim_fault fault, uint64_t after, int off)
 {
     int expected = fault == SHEEN_FAULT_TIMEOUT ? SHEEN_ERR_TIMEOUT : SHEEN_ERR_BUS;
     struct canvas canvas;
@@ -52,6 +65,10 @@ static void fail_at(const char *name, enum sheen_sim_fault fault, uint64_t after
     if (fault == SHEEN_FAULT_STUCK_RESET) {
         assert_int_equal(canvas_push_all(&canvas, BAND), SHEEN_ERR_BUS); /* while it is stuck */
         sheen_sim_bus_fault(bus, SHEEN_FAULT_NONE, 0);
+    }
+    if (off) {
+        assert_int_equal(sheen_panel_off(sheen_sim_panel_driver(canvas.panel)), 0);
+        assert_dark(&canvas, name, (int)after);
     }
     assert_int_equal(canvas_push_all(&canvas, BAND), 0);
     if (canvas_differences(&canvas))
@@ -69,8 +86,10 @@ static void every_operation_and_fault(void **state)
 
         assert_true(operations > 30);
         for (unsigned fault = SHEEN_FAULT_ERROR; fault < SHEEN_FAULT_COUNT; fault++)
-            for (uint64_t n = 0; n < operations; n++)
-                fail_at(panels[p], (enum sheen_sim_fault)fault, n);
+            for (uint64_t n = 0; n < operations; n++) {
+                fail_at(panels[p], (enum sheen_sim_fault)fault, n, 0);
+                fail_at(panels[p], (enum sheen_sim_fault)fault, n, 1);
+            }
     }
 }
 
@@ -132,10 +151,10 @@ static int own_send(void *ctx, const uint8_t *command, size_t commands, const vo
 }
 
 /*
- * Call n fails with the board's code, the panel loses power for a moment or not, and the next frame must be whole. 0
- * once there is no call n. A code above 0 counts as an error of the bus.
+ * Call n fails with the board's code, the panel loses power for a moment or not, is switched off or not, and the next
+ * frame must be whole. 0 once there is no call n. A code above 0 counts as an error of the bus.
  */
-static int fail_without_reset_line(const char *name, int n, int code, int power)
+static int fail_without_reset_line(const char *name, int n, int code, int power, int off)
 {
     const int expected = code < 0 ? code : SHEEN_ERR_BUS;
     const struct sheen_panel_record *record = sheen_panel_find(name);
@@ -156,6 +175,10 @@ static int fail_without_reset_line(const char *name, int n, int code, int power)
     assert_true(error == 0 || error == expected);
     if (power)
         sheen_sim_power_cycle(sheen_sim_panel_bus(canvas.panel)->controller);
+    if (error < 0 && off) {
+        assert_int_equal(sheen_panel_off(&panel), 0);
+        assert_dark(&canvas, name, n);
+    }
     if (error < 0)
         assert_int_equal(canvas_push_all(&canvas, BAND), 0);
     if (error < 0 && canvas_differences(&canvas))
@@ -182,7 +205,9 @@ static void own_code_and_no_reset_line(void **state)
     for (size_t p = 0; p < PANELS; p++) {
         int n = 0;
 
-        while (fail_without_reset_line(panels[p], n, -77, 0) < 0 && fail_without_reset_line(panels[p], n, 1, 1) < 0)
+        while (fail_without_reset_line(panels[p], n, -77, 0, 0) < 0 &&
+               fail_without_reset_line(panels[p], n, -77, 0, 1) < 0 &&
+               fail_without_reset_line(panels[p], n, 1, 1, n % 2) < 0)
             n++;
         assert_true(n > 20);
     }

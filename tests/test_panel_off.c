@@ -118,11 +118,29 @@ static void tearing_is_switched_on_by_init(void **state)
     assert_int_equal(sheen_panel_tearing(&panel), SHEEN_ERR_UNSUPPORTED);
 }
 
+/* A panel that is lit is made dark, though the next push is to initialise it again. */
+static void off_after_tearing(void **state)
+{
+    struct tail tail = {0};
+    const struct sheen_bus bus = {.ctx = &tail, .send = tail_send, .delay = tail_delay};
+    struct sheen_panel panel;
+
+    (void)state;
+    assert_int_equal(sheen_panel_open(&panel, sheen_panel_find("st7789-240x240"), &bus, 0), 0);
+    assert_int_equal(sheen_panel_off(&panel), 0);
+    assert_int_equal(tail.command, 0); /* it was never lit */
+    assert_int_equal(sheen_panel_init(&panel), 0);
+    assert_int_equal(sheen_panel_tearing(&panel), 0);
+    assert_int_equal(sheen_panel_off(&panel), 0);
+    assert_int_equal(tail.command, 0x10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(off_is_dark_and_on_again_is_right),
         cmocka_unit_test(tearing_is_switched_on_by_init),
+        cmocka_unit_test(off_after_tearing),
     };
 
     return cmocka_run_group_tests_name("panels off", tests, NULL, NULL);

@@ -73,7 +73,7 @@ int board_close(struct board *board, int dark, struct sheen_failure *why)
 {
     int error = 0;
 
-    if (dark && board->panel.ready) {
+    if (dark && board->panel.record) {
         error = sheen_panel_off(&board->panel);
         if (error < 0)
             sheen_failed(why, error, "%s", board->sending.text);

@@ -27,11 +27,10 @@ static int send_bit(struct sheen_linux_bus *bus, int bit)
     return error < 0 ? error : sheen_pin_set(&bus->sclk, idle, bus->why);
 }
 
-static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more)
+static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
 {
     int error = 0;
 
-    (void)more;
     for (size_t i = 0; i < count && error == 0; i++)
         for (unsigned mask = 0x80; mask && error == 0; mask >>= 1)
             error = send_bit(bus, (bytes[i] & mask) != 0);

@@ -3,10 +3,12 @@
  *
  * spidev copies each transfer into a buffer of its own (4096 bytes unless a module
  * parameter says otherwise) and refuses longer ones with EMSGSIZE, so bytes are sent
- * in chunks of that size. Between chunks, and between a command and its data, the SPI
- * controller is asked to keep chip select low: cs_change on a message's last transfer,
- * which the kernel calls a hint. Panels also accept it if chip select rises there
- * (ST7789V data sheet, "data transfer pause").
+ * in chunks of that size. Chip select rises between chunks, and between a command and
+ * its data, which panels accept (ST7789V data sheet, "data transfer pause"); it is how
+ * the kernel's own display drivers send. cs_change on a message's last transfer would
+ * keep it low, but the kernel does not raise it before it sends another device's
+ * message (spi.c, spi_set_cs): the panel would take a touch controller's bytes for its
+ * own.
  */
 #include "sheen_linux_bus.h"
 
@@ -45,17 +47,14 @@ static int transfer_fail(struct sheen_linux_bus *bus, int error)
 }
 
 /* A short transfer continues where it stopped; SHEEN_TRIES transfers in a row that send nothing are an error. */
-static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, int more)
+static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count)
 {
     int idle = 0;
 
     while (count > 0) {
         size_t chunk = count < bus->chunk ? count : bus->chunk;
-        struct spi_ioc_transfer transfer = {.tx_buf = (uintptr_t)bytes,
-                                            .len = (uint32_t)chunk,
-                                            .speed_hz = bus->clock_hz,
-                                            .bits_per_word = 8,
-                                            .cs_change = more || chunk < count};
+        struct spi_ioc_transfer transfer = {
+            .tx_buf = (uintptr_t)bytes, .len = (uint32_t)chunk, .speed_hz = bus->clock_hz, .bits_per_word = 8};
         int sent = sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &transfer);
 
         if (sent < 0)
@@ -67,14 +66,6 @@ static int put(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count, 
         count -= (size_t)sent;
     }
     return 0;
-}
-
-/* Sends an empty message, so that the controller's chip select rises. Its result is ignored: an error came before. */
-static void deselect(struct sheen_linux_bus *bus)
-{
-    struct spi_ioc_transfer nothing = {.speed_hz = bus->clock_hz, .bits_per_word = 8};
-
-    (void)sheen_ioctl_again(bus->fd, SPI_IOC_MESSAGE(1), &nothing);
 }
 
 /* Sets mode, word size and clock. own_cs: a GPIO line selects the panel, so the controller's CS should not move. */
@@ -107,7 +98,6 @@ int sheen_spidev_open(struct sheen_linux_bus *bus, const struct sheen_wiring *wi
     if (error < 0)
         return error;
     bus->put = put;
-    bus->deselect = wiring->cs ? NULL : deselect;
     bus->chunk = chunk_size();
     return set_up(bus, wiring->cs != NULL);
 }

@@ -16,11 +16,11 @@
 #include <unistd.h>
 
 /* Sends bytes with D/C at level dc. */
-static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t count, int more)
+static int put(struct sheen_linux_bus *bus, int dc, const void *bytes, size_t count)
 {
     int error = sheen_pin_set(&bus->dc, dc, bus->why);
 
-    return error < 0 ? error : bus->put(bus, bytes, count, more);
+    return error < 0 ? error : bus->put(bus, bytes, count);
 }
 
 /*
@@ -42,16 +42,14 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     if (error == 0 && own_cs)
         error = sheen_pin_set(&bus->cs, 0, bus->why);
     if (error == 0 && commands)
-        error = put(bus, 0, command, commands, count != 0);
+        error = put(bus, 0, command, commands);
     if (error == 0 && count)
-        error = put(bus, 1, data, count, 0);
+        error = put(bus, 1, data, count);
     /* Deselect after an error too: later traffic on a shared bus must not reach the panel. */
     if (own_cs) {
         int released = sheen_pin_set(&bus->cs, 1, error ? NULL : bus->why);
 
         error = error ? error : released;
-    } else if (error && commands && count && bus->deselect) {
-        bus->deselect(bus);
     }
     return error;
 }

@@ -28,7 +28,8 @@ struct sheen_wiring {
     const char *i2c;   /* "/dev/i2c-1"; then spi, sclk, mosi, cs and dc are not used */
     const char *sclk;  /* for bit-banged SPI only */
     const char *mosi;  /* for bit-banged SPI only */
-    const char *cs;    /* chip select, active low; NULL: the SPI controller's own, or tied low */
+    const char *cs;    /* chip select, active low; NULL: the SPI controller's own, or tied low. With spi: nothing else
+                          may send on that SPI, because the kernel does not know of this line */
     const char *dc;    /* data/command; may be NULL with i2c only */
     const char *reset; /* NULL: not wired (sheen_bus.h) */
     const char *te;    /* the panel's TE (tearing effect) output: an input here */
@@ -45,16 +46,13 @@ struct sheen_linux_bus {
     struct sheen_bus wire; /* the bus without the I2C layer */
     struct sheen_i2c i2c;  /* the layer around wire, for I2C */
     struct sheen_pin sclk, mosi, cs, dc, reset, te; /* those that are not wired are closed */
-    int (*put)(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count,
-               int more); /* sends bytes; more: CS stays low after them */
-    void (*deselect)(
-        struct sheen_linux_bus *bus); /* raises CS if the data after a command were not sent; NULL: no need */
-    struct sheen_failure *why;        /* borrowed, for messages */
-    int fd;                           /* the device, spidev or i2c; -1: none */
-    size_t chunk;                     /* the largest transfer that spidev accepts, B */
-    uint32_t clock_hz;                /* for spidev */
-    uint8_t spi_mode, address;        /* as in the wiring */
-    const char *path;                 /* borrowed, for messages */
+    int (*put)(struct sheen_linux_bus *bus, const uint8_t *bytes, size_t count); /* sends bytes of SPI */
+    struct sheen_failure *why;                                                   /* borrowed, for messages */
+    int fd;                    /* the device, spidev or i2c; -1: none */
+    size_t chunk;              /* the largest transfer that spidev accepts, B */
+    uint32_t clock_hz;         /* for spidev */
+    uint8_t spi_mode, address; /* as in the wiring */
+    const char *path;          /* borrowed, for messages */
 };
 
 /*
@@ -69,9 +67,9 @@ void sheen_linux_bus_close(struct sheen_linux_bus *bus);
 
 /*
  * Private: the three kinds of bus. SPI of either kind fills in put, which sends bytes of
- * one D/C level and returns when they have left; more: the controller's own chip select
- * stays low after them. I2C fills in wire.send. sheen_device_open() sets bus->fd; its
- * error message names the group that may open the device, or what to switch on.
+ * one D/C level and returns when they have left. I2C fills in wire.send.
+ * sheen_device_open() sets bus->fd; its error message names the group that may open the
+ * device, or what to switch on.
  */
 int sheen_ioctl_again(int fd, unsigned long request, void *value);
 int sheen_device_open(struct sheen_linux_bus *bus, const char *path, const char *group, const char *what);

@@ -70,9 +70,10 @@ void sheen_sim_reset_line(struct sheen_sim_controller *controller, int level)
     const struct sheen_sim_chip *chip = controller->module->chip;
 
     if (controller->reset_level && !level) {
-        controller->reset_since_us = controller->now_us;
+        controller->reset_since_us = controller->now_us + controller->reset_fall_us;
     } else if (!controller->reset_level && level) {
-        uint64_t low_us = controller->now_us - controller->reset_since_us;
+        uint64_t since_us = controller->reset_since_us;
+        uint64_t low_us = controller->now_us > since_us ? controller->now_us - since_us : 0;
 
         if (low_us < chip->reset_low_us)
             sheen_sim_complain(controller, "reset low for %u us, needs %u", (unsigned)low_us, chip->reset_low_us);

@@ -65,6 +65,7 @@ struct sheen_sim_controller {
     uint64_t quiet_until_us;     /* no command may come before this time */
     uint64_t sleep_out_from_us;  /* DCS: sleep out may not come before */
     uint64_t display_on_from_us; /* DCS: display on may not come before */
+    uint32_t reset_fall_us;      /* how long a module's reset line takes to fall; 0: at the chip itself */
     uint64_t reset_since_us;     /* when the reset line fell */
     uint8_t reset_level;         /* the reset line's; 0 holds the chip in reset */
     uint8_t command, count, missing,

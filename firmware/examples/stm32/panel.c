@@ -4,14 +4,16 @@
  * In CubeMX set up hspi1 (transmit only, 8 bits, high bit first, CPOL high and CPHA 2nd edge, which modules without CS
  * need, at most 62.5 MHz, with a DMA stream and the SPI's global interrupt, by which newer chips such as the H7 report
  * the end of a DMA transfer) and the pins LCD_DC, LCD_CS, LCD_RST as outputs (main.h).
- * DMA does not see the data cache of an F7 or H7, nor reach the H7's DTCM: there the arena belongs into RAM that DMA
- * reaches and the MPU keeps uncached.
+ * DMA does not see the data cache of an F7 or H7, nor reach the H7's DTCM or the F4's CCM: there the arena belongs into
+ * RAM that DMA reaches and the MPU keeps uncached; so does `panel` below where the driver rearranges pixels (all but
+ * 16-bit colours), for it sends them from there. Parameters may be on the stack, so DMA has nothing to do with them.
  * Call show_on_panel() from main(), after the MX_..._Init() calls.
  */
 #include "example.h"
 #include "main.h"
 #include "sheen_panel.h"
 
+#define PARAMETERS 16u     /* more data than this are sent by DMA */
 #define LONGEST_DMA 65535u /* the DMA counter has 16 bits; a band of 240 x 16 px has 7680 bytes */
 #define TIMEOUT_MS 200u
 
@@ -34,6 +36,15 @@ static int give_up(int error)
     return error;
 }
 
+/* Sends parameters, or starts DMA on pixels. */
+static HAL_StatusTypeDef start_data(uint8_t *data, uint16_t count)
+{
+    if (count <= PARAMETERS)
+        return HAL_SPI_Transmit(&hspi1, data, count, TIMEOUT_MS);
+    in_flight = 1;
+    return HAL_SPI_Transmit_DMA(&hspi1, data, count);
+}
+
 static int send(void *ctx, const uint8_t *command, size_t commands, const void *data, size_t count)
 {
     (void)ctx;
@@ -44,10 +55,7 @@ static int send(void *ctx, const uint8_t *command, size_t commands, const void *
     if (commands && HAL_SPI_Transmit(&hspi1, (uint8_t *)command, (uint16_t)commands, TIMEOUT_MS) != HAL_OK)
         return give_up(SHEEN_ERR_BUS);
     HAL_GPIO_WritePin(LCD_DC_GPIO_Port, LCD_DC_Pin, GPIO_PIN_SET);
-    in_flight = count != 0;
-    if (count && HAL_SPI_Transmit_DMA(&hspi1, (uint8_t *)data, (uint16_t)count) != HAL_OK)
-        return give_up(SHEEN_ERR_BUS);
-    return SHEEN_OK;
+    return count && start_data((uint8_t *)data, (uint16_t)count) != HAL_OK ? give_up(SHEEN_ERR_BUS) : SHEEN_OK;
 }
 
 static int wait(void *ctx)

@@ -1,6 +1,7 @@
 /*
  * main.c - stands for a CubeMX project's main.c and for STM32Cube's HAL. A DMA transfer ends while the program waits
- * for it; the first one never ends, and the HAL is busy until it is aborted.
+ * for it; the first one never ends, and the HAL is busy until it is aborted. DMA does not reach the stack, as on an H7,
+ * whose linker scripts put it into the DTCM.
  */
 #include <assert.h>
 
@@ -12,6 +13,7 @@ SPI_HandleTypeDef hspi1;
 
 static GPIO_PinState selected = GPIO_PIN_SET;
 static int transfers, stuck;
+static uintptr_t stack_top;
 
 int show_on_panel(void);
 
@@ -39,6 +41,7 @@ HAL_StatusTypeDef HAL_SPI_Transmit(SPI_HandleTypeDef *spi, uint8_t *bytes, uint1
 HAL_StatusTypeDef HAL_SPI_Transmit_DMA(SPI_HandleTypeDef *spi, uint8_t *bytes, uint16_t count)
 {
     (void)spi;
+    assert((uintptr_t)bytes < (uintptr_t)__builtin_frame_address(0) || (uintptr_t)bytes > stack_top);
     if (stuck)
         return HAL_BUSY;
     wire_launch(bytes, count);
@@ -73,6 +76,7 @@ void HAL_Delay(uint32_t ms)
 
 int main(void)
 {
+    stack_top = (uintptr_t)__builtin_frame_address(0);
     int error = show_on_panel();
 
     assert(error == SHEEN_ERR_TIMEOUT && selected == GPIO_PIN_SET);
