@@ -90,7 +90,10 @@ static void fog_steps(const struct linear_setup *l, struct fog_at *step)
         step->apart[k] = 0u - l->channel[k].dx;
 }
 
-/* *at: at (x, y). Returns 1 if neither the fog's share nor a channel has to be clamped there or in `last` px more. */
+/*
+ * *at: at (x, y). Returns 1 if neither the fog's share nor a channel has to be clamped there or in `last` px more, and
+ * fog_steps is right.
+ */
 static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t last, struct fog_at *at)
 {
     const struct draw *d = l->s.draw;
@@ -100,6 +103,9 @@ static int fog_run(const struct linear_setup *l, int32_t x, int32_t y, int32_t l
     int unclamped = d->colour.fraction == LOOP_FRACTION &&
                     within(near - (z >> fog->shift), near - (end >> fog->shift), fog->reach - 2u * FOG_MARGIN);
 
+    /* of two pixels 2^15 steps of z16 or more apart the step's sign is lost, and with it that of the fog's step */
+    if (last > 0 && (end > z) != ((int32_t)l->s.depth.dx > 0))
+        unclamped = 0;
     at->z = z;
     at->left = (1u << 30) - ((uint32_t)fog->start - (z >> fog->shift)) * fog->scale;
     for (int k = 0; k < 3; k++) {
@@ -245,9 +251,13 @@ static COLD int fog_begin(struct fog_terms *terms, const struct sheen_fog *fog, 
 {
     if (fog->start <= 0 || fog->end <= fog->start)
         return SHEEN_ERR_ARGUMENT;
-    /* a start before 2^-14 of near is moved there, which makes a difference of less than 2^-14 */
-    const int64_t start = sheen_depth_beyond(p, max32(fog->start, max32(p->near >> 14, 1)));
-    const int64_t reach = start - sheen_depth_beyond(p, fog->end);
+    /*
+     * With perspective a start before 2^-14 of near is moved there, which makes a difference of less than 2^-14, and an
+     * end before 2^-13 of near there, which makes none: all that is drawn is behind it.
+     */
+    const sheen_q24_t least = p->orthographic != 0 ? 1 : max32(p->near >> 14, 1);
+    const int64_t start = sheen_depth_beyond(p, max32(fog->start, least));
+    const int64_t reach = start - sheen_depth_beyond(p, max32(fog->end, 2 * least));
     if (reach < (int64_t)256 << 16)
         return SHEEN_ERR_ARGUMENT;
     const unsigned shift = 48 - clz64((uint64_t)reach);

@@ -90,7 +90,7 @@ struct transform {
 /* The view's field of view, or the default that 0 stands for; 0 if it is out of range. */
 sheen_angle_t sheen_fov(const struct sheen_view *view);
 int sheen_project_begin(struct projection *p, const struct sheen_view *view, unsigned width, unsigned height);
-/* z16 with 16 fraction bits at any m > 0, also outside near to far; m >= near / 2^14. */
+/* z16 with 16 fraction bits at any m > 0, also outside near to far; with perspective m MUST be at least near / 2^15. */
 int64_t sheen_depth_beyond(const struct projection *p, sheen_q24_t m);
 /* origin: a posed mesh's, in eye space. Returns the units that raw 32768 is, or an error: too far or too large. */
 sheen_q24_t sheen_origin(const struct sheen_mesh *mesh, const struct sheen_pose *pose, sheen_q24_t origin[3]);
