@@ -200,7 +200,8 @@ static APART enum sheen_subject object_problem(const struct sheen_object *o)
     const struct sheen_material *m = o->material;
     const struct sheen_shader *shader = o->shader;
 
-    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
+    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0 ||
+        mesh->index_bytes - 1u > 1)
         return SHEEN_ABOUT_MESH;
     if (m == NULL || (uint32_t)m->ambient > most || (uint32_t)m->diffuse > most || (uint32_t)m->specular > most)
         return SHEEN_ABOUT_MATERIAL;
