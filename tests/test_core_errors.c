@@ -237,7 +237,7 @@ static void test_views(void **unused)
         {{.z_near = -1}, SHEEN_ABOUT_DEPTHS},
         {{.z_near = SHEEN_Q24(16)}, SHEEN_ABOUT_DEPTHS},
         {{.orthographic = -1}, SHEEN_ABOUT_DEPTHS},
-        {{.pose.scale = -1}, SHEEN_ABOUT_POSE},
+        {{.pose.scale = -1}, SHEEN_ABOUT_VIEW_POSE},
         {{.viewport = {0, 0, WIDTH + 1, 1}}, SHEEN_ABOUT_VIEWPORT},
     };
     struct memory_target target;

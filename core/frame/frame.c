@@ -77,7 +77,7 @@ static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct s
     if (!viewport_of(f->target, &view->viewport, viewport))
         return SHEEN_ABOUT_VIEWPORT;
     if (!sheen_pose_valid(&view->pose))
-        return SHEEN_ABOUT_POSE;
+        return SHEEN_ABOUT_VIEW_POSE;
     if (sheen_project_begin(p, view, (unsigned)(viewport->x1 - viewport->x0), (unsigned)(viewport->y1 - viewport->y0)) <
         0)
         return sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS;
