@@ -471,7 +471,7 @@ extern const struct sheen_quads sheen_quads;
 /* Capacities, fixed by sheen_init(). They are totals of a frame; 0 takes the default in brackets. */
 struct sheen_config {
     const struct sheen_target *target; /* borrowed for the frame's life */
-    uint16_t band_rows;                /* at most height; rounded up to align_y [16] */
+    uint16_t band_rows;                /* rounded up to align_y; above the height: the height [16] */
     uint8_t buffers;                   /* 1, or 2: draw a band while the last one is sent [1] */
     uint8_t workers;                   /* 1..4, with buffers of their own, that may call sheen_band() at once [1] */
     uint16_t max_vertices;             /* of all meshes drawn in a frame; no default */
@@ -523,7 +523,8 @@ int sheen_begin(struct sheen_frame *frame, const struct sheen_view *view);
 /*
  * Transform, cull, clip and list a mesh; while the frame is open. On any error the frame is as it was before:
  * SHEEN_ERR_STATE, SHEEN_ERR_ARGUMENT, SHEEN_ERR_DEGENERATE (a light without direction) or SHEEN_ERR_CAPACITY.
- * sheen_frame_about() says more about the last three.
+ * sheen_frame_about() says more about the last three. An object that is far away is refused, not left out: along each
+ * axis of eye space the distance of its origin plus twice its scale, mesh's times pose's, MUST stay below 128 units.
  */
 int sheen_draw(struct sheen_frame *frame, const struct sheen_object *object);
 
@@ -574,15 +575,16 @@ enum sheen_subject {
     SHEEN_ABOUT_MAX_CARRIED,
     SHEEN_ABOUT_VIEWPORT, /* of the view */
     SHEEN_ABOUT_FOV,
-    SHEEN_ABOUT_DEPTHS, /* z_near, z_far, orthographic */
-    SHEEN_ABOUT_POSE,   /* of the view or an object: its matrix is no rotation, or it moves something out of range */
-    SHEEN_ABOUT_MESH,   /* of an object */
+    SHEEN_ABOUT_DEPTHS,    /* z_near, z_far, orthographic */
+    SHEEN_ABOUT_VIEW_POSE, /* its matrix is no rotation, or its scale is negative */
+    SHEEN_ABOUT_POSE,      /* of an object: likewise, or the object is too far away (sheen_draw) */
+    SHEEN_ABOUT_MESH,      /* of an object */
     SHEEN_ABOUT_NORMALS,
     SHEEN_ABOUT_MATERIAL,
     SHEEN_ABOUT_SHINE,
     SHEEN_ABOUT_RAMP,
     SHEEN_ABOUT_SHADER,
-    SHEEN_ABOUT_LIGHTS,
+    SHEEN_ABOUT_LIGHTS,       /* missing, too many, out of range; point lights without points or with another shader */
     SHEEN_ABOUT_UVS,          /* missing, or uv_bits out of range */
     SHEEN_ABOUT_TEXTURE,      /* missing, out of range, without palette, or a bilinear matcap that does not clamp */
     SHEEN_ABOUT_TRANSPARENCY, /* transparency or phase out of range, or no stipple */
@@ -640,10 +642,12 @@ void sheen_invalidate(struct sheen_frame *frame);
  */
 struct sheen_stats {
     uint32_t objects; /* drawn; after a sheen_render() that failed at an object, the index of that object */
-    uint32_t triangles, front, drawn, clipped; /* given; facing the eye; listed (a quad counts once); cut */
-    uint32_t used;                             /* vertices transformed: what max_used has to hold */
-    uint32_t edges;                            /* listed to be drawn */
-    uint32_t carried;         /* set-ups that max_carried has to hold, at least 1; if it is less: one more than it is */
+    uint32_t triangles, front, clipped; /* given; facing the eye; cut */
+    uint32_t drawn;                     /* listed, a quad counts once: what max_triangles has to hold */
+    uint32_t used;                      /* vertices transformed: what max_used has to hold */
+    uint32_t pieces;                    /* listed of cut triangles, also in drawn: what max_clipped has to hold */
+    uint32_t carried;         /* what max_carried has to hold, at least 1; if it holds less: one more than it holds */
+    uint32_t edges;           /* listed to be drawn */
     uint32_t setups, spans;   /* set-ups of triangles, again for each band if not carried; rows of triangles */
     uint32_t covered, shaded; /* px inside triangles; px that passed the depth test (*) */
     uint32_t rectangles, pixels; /* pushes and their area in px */
@@ -682,7 +686,10 @@ void sheen_mesh_warp(const struct sheen_mesh *mesh, uint32_t polygon_count, uint
 void sheen_mesh_edges(const struct sheen_mesh *mesh, sheen_q30_t crease, uint32_t *scratch,
                       struct sheen_triangle_edges *edges);
 
-/* SHEEN_OK, or SHEEN_ERR_ARGUMENT if a count, pointer, index, polygon number or edge is out of range. */
+/*
+ * SHEEN_OK, or SHEEN_ERR_ARGUMENT if a count, pointer, index, polygon number or edge is out of range. polygon_count: of
+ * polygon_normals; without these it is not read.
+ */
 int sheen_mesh_check(const struct sheen_mesh *mesh, uint32_t polygon_count);
 
 sheen_q30_t sheen_sin(sheen_angle_t angle); /* within 2 raw steps of exact */

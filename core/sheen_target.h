@@ -22,7 +22,7 @@ extern "C" {
  */
 enum sheen_error {
     SHEEN_OK = 0,
-    SHEEN_ERR_ARGUMENT = -1,   /* a value outside its documented range, or NULL */
+    SHEEN_ERR_ARGUMENT = -1,   /* a value outside its documented range, or missing */
     SHEEN_ERR_MEMORY = -2,     /* the arena is too small; the size needed is reported */
     SHEEN_ERR_CAPACITY = -3,   /* more vertices, triangles, draws or pieces than configured */
     SHEEN_ERR_STATE = -4,      /* a call out of order (draw before begin, ...) */

@@ -40,6 +40,8 @@ WRONG(no_mesh, draw->mesh = NULL)
 WRONG(no_material, draw->material = NULL)
 WRONG(no_positions, mesh->positions = NULL)
 WRONG(no_indices, mesh->indices = NULL)
+WRONG(no_index_bytes, mesh->index_bytes = 0)
+WRONG(wide_indices, mesh->index_bytes = 4)
 WRONG(no_normals, mesh->normals = NULL)
 WRONG(no_shader, draw->shader = NULL)
 WRONG(no_shine, material->shine = NULL)
@@ -65,6 +67,8 @@ static const struct wrong wrongs[] = {
     {"no material", no_material, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MATERIAL},
     {"no positions", no_positions, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
     {"no indices", no_indices, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"indices of no size", no_index_bytes, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
+    {"indices of 4 bytes", wide_indices, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_MESH},
     {"no normals", no_normals, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_NORMALS},
     {"no shader", no_shader, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHADER},
     {"a highlight without a table", no_shine, SHEEN_ERR_ARGUMENT, SHEEN_ABOUT_SHINE},
@@ -233,7 +237,7 @@ static void test_views(void **unused)
         {{.z_near = -1}, SHEEN_ABOUT_DEPTHS},
         {{.z_near = SHEEN_Q24(16)}, SHEEN_ABOUT_DEPTHS},
         {{.orthographic = -1}, SHEEN_ABOUT_DEPTHS},
-        {{.pose.scale = -1}, SHEEN_ABOUT_POSE},
+        {{.pose.scale = -1}, SHEEN_ABOUT_VIEW_POSE},
         {{.viewport = {0, 0, WIDTH + 1, 1}}, SHEEN_ABOUT_VIEWPORT},
     };
     struct memory_target target;

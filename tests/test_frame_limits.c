@@ -208,8 +208,10 @@ static void check_capacity(int which, const struct actor *other, const char *wha
         assert_int_equal(high, stats.drawn);
     if (which == 2)
         assert_int_equal(high, 2);
-    if (which == 3) /* a cut triangle leaves nothing or some pieces */
+    if (which == 3) { /* a cut triangle leaves nothing or some pieces */
         assert_true(high > 1 && stats.clipped > 1);
+        assert_int_equal(high, stats.pieces);
+    }
 
     set_room(&config, which, high);
     assert_int_equal(draw_two(&target, &config, other, &stats), SHEEN_OK);
@@ -220,6 +222,7 @@ static void check_capacity(int which, const struct actor *other, const char *wha
     assert_memory_equal(target.memory, one.memory, HEIGHT * one.row_bytes);
     assert_int_equal(target.area, one.area); /* the failed draw does not even enlarge the rectangles */
     assert_int_equal(stats.drawn, stats_one.drawn);
+    assert_int_equal(stats.pieces, stats_one.pieces);
     print_message("  %s: %u are enough, %u are an error\n", what, high, high - 1);
     memory_target_free(&target);
     memory_target_free(&one);

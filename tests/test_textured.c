@@ -292,6 +292,73 @@ static int judge_forms(void)
     return differ;
 }
 
+/*
+ * A wall that near plane and guard band cut, with uv in steps of 1 / 2^bits of the picture. Fills in the target and
+ * counts the triangles that were cut; 0 or a negative code.
+ */
+static int shoot_wall(struct memory_target *target, const struct sheen_shader *shader, unsigned bits, uint32_t *cut)
+{
+    static const int16_t corners[] = {32767, -32767, 0, 32767, 32767, 0, 32767, 32767, -32767, 32767, -32767, -32767};
+    static const int16_t normals[] = {-32767, 0, 0, -32767, 0, 0, -32767, 0, 0, -32767, 0, 0};
+    static const uint8_t triangles[] = {0, 2, 3, 0, 1, 2};
+    const int16_t one = (int16_t)(1 << bits), two = (int16_t)(2 << bits);
+    const int16_t uvs[] = {(int16_t)-one, two, (int16_t)-one, 0, one, 0, one, two};
+    const struct sheen_mesh mesh = {.positions = corners,
+                                    .normals = normals,
+                                    .indices = triangles,
+                                    .index_bytes = 1,
+                                    .vertices = 4,
+                                    .triangles = 2,
+                                    .scale = SHEEN_Q24(1),
+                                    .uvs = uvs,
+                                    .uv_bits = (uint8_t)bits};
+    static const uint16_t texels[4] = {0xffff, 0x001f, 0xf800, 0x07e0};
+    const struct sheen_texture tiles = {.texels = texels, .width_log2 = 1, .height_log2 = 1};
+    const struct sheen_material material = {.base = {255, 255, 255}, .ambient = SHEEN_Q16(1), .texture = &tiles};
+    const struct sheen_object wall = {.mesh = &mesh, .material = &material, .shader = shader};
+    const struct sheen_config config = {.target = &target->target,
+                                        .max_vertices = 4,
+                                        .max_triangles = 40,
+                                        .max_clipped = 40,
+                                        .clipper = &sheen_clipper};
+    struct sheen_view view = {.z_near = SHEEN_Q24(0.1), .z_far = SHEEN_Q24(9), .fov = SHEEN_DEGREES(100)};
+    struct sheen_stats stats;
+    struct core_frame f;
+
+    sheen_pose_orbit(&view.pose, SHEEN_DEGREES(10), 0, SHEEN_DEGREES(6), 0);
+    int error = core_frame_make(&f, &config);
+    if (error < 0)
+        return error;
+    error = sheen_render(f.frame, &view, &wall, 1);
+    sheen_frame_stats(f.frame, &stats);
+    *cut = stats.clipped;
+    core_frame_free(&f);
+    return error;
+}
+
+/* Cut triangles show the same whatever the steps of a mesh's uv are, as long as its own uv are the same numbers. */
+static int judge_steps(void)
+{
+    static const struct sheen_shader *const shader[2] = {&sheen_textured, &sheen_textured_flat};
+    static const unsigned bits[4] = {13, 0, 3, 10};
+    int differ = 0;
+
+    for (int i = 0; i < 2; i++) {
+        struct memory_target target[4];
+        for (int k = 0; k < 4; k++) {
+            uint32_t cut = 0;
+            if (memory_target_init(&target[k], 320, 240, SHEEN_RGB565_LE) != 0 ||
+                shoot_wall(&target[k], shader[i], bits[k], &cut) != SHEEN_OK || cut != 2)
+                return 1;
+            differ += memcmp(target[k].memory, target[0].memory, target[0].row_bytes * 240) != 0;
+        }
+        for (int k = 0; k < 4; k++)
+            memory_target_free(&target[k]);
+    }
+    printf("steps of uv: %d of 8 pictures of cut triangles differ\n", differ);
+    return differ;
+}
+
 /* ---- what sheen_draw refuses ---- */
 
 static int draw_about(const struct sheen_object *object, const struct sheen_target *target)
@@ -405,6 +472,7 @@ int main(int argc, char **argv)
     for (int fault = 0; fault < FAULTS; fault++)
         faults += judge_fault((enum fault)fault);
     faults += judge_forms();
+    faults += judge_steps();
     faults += judge_arguments();
     printf("%d pictures outside their limits\n", failed);
     return failed + faults != 0;

@@ -78,7 +78,7 @@ static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct s
     if (!viewport_of(f->target, &view->viewport, viewport))
         return SHEEN_ABOUT_VIEWPORT;
     if (!sheen_pose_valid(&view->pose))
-        return SHEEN_ABOUT_POSE;
+        return SHEEN_ABOUT_VIEW_POSE;
     if (sheen_project_begin(p, view, (unsigned)(viewport->x1 - viewport->x0), (unsigned)(viewport->y1 - viewport->y0)) <
         0)
         return sheen_fov(view) == 0 ? SHEEN_ABOUT_FOV : SHEEN_ABOUT_DEPTHS;
@@ -201,7 +201,8 @@ static APART enum sheen_subject object_problem(const struct sheen_object *o)
     const struct sheen_material *m = o->material;
     const struct sheen_shader *shader = o->shader;
 
-    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0)
+    if (mesh == NULL || mesh->positions == NULL || mesh->indices == NULL || mesh->scale <= 0 ||
+        mesh->index_bytes - 1u > 1)
         return SHEEN_ABOUT_MESH;
     if (m == NULL || (uint32_t)m->ambient > most || (uint32_t)m->diffuse > most || (uint32_t)m->specular > most)
         return SHEEN_ABOUT_MATERIAL;

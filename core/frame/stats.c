@@ -16,6 +16,7 @@ COLD void sheen_frame_stats(const struct sheen_frame *f, struct sheen_stats *sta
                                   .drawn = f->count.drawn,
                                   .clipped = f->count.clipped,
                                   .used = f->used,
+                                  .pieces = f->pieces,
                                   .edges = f->count.edges};
     for (unsigned i = 0; i < c->workers; i++) {
         const struct worker *w = &f->worker[i];
@@ -58,11 +59,11 @@ COLD enum sheen_subject sheen_frame_about(const struct sheen_frame *f, uint32_t 
 const char *sheen_subject_name(enum sheen_subject subject)
 {
     static const char *const name[] = {
-        "nothing",       "target",    "buffers",     "workers",      "lock",     "max_vertices", "max_used",
-        "max_triangles", "max_draws", "max_clipped", "max_carried",  "viewport", "fov",          "z_near, z_far",
-        "pose",          "mesh",      "normals",     "material",     "shine",    "ramp",         "shader",
-        "lights",        "uvs",       "texture",     "transparency", "fog",      "depth_bias",   "morph",
-        "edges",         "max_edges", "smooth",      "clipper"};
+        "nothing",       "target",    "buffers",     "workers",     "lock",         "max_vertices", "max_used",
+        "max_triangles", "max_draws", "max_clipped", "max_carried", "viewport",     "fov",          "z_near, z_far",
+        "view.pose",     "pose",      "mesh",        "normals",     "material",     "shine",        "ramp",
+        "shader",        "lights",    "uvs",         "texture",     "transparency", "fog",          "depth_bias",
+        "morph",         "edges",     "max_edges",   "smooth",      "clipper"};
 
     return (unsigned)subject < sizeof name / sizeof name[0] ? name[subject] : name[0];
 }
@@ -92,7 +93,7 @@ const char *sheen_strerror(int error)
     case SHEEN_OK:
         return "no error";
     case SHEEN_ERR_ARGUMENT:
-        return "value out of range";
+        return "value missing or out of range";
     case SHEEN_ERR_MEMORY:
         return "arena too small";
     case SHEEN_ERR_CAPACITY:

@@ -13,14 +13,27 @@ static void textured_begin(struct draw *d, const struct sheen_material *material
     sheen_texel_begin(&d->texel, format, material, d->light.diffuse_sum, d->light.specular_sum);
 }
 
+/*
+ * u, v, and how many bits finer than the mesh's they are: as many as fit. Cut corners lie between the mesh's own steps,
+ * which may be as large as a picture.
+ */
 static void textured_carry(const struct draw *d, uint16_t triangle, int back, int16_t out[3][3])
 {
+    int finer = 15 - d->mesh->uv_bits;
+
     (void)back;
     for (uint32_t k = 0; k < 3; k++) {
         const int16_t *uv = d->mesh->uvs + 2 * mesh_index(d->mesh, 3u * triangle + k);
-        out[k][0] = uv[0];
-        out[k][1] = uv[1];
-        out[k][2] = 0;
+        for (int i = 0; i < 2; i++) {
+            out[k][i] = uv[i];
+            while (asr32(uv[i] * (1 << finer), 15) != asr32(uv[i], 15)) /* more than 16 bits */
+                finer--;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        out[k][0] = (int16_t)(out[k][0] * (1 << finer));
+        out[k][1] = (int16_t)(out[k][1] * (1 << finer));
+        out[k][2] = (int16_t)finer;
     }
 }
 
@@ -31,9 +44,10 @@ HOT static void textured_as(struct setup *s, struct surface_corners *c, const st
     const struct colour_terms *colour = &d->colour;
     struct at_corners at[4];
     int32_t diffuse[2], specular[2];
+    const unsigned finer = (c->at.v[0]->flags & LIT_AS_SEEN) != 0 ? (unsigned)c->at.normal[0][2] : 0;
 
-    sheen_texels_of(&at[0], d, d->texel.texture, &c->at, 0);
-    sheen_texels_of(&at[1], d, d->texel.texture, &c->at, 1);
+    sheen_texels_of(&at[0], d, d->texel.texture, &c->at, 0, finer);
+    sheen_texels_of(&at[1], d, d->texel.texture, &c->at, 1, finer);
     for (int k = 0; k < 3; k++) {
         at[2].f[k] = texel_light(&d->texel, lit[k].diffuse);
         at[3].f[k] = (int32_t)(d->texel.white ? lit[k].specular * d->texel.gloss >> (30 - LIGHT_BITS)

@@ -31,7 +31,7 @@ static APART void corners_of(const struct setup *s, int is_flat, struct texel_co
     for (uint32_t k = 0; k < 3; k++)
         at.normal[k] = mesh->uvs + 2 * mesh_index(mesh, 3 * triangle + k);
     for (int i = 0; i < 2; i++)
-        sheen_texels_of(&corners->place[i], s->draw, s->draw->tint.texture, &at, i);
+        sheen_texels_of(&corners->place[i], s->draw, s->draw->tint.texture, &at, i, 0);
     if (!s->draw->tint.texture->bilinear)
         sheen_inset_corners(corners->place, BORDER_BIAS);
     for (int i = 0; i < 2; i++)

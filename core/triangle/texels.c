@@ -29,10 +29,10 @@ void sheen_inset_corners(struct at_corners at[2], int32_t by)
 
 /* If the texture repeats, coordinates are brought near 0, because quotients of small numbers are finer. */
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
-                     const struct corners *c, int i)
+                     const struct corners *c, int i, unsigned finer)
 {
     const unsigned size = i == 0 ? t->width_log2 : t->height_log2, clamp = i == 0 ? t->clamp_u : t->clamp_v;
-    const unsigned up = 16 - d->mesh->uv_bits + size; /* 1..25 */
+    const unsigned up = 16 - d->mesh->uv_bits - finer + size; /* 1..25 */
     const int32_t own = c->normal[0][i];
     uint32_t first = ((uint32_t)own << up) + ((uint32_t)d->mesh->uv_offset[i] << size);
 

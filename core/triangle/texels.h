@@ -15,11 +15,11 @@ struct at_corners {
 };
 
 /*
- * The texel coordinates U (i = 0) or V (i = 1), Q15.16, from the u and v that corners have in place of normals; brought
- * near 0 if the texture repeats.
+ * The texel coordinates U (i = 0) or V (i = 1), Q15.16, from the u and v that corners have in place of normals, in
+ * steps of the mesh divided by 2^finer; brought near 0 if the texture repeats.
  */
 void sheen_texels_of(struct at_corners *at, const struct draw *d, const struct sheen_texture *t,
-                     const struct corners *c, int i);
+                     const struct corners *c, int i, unsigned finer);
 
 /*
  * Moves corners that lie on a border between texels towards the triangle's inside by `by`, which is how far coordinates
