@@ -68,7 +68,7 @@ static void bands_begin(struct sheen_frame *f)
 }
 
 /* Check a view, and derive the projection, the screen and the fog from it; returns what is wrong with the view. */
-static APART enum sheen_subject view_begin(struct sheen_frame *f, const struct sheen_view *view)
+static enum sheen_subject view_begin(struct sheen_frame *f, const struct sheen_view *view)
 {
     struct projection *p = &f->projection;
     struct screen *screen = &f->screen;
@@ -235,8 +235,8 @@ static int room_for(struct sheen_frame *f, uint32_t needed, uint32_t most, enum 
  * Make a draw's transform, its lights in the model's space, and its viewpoint (margin_per_warp 0: polygons are not
  * tested).
  */
-static APART int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
-                              struct viewpoint *viewpoint)
+static int place_object(struct sheen_frame *f, const struct sheen_object *o, struct draw *d, struct transform *t,
+                        struct viewpoint *viewpoint)
 {
     struct sheen_pose pose;
     const struct sheen_pose *view = &f->view.pose;
@@ -311,8 +311,8 @@ static void begin_colours(struct sheen_frame *f, struct draw *d, const struct sh
 }
 
 /* Fill in what a draw's triangles and vertices need, and the viewpoint. */
-static APART int begin_draw(struct sheen_frame *f, const struct sheen_object *object, struct draw *d,
-                            struct transform *t, struct viewpoint *viewpoint)
+static int begin_draw(struct sheen_frame *f, const struct sheen_object *object, struct draw *d, struct transform *t,
+                      struct viewpoint *viewpoint)
 {
     int error = place_object(f, object, d, t, viewpoint);
 

@@ -27,7 +27,7 @@ struct attributes {
 };
 
 /* Light the corners for the side that is seen, and fill in what the shader carries in place of normals. */
-static APART void light_triangle(const struct draw_record *d, uint16_t triangle, int back, struct attributes *a)
+static void light_triangle(const struct draw_record *d, uint16_t triangle, int back, struct attributes *a)
 {
     const struct sheen_shader *shader = d->as.shader;
 

@@ -115,7 +115,7 @@ int sheen_send_tile(struct sheen_frame *f, unsigned worker, const struct tile *t
     return error;
 }
 
-static int frame_error(const struct sheen_frame *f)
+static APART int frame_error(const struct sheen_frame *f)
 {
     lock(f);
     int error = f->state == IDLE ? SHEEN_ERR_STATE : f->error;

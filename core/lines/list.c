@@ -27,7 +27,7 @@ static void end_of_edge(const struct line_list *l, uint32_t index, struct clip_c
 }
 
 /* Clip an edge to the view volume; new ends are stored as vertices. 0 if nothing is left, or no room for the ends. */
-static APART int cut_line(struct line_list *l, const uint32_t index[2], uint16_t place[2])
+static int cut_line(struct line_list *l, const uint32_t index[2], uint16_t place[2])
 {
     struct clip_corner end[2];
     const struct clip_job job = {l->projection, l->transform, 0, NULL, NULL, 2};

@@ -129,7 +129,7 @@ void sheen_vertex_normals(const struct sheen_polygon_list *list, const uint32_t 
  * The first corner at point v (corner c's) whose polygon has the normal `own`: its average is corner c's too. Returns
  * c itself if no earlier corner has that normal; the loop ends there, because v's list is in order and contains c.
  */
-static uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3])
+static APART uint32_t first_alike(const struct around *around, uint32_t v, uint32_t c, const sheen_q30_t own[3])
 {
     uint32_t i = around->begin[v];
 

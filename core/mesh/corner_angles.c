@@ -38,7 +38,7 @@ static uint32_t square_root(uint64_t x)
  * All four are scaled together until the largest lies in [2^29, 2^30); then the sum of their squares, |u|^2 |v|^2, is
  * below 2^62 and the cross product's length below 2^31.
  */
-static sheen_angle_t angle_between(const int32_t u[3], const int32_t v[3])
+static APART sheen_angle_t angle_between(const int32_t u[3], const int32_t v[3])
 {
     uint64_t part[4], all = 0, square;
     int64_t dot = 0;

@@ -6,7 +6,7 @@
 
 #define NOWHERE UINT32_MAX
 
-static uint32_t edge_corner(const struct sheen_mesh *mesh, uint32_t i)
+static APART uint32_t edge_corner(const struct sheen_mesh *mesh, uint32_t i)
 {
     return mesh->index_bytes == 1 ? ((const uint8_t *)mesh->indices)[i] : ((const uint16_t *)mesh->indices)[i];
 }

@@ -21,7 +21,7 @@ struct ring {
 
 #define NO_BLOCKER UINT32_MAX /* there is none, or none is searched for yet */
 
-static const int32_t *point(const struct ring *ring, uint32_t i)
+static APART const int32_t *point(const struct ring *ring, uint32_t i)
 {
     return ring->points + 3 * (size_t)ring->corners[i];
 }
@@ -42,7 +42,7 @@ static struct seen see(const int32_t edge[3], const sheen_q30_t normal[3])
 }
 
 /* 1 for half of all directions: those with y > 0, and +x. */
-static int is_up(struct seen e)
+static APART int is_up(struct seen e)
 {
     return e.y > 0 || (e.y == 0 && e.x > 0);
 }

@@ -30,7 +30,7 @@ COLD void sheen_format_begin(struct pixel_format *format, const struct sheen_tar
 }
 
 /* A byte of colour as UQ1.16, 255 = 1.0 exactly, within half a step. */
-static uint32_t colour_share(uint8_t colour)
+static APART uint32_t colour_share(uint8_t colour)
 {
     return colour * 257u + (colour >> 7);
 }

@@ -116,8 +116,8 @@ static uint8_t quadric_block(const struct quadric quadric[2], unsigned steps)
 }
 
 /* 0: the triangle is too large, too small or a needle, weights are too far apart, or it might leave the picture. */
-HOT static APART int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c,
-                                      const struct gradients *g, const uint32_t h[3])
+HOT static int quadratic_matcap(struct matcap_setup *m, const struct surface_corners *c, const struct gradients *g,
+                                const uint32_t h[3])
 {
     struct quadric_steps steps;
     int32_t cosine[2][3], lean[3];
@@ -181,7 +181,7 @@ static uint8_t normal_block(const struct plane normal[3], int32_t n[3][3], unsig
     return block_of(QUOTIENT(step, least >> 15), 24 - steps); /* of UQ.25 */
 }
 
-static APART void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
+static void normal_matcap(struct matcap_setup *m, struct surface_corners *c, const struct gradients *g)
 {
     const struct lighting *l = &m->s.draw->light;
     const sheen_q30_t *const axis[3] = {l->to[0], l->to[1], l->view};

@@ -282,7 +282,7 @@ static void cell_begin(struct cell *c, int32_t f[3][3], int32_t u[3][3])
 }
 
 /* Makes the cell at column x. right: in, nodes of its left side; out, of its right. APART: nodes leave the stack. */
-HOT static APART void cell_at(struct cell *c, int32_t x, struct node right[3])
+HOT static void cell_at(struct cell *c, int32_t x, struct node right[3])
 {
     const int32_t size = 1 << CELL_SHIFT(&c->p->of.s), top = c->y & -size;
     int32_t f[3][3], u[3][3];

@@ -271,7 +271,7 @@ static inline void lit_crossing(const struct slerp_corner *a, const struct slerp
  * Ni; ci is by how much Ni's share is larger at one crossing than at the other, |ci| <= 1.0. |sum|^2 =
  * (c0 + c1 + c2)^2 - c0 c1 |N0 - N1|^2 - ... is computed in quarters, as h is: Q0.15.
  */
-HOT static APART void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
+HOT static void begin_lit(struct arc_row *r, const struct arc arc[2], unsigned other, const int32_t t[2])
 {
     const struct slerp_corners *at = r->at;
     const struct slerp_corner *corner = at->corner;

@@ -105,7 +105,7 @@ struct plane sheen_gradient_plane(const struct gradients *g, const int32_t value
     return sheen_slope_plane(g, &s);
 }
 
-HOT static APART struct plane wide_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
+HOT static struct plane wide_plane(const struct gradients *g, uint32_t base, int32_t d1, int32_t d2, unsigned up)
 {
     const int32_t value[3] = {0, d1, d2};
     struct plane p = sheen_gradient_plane(g, value, up);

@@ -7,7 +7,7 @@
 #define MOST_LIGHT (4 << 16) /* the most that a material's ambient and diffuse light may be */
 
 /* x y, clamped to +-4.0; x: 0..4.0. */
-static int32_t held_product(sheen_q16_t x, sheen_q16_t y)
+static APART int32_t held_product(sheen_q16_t x, sheen_q16_t y)
 {
     const int64_t product = asr64((int64_t)x * y + (1 << 15), 16);
 

@@ -81,7 +81,7 @@ static void orient(struct surface_corners *c, struct gradients *g)
  */
 #define STEEPEST_DEPTH 32768
 
-HOT static APART void mend_depth(struct plane *depth, const struct gradients *g, int32_t d1, int32_t d2)
+HOT static void mend_depth(struct plane *depth, const struct gradients *g, int32_t d1, int32_t d2)
 {
     const uint32_t at1 = depth->dx * (uint32_t)g->to1[0] + depth->dy * (uint32_t)g->to1[1];
     const uint32_t at2 = depth->dx * (uint32_t)g->to2[0] + depth->dy * (uint32_t)g->to2[1];

@@ -93,7 +93,7 @@ static void block_steps(struct block *b, uint32_t count)
  * Makes the block that begins at pixel (x, y), whose exact values are in b->end; returns its pixels, at most `left`.
  * The row's last block ends at the row's last pixel, because beyond the triangle weights may be invalid.
  */
-HOT static APART int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
+HOT static int32_t next_block(const struct textured_setup *s, struct block *b, int32_t x, int32_t y, int32_t left)
 {
     int32_t count = min32(left, BLOCK), to = min32(left - 1, BLOCK);
     struct inverse i = b->inverse;

@@ -48,7 +48,7 @@ static struct plane numerator_plane(const struct gradients *g, const struct surf
     return sheen_gradient_plane(g, value, 1);
 }
 
-static uint32_t largest_of(const struct at_corners *at)
+static APART uint32_t largest_of(const struct at_corners *at)
 {
     return magnitude32(at->f[0]) | magnitude32(at->f[1]) | magnitude32(at->f[2]);
 }

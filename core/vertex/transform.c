@@ -38,7 +38,7 @@ static inline uint32_t depth_over(struct inverse i, uint32_t v)
 }
 
 /* How much z16 exceeds that of the far plane, with depth_fraction bits, in an orthographic view. m in near..far. */
-static APART uint32_t straight_depth(const struct projection *p, sheen_q24_t m)
+static uint32_t straight_depth(const struct projection *p, sheen_q24_t m)
 {
     return (uint32_t)(((uint64_t)(uint32_t)(p->far - m) * p->depth) >> p->depth_shift);
 }
@@ -58,7 +58,7 @@ static void depth_factor(const struct projection *p, struct scaled *s)
 }
 
 /* The value with 16 fraction bits. Range: 2^-17 to 2^47; 65020 steps, over at most 128 units and at least a raw one. */
-static int64_t scaled_value(const struct scaled *s)
+static APART int64_t scaled_value(const struct scaled *s)
 {
     return (int64_t)((uint64_t)s->mantissa << 31 >> (46 - s->exponent));
 }
@@ -221,7 +221,7 @@ static APART int32_t grown(int32_t value, int by)
 }
 
 /* Holds a coordinate at the guard band's limits. Returns `low`, or the flag after it, if it was beyond them; else 0. */
-static unsigned guard(int16_t *out, int32_t value, unsigned low)
+static APART unsigned guard(int16_t *out, int32_t value, unsigned low)
 {
     const int32_t held = max32(-GUARD_BAND, min32(value, GUARD_BAND));
 
