@@ -80,7 +80,10 @@ typedef uint32_t sheen_angle_t; /* UQ0.32 turns: 2^32 is 360 degrees */
 /* x degrees as turns. */
 #define SHEEN_DEGREES(x) ((sheen_angle_t)(int64_t)((x) / 360.0 * 4294967296.0) + (sheen_angle_t)SHEEN_CONSTANT(x))
 
-/* Any whole number of degrees, to the nearest step (8.4e-8 degrees). 2^32 / 360 = 11930464 + 3054198966 / 2^32. */
+/*
+ * Any whole number of degrees, to the nearest step (8.4e-8 degrees); beyond +-1,000,000,000 to one of the two nearest.
+ * 2^32 / 360 = 11930464 + 3054198966 / 2^32.
+ */
 static inline sheen_angle_t sheen_degrees(int32_t degrees)
 {
     const uint64_t part = (uint64_t)((int64_t)degrees * 3054198966 + 2147483648);
@@ -713,9 +716,9 @@ int sheen_pose_translate(struct sheen_pose *pose, sheen_q24_t x, sheen_q24_t y, 
 
 /*
  * out = outer * inner: the model is moved by inner, then by outer. out may be one of the two. Scale and translation are
- * rounded once; the rotation is made orthonormal again, its entries within 12 raw steps of the product, so that
- * sheen_draw() accepts the result of any number of compositions. SHEEN_ERR_ARGUMENT if a matrix is no rotation, or
- * scale or translation leave their range; out is untouched then.
+ * rounded once; the rotation is made orthonormal again (if both are so, its entries are within 12 raw steps of the
+ * product), so that sheen_draw() accepts the result of any number of compositions. SHEEN_ERR_ARGUMENT if a matrix is no
+ * rotation, or scale or translation leave their range; out is untouched then.
  */
 int sheen_pose_compose(const struct sheen_pose *outer, const struct sheen_pose *inner, struct sheen_pose *out);
 

@@ -1,5 +1,5 @@
 # Each stage of the core alone, against double precision or exact integers.
-set(stages fixed newton vectors arcs averages edges pose transform light ramp colour fog bin flight garbage errors)
+set(stages fixed newton vectors arcs averages edges pose transform light ramp colour fog weights bin flight garbage errors)
 foreach(name IN LISTS stages)
   sheen_test(test_core_${name} unit SOURCES test_core_${name}.c LIBRARIES core_picture sheen::core)
 endforeach()

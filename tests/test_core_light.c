@@ -12,6 +12,7 @@
 
 #include "frame/frame.h"
 #include "frame_stage.h"
+#include "math/pose.h"
 
 #define ONE 1073741824.0 /* Q1.30 */
 #define WEIGHT(sum) (1.5 * 65536 / fmax(1, sum))
@@ -250,9 +251,35 @@ static void test_lights_out_of_range(void **unused)
     assert_int_equal(light_begin(&s), SHEEN_OK);
 }
 
+/* View and object off by as much as allowed: a light in the model's space is at most 1.005 long, which does no harm. */
+static void test_lights_turned_by_slack(void **unused)
+{
+    const double leans = (sqrt(1 + 2.99 / 1024) - 1) / 3; /* so that rows are off by 1/1024 in all products */
+    const struct sheen_light light = {.to = {1, 1, 1}};
+    struct sheen_pose slack = {.scale = 1 << 16}, both;
+    struct lighting l;
+    double length = 0;
+
+    (void)unused;
+    for (int k = 0; k < 9; k++)
+        slack.rotation[k] = (int32_t)lrint(ONE * ((k % 4 == 0) + leans));
+    assert_int_equal(sheen_pose_place(&slack, &slack, &both), SHEEN_OK);
+    assert_int_equal(sheen_light_begin(&l, &light, 1, both.rotation, slack.rotation, LIGHTS_FAR), SHEEN_OK);
+    for (int k = 0; k < 3; k++)
+        length += pow(l.to[0][k] / ONE, 2);
+    assert_true(length > 1.004 * 1.004 && length < 1.005 * 1.005);
+    const int16_t normal[3] = {18918, 18918, 18918}, back[3] = {-18918, -18918, -18918};
+    const double dot = 18918 * ((double)l.to[0][0] + l.to[0][1] + l.to[0][2]) / 65536;
+    assert_true(fabs(dot_q29(normal, l.to[0]) - dot) < 4);
+    assert_true(fabs(dot_q29(back, l.to[0]) + dot) < 4);
+    assert_int_equal(sheen_unit_cosine(normal, lacking(normal), l.to[0]), 1 << 30);
+    assert_int_equal(sheen_unit_cosine(back, lacking(back), l.to[0]), -(1 << 30));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lights_turned_by_slack),
         cmocka_unit_test(test_powers),
         cmocka_unit_test(test_shininesses_out_of_range),
         cmocka_unit_test(test_const_shines),

@@ -266,8 +266,11 @@ static void steps_of_poses(void **state)
 
     (void)state;
     for (int64_t k = INT32_MIN, step = 1; k <= INT32_MAX; k += step) {
-        const int64_t turn = (k % 360 + 360) % 360 * 4294967296 / 360; /* floor */
-        assert_in_range((uint32_t)(sheen_degrees((int32_t)k) - (uint32_t)turn), 0, 1);
+        const int64_t turn = (k % 360 + 360) % 360 * 4294967296;
+        if (k >= -1000000000 && k <= 1000000000)
+            assert_int_equal(sheen_degrees((int32_t)k), (uint32_t)((turn + 180) / 360));
+        else
+            assert_in_range((uint32_t)(sheen_degrees((int32_t)k) - (uint32_t)(turn / 360)), 0, 1);
         step = k >= -1000 && k < 1000 ? 1 : 9973;
     }
     for (unsigned axis = 0; axis < 3; axis++)

@@ -208,7 +208,8 @@ static inline int32_t halves_part(int16_t n, int32_t v)
 
 /*
  * Dot product of a 16-bit unit vector (Q0.15) and a Q1.30 one: Q2.29, within 3
- * raw steps. Range: |v| <= 1.001, so every partial sum stays below 2^31.
+ * raw steps. Range: |v| <= 1.005, a unit vector turned by three rotations that are
+ * off by 1/1024 each, so every partial sum stays below 2^31.
  */
 static inline int32_t dot_q29(const int16_t n[3], const int32_t v[3])
 {

@@ -60,8 +60,8 @@ COLD int sheen_pose_valid(const struct sheen_pose *p)
 }
 
 /*
- * A row of a rotation times a vector of any format, with 30 more fraction bits. Range: |row| <= 1.001, so |result| <
- * 2^61.8.
+ * A row of a rotation times a vector of any format, with 30 more fraction bits. Range: |row| <= 1.003, of a product of
+ * two, so |result| < 2^61.8.
  */
 static APART int64_t row_times(const sheen_q30_t *row, const int32_t *v, int stride)
 {

@@ -61,10 +61,15 @@ struct texel_rows {
     struct colored_run run;
 };
 
-/* The perspective-correct shares of corners 1 and 2 at pixel (x, y), Q3.28 (lecture, "Fixing Distortion"). */
+/*
+ * The perspective-correct shares of corners 1 and 2 at pixel (x, y), Q3.28 (lecture, "Fixing Distortion"). Rounding may
+ * take a weight below 0 where 1/m is less than 2^-20 of the triangle's largest, and on a needle above 1.0; it counts as
+ * 1.0 then. Near such a corner shares are of any size.
+ */
 static inline void corner_shares(const struct shares *p, int32_t x, int32_t y, int32_t share[2])
 {
-    const struct inverse i = inverse_of(plane_at(&p->weight, x, y) | 1u);
+    const uint32_t weight = plane_at(&p->weight, x, y) | 1u;
+    const struct inverse i = inverse_of(weight >> 30 == 0 ? weight : (1u << 30) - 1);
 
     for (int j = 0; j < 2; j++) /* a weight is below 1.0: i.up >= 2 */
         share[j] = over(i, (int32_t)(plane_at(&p->part[j], x, y) << (i.up - 2)));
@@ -77,11 +82,13 @@ static inline uint32_t channel_between(const struct at_corners *f, const int32_t
            2u * (uint32_t)(mul_16_32(share[0], f->f[1] - f->f[0]) + mul_16_32(share[1], f->f[2] - f->f[0]));
 }
 
-/* The same for a texel coordinate. share: Q3.28. Range: differences < 2^29. */
+/* The same for a texel coordinate, modulo 2^32. share: Q3.28. Range: differences <= 2^29. */
 static inline uint32_t texels_between(const struct at_corners *f, const int32_t share[2])
 {
-    return (uint32_t)f->f[0] + 4u * (uint32_t)(PRODUCT_FORM(high)(share[0] * 4, f->f[1] - f->f[0]) +
-                                               PRODUCT_FORM(high)(share[1] * 4, f->f[2] - f->f[0]));
+    const int32_t first = (int32_t)((uint32_t)share[0] * 4u), second = (int32_t)((uint32_t)share[1] * 4u);
+
+    return (uint32_t)f->f[0] + 4u * ((uint32_t)PRODUCT_FORM(high)(first, f->f[1] - f->f[0]) +
+                                     (uint32_t)PRODUCT_FORM(high)(second, f->f[2] - f->f[0]));
 }
 
 /* The exact values at pixel (x, y) of the triangle. */

@@ -7,7 +7,7 @@
 
 #include "reflection.h"
 
-#define REFLECTION_LEAN 32768 /* the largest lean: 1/m at an edge's ends is in the ratio of 1 1/8 */
+#define REFLECTION_LEAN 32768 /* the largest lean: 1/m changes along an edge by 1/8 of its mean */
 #define MOST_HIGHLIGHT_BITS                                                                                            \
     12 /* most bits of gradients with a highlight: from 64 px on L.N's and N.V's 16 bits show in it */
 #define MOST_ARGUMENT 0xe0000000u /* 3.5 times the power table's range: up to there no value of a quadric wraps */

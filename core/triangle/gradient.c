@@ -132,18 +132,3 @@ HOT void sheen_plane(struct plane *p, const struct gradients *g, uint32_t base, 
     base += scaled_step(to_centre, shift - 1) - (uint32_t)g->origin[0] * x - (uint32_t)g->origin[1] * y;
     *p = (struct plane){base, x, y};
 }
-
-/*
- * Moves a quadric that is given at a pixel (its value, first and second differences there) to pixel (0, 0) of the
- * target; exact modulo 2^32.
- */
-struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
-                             uint32_t dxy, uint32_t dyy)
-{
-    int32_t ox = -pixel[0], oy = -pixel[1];
-    uint32_t x = (uint32_t)ox, y = (uint32_t)oy;
-    struct quadric q = {0, dx + x * dxx + y * dxy, dy + y * dyy + x * dxy, dxx, dxy, dyy};
-
-    q.base = base + x * dx + y * dy + pairs(ox) * dxx + x * y * dxy + pairs(oy) * dyy;
-    return q;
-}

@@ -14,7 +14,8 @@ SETUP_FITS(struct shades_setup);
  * Interpolation that is linear on the screen in place of in space is off by at most dI (sqrt q - 1) / (sqrt q + 1) <=
  * dI (q - 1) / 4, where q is the ratio of the weights at an edge's ends. Differences of z16 are those of weights >>
  * weight_shift. Range: |d| <= 64000 (on grey, the sum of three channels), |z| <= 65020, so products fit 32 bits; unit <
- * 2^13; a weight >> weight_shift is below 2^25.
+ * 2^13; a weight >> weight_shift is below 2^25 unless far - near is less than 1/516 of far. Then the last product may
+ * wrap, and a slower way than needed is taken.
  */
 HOT int sheen_straight(const struct surface_corners *c, int32_t d1, int32_t d2, uint32_t unit)
 {

@@ -28,6 +28,12 @@ static APART struct plane share_plane(const struct gradients *g, const int32_t v
     return (struct plane){QUOTIENT((uint32_t)value[0] + (uint32_t)value[1] + (uint32_t)value[2], 3u), 0, 0};
 }
 
+/*
+ * The most that a weight may be, UQ2.30, unless all are equal: above 1.0 there is no room, and the plane's rounding
+ * adds up to half a step per pixel, more only on needles.
+ */
+#define MOST_SHARED ((1 << 30) - (1 << 10))
+
 void sheen_setup_shares(struct shares_setup *s, struct surface_corners *c, const struct gradients *g)
 {
     const int piece = (c->at.v[0]->flags & LIT_AS_SEEN) != 0;
@@ -38,8 +44,9 @@ void sheen_setup_shares(struct shares_setup *s, struct surface_corners *c, const
     else
         s->of.own = c->at.triangle;
     sheen_weigh(c);
-    const int32_t weight[3] = {(int32_t)(c->weight[0] >> 2), (int32_t)(c->weight[1] >> 2),
-                               (int32_t)(c->weight[2] >> 2)};
+    const int32_t most = c->flat_weight ? INT32_MAX : MOST_SHARED;
+    const int32_t weight[3] = {min32((int32_t)(c->weight[0] >> 2), most), min32((int32_t)(c->weight[1] >> 2), most),
+                               min32((int32_t)(c->weight[2] >> 2), most)};
     s->shares.weight = share_plane(g, weight);
     for (int k = 1; k < 3; k++) { /* k: in the mesh's order, which back faces have; others are turned over */
         int32_t part[3] = {0, 0, 0};

@@ -224,8 +224,6 @@ struct slope {
 };
 
 void sheen_weigh(struct surface_corners *c);
-struct quadric sheen_quadric(const int32_t pixel[2], uint32_t base, uint32_t dx, uint32_t dy, uint32_t dxx,
-                             uint32_t dxy, uint32_t dyy);
 
 /* (x, y): corner 0 on the target, 1/64 px. */
 int sheen_gradients(struct gradients *g, int32_t x, int32_t y);

@@ -83,7 +83,7 @@ static void depth_begin(struct projection *p, const struct scaled *depth)
 
 /*
  * 1/m = (z16 - DEPTH_FAR + depth / far) / depth, so z16 plus an offset is proportional to it. The sum is scaled to just
- * below 2^31, so that its sign shows: the offset is negative if far is more than 250 times as far as near.
+ * below 2^31, so that its sign shows: the offset is negative if far is 254 times as far as near, or farther.
  */
 static void weight_begin(struct projection *p, struct scaled far)
 {

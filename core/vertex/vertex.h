@@ -148,7 +148,7 @@ struct lighting {
     uint8_t count;
     const struct sheen_ramp *ramp;              /* of the material; NULL: none */
     sheen_q16_t diffuse_sum, specular_sum;      /* of the lights' intensities */
-    uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum 1.0 */
+    uint16_t diffuse_weight[SHEEN_MAX_LIGHTS];  /* UQ1.15, their sum at most 1.0 */
     uint16_t specular_weight[SHEEN_MAX_LIGHTS]; /* likewise; 0: no highlight */
     sheen_q30_t view[3];                        /* V */
     sheen_q30_t to[SHEEN_MAX_LIGHTS][3];        /* L; for a point light its place, see sheen_light_tinted */
